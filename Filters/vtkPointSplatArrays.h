@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkPointSplatArrays.h
+ * @brief names of the point arrays by which filters and renderers understand each other
+ *
+ * Normals are the data set's active point normals.
+ */
+#ifndef vtkPointSplatArrays_h
+#define vtkPointSplatArrays_h
+
+namespace vtkPointSplatArrays
+{
+/// 1 float, world units: the radius such that the splats' disks cover the surface.
+inline constexpr const char* Radius = "SplatRadius";
+///@{
+/// 3 floats each, world units: a disk's principal axes, in its tangent plane.
+inline constexpr const char* Axis1 = "SplatAxis1";
+inline constexpr const char* Axis2 = "SplatAxis2";
+///@}
+/// 1 int: the minimal independent group that a splat belongs to.
+inline constexpr const char* Group = "SplatGroup";
+/// 1 float, 0 (in shadow) to 1 (lit).
+inline constexpr const char* Shadow = "ShadowFactor";
+/// 1 double: the isovalue of the surface that a point lies on.
+inline constexpr const char* Isovalue = "Isovalue";
+}
+
+#endif

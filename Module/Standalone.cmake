@@ -1,0 +1,78 @@
+# SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# The project on its own: settings, modules, Python, package, examples, tests.
+include(GNUInstallDirs)
+
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+if (NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug, Release, RelWithDebInfo" FORCE)
+endif ()
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}")
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+
+option(BUILD_SHARED_LIBS "Build shared libraries" ON)
+option(BUILD_TESTING "Build the tests" ON)
+option(PointSplatting_WRAP_PYTHON "Build the Python package pointsplatting" ON)
+option(PointSplatting_BUILD_EXAMPLES "Build splatview and the examples" ON)
+
+if (PointSplatting_WRAP_PYTHON)
+  # Debian's vtkmodules belong to the system's interpreter; another one that is
+  # first on the PATH could not load them.
+  if (NOT DEFINED Python3_EXECUTABLE AND EXISTS "/usr/bin/python3")
+    set(Python3_EXECUTABLE "/usr/bin/python3" CACHE FILEPATH "The interpreter that has vtkmodules")
+  endif ()
+  find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
+endif ()
+
+find_package(VTK 9.1 REQUIRED)
+if (PointSplatting_WRAP_PYTHON AND NOT TARGET VTK::WrappingPythonCore)
+  message(FATAL_ERROR "This VTK has no Python wrapping; set PointSplatting_WRAP_PYTHON=OFF.")
+endif ()
+
+if (BUILD_TESTING)
+  include(CTest)
+  set(_tests WANT)
+else ()
+  set(_tests OFF)
+endif ()
+
+vtk_module_find_modules(_module_files "${CMAKE_SOURCE_DIR}/Filters" "${CMAKE_SOURCE_DIR}/Rendering")
+list(APPEND _module_files
+  "${CMAKE_SOURCE_DIR}/Filters/vtk.module" "${CMAKE_SOURCE_DIR}/Rendering/vtk.module")
+list(REMOVE_DUPLICATES _module_files)
+vtk_module_scan(
+  MODULE_FILES         ${_module_files}
+  PROVIDES_MODULES     _modules
+  REQUEST_MODULES      VTK::FiltersPointSplatting VTK::RenderingPointSplatting
+  WANT_BY_DEFAULT      ON
+  ENABLE_TESTS         OFF)
+vtk_module_build(
+  MODULES              ${_modules}
+  PACKAGE              PointSplatting
+  VERSION              "${PROJECT_VERSION}"
+  SOVERSION            0
+  INSTALL_EXPORT       PointSplatting
+  INSTALL_HEADERS      ON
+  HEADERS_DESTINATION  "${CMAKE_INSTALL_INCLUDEDIR}/pointsplatting"
+  CMAKE_DESTINATION    "${CMAKE_INSTALL_LIBDIR}/cmake/PointSplatting"
+  LIBRARY_NAME_SUFFIX  ""
+  TARGETS_COMPONENT    Development)
+
+if (PointSplatting_WRAP_PYTHON)
+  include(Module/Python.cmake)
+endif ()
+include(Module/Package.cmake OPTIONAL)
+if (PointSplatting_BUILD_EXAMPLES AND EXISTS "${CMAKE_SOURCE_DIR}/Examples/CMakeLists.txt")
+  add_subdirectory(Examples)
+endif ()
+if (BUILD_TESTING AND EXISTS "${CMAKE_SOURCE_DIR}/Testing/CMakeLists.txt")
+  add_subdirectory(Testing)
+endif ()

@@ -1,0 +1,45 @@
+#version 430
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Names the splat that has the greatest weight at each pixel of the nearest
+// layer, for hardware selection; of equals the one with the least id. Run twice:
+// first for the greatest weight, then for the id of the splat that has it.
+// Reads: Depths. Writes: Ids, two uints a pixel: weight, id.
+
+#include "vtkPointSplatSplatsCS"
+#include "vtkPointSplatKernel"
+
+layout(std430, binding = 2) buffer Ids { uint ids[]; };
+layout(std430, binding = 4) readonly buffer IdMap { uint idMap[]; };
+
+uniform float PrefilterRadius; // pixels
+uniform bool FindWeight;
+uniform bool UseIdMap;
+
+void drawPixel(Splat q, uint index, ivec2 pixel)
+{
+  int at = pixelIndex(pixel);
+  uint nearest = depths[at];
+  float r2;
+  float depth;
+  if ((nearest & TagMask) != q.tag ||
+    !intersect(q, vec2(pixel) + 0.5, KernelSupport, r2, depth) || !sameLayer(q, depth, nearest))
+  {
+    return;
+  }
+  uint weight = floatBitsToUint(kernelWeight(r2, KernelSupport));
+  if (FindWeight)
+  {
+    atomicMax(ids[2 * at], weight);
+  }
+  else if (ids[2 * at] == weight)
+  {
+    atomicMin(ids[2 * at + 1], UseIdMap ? idMap[index] : splatId(index));
+  }
+}
+
+void main()
+{
+  drawSplats(KernelSupport, PrefilterRadius);
+}

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The images of a reconstructed surface layer, from whichever projection made
+// them: buffers of integers (COMPUTE_IMAGES), or textures.
+
+#ifdef COMPUTE_IMAGES
+
+#include "vtkPointSplatFixedPoint"
+
+uniform usamplerBuffer Depths; // R32UI, one a pixel
+uniform isamplerBuffer Sums;   // RGBA32I, two a pixel
+uniform usamplerBuffer Ids;    // RG32UI, one a pixel
+uniform int ImageWidth;
+
+uint fetchDepth(ivec2 pixel)
+{
+  return texelFetch(Depths, pixel.y * ImageWidth + pixel.x).r;
+}
+
+uint fetchId(ivec2 pixel)
+{
+  return texelFetch(Ids, pixel.y * ImageWidth + pixel.x).g;
+}
+
+// False: nothing was accumulated here.
+bool fetchSums(ivec2 pixel, out vec3 normal, out float behind, out vec3 colour)
+{
+  int at = 2 * (pixel.y * ImageWidth + pixel.x);
+  ivec4 a = texelFetch(Sums, at);
+  ivec4 b = texelFetch(Sums, at + 1);
+  float w = float(a.x);
+  normal = vec3(a.yzw) / w;
+  behind = DepthUnit * float(b.x) / w;
+  colour = vec3(b.yzw) / w;
+  return a.x > 0;
+}
+
+#else
+
+uniform usampler2D Depths;
+uniform sampler2D WeightAndNormal;
+uniform sampler2D DepthAndColour;
+uniform usampler2D Ids;
+uniform float DepthUnit;
+
+uint fetchDepth(ivec2 pixel)
+{
+  return texelFetch(Depths, pixel, 0).r;
+}
+
+uint fetchId(ivec2 pixel)
+{
+  return texelFetch(Ids, pixel, 0).r;
+}
+
+bool fetchSums(ivec2 pixel, out vec3 normal, out float behind, out vec3 colour)
+{
+  vec4 a = texelFetch(WeightAndNormal, pixel, 0);
+  vec4 b = texelFetch(DepthAndColour, pixel, 0);
+  normal = a.yzw / a.x;
+  behind = DepthUnit * b.x / a.x;
+  colour = b.yzw / a.x;
+  return a.x > 0.0;
+}
+
+#endif

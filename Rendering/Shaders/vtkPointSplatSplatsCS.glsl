@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// How compute shaders read splats and share them out: one invocation a splat,
+// but for splats of many pixels, which a first dispatch lists and a second one
+// draws with a whole work group each.
+
+#include "vtkPointSplatProjection"
+
+layout(local_size_x = 64) in;
+
+layout(std430, binding = 0) readonly buffer Splats { uvec4 splats[]; };
+layout(std430, binding = 1) buffer Depths { uint depths[]; };
+layout(std430, binding = 3) buffer Large { uint largeCount; uint large[]; };
+
+uniform uint SplatCount;
+uniform bool DrawLarge;      // this dispatch draws the listed splats
+uniform bool ListLarge;      // this dispatch makes the list
+uniform int ImageWidth;
+
+// Splats whose box has more pixels than this are large.
+const int LargeArea = 256;
+
+bool loadSplat(uint index, float reach, float h, out Splat q)
+{
+  uint at = index * (Circular ? 2u : 4u);
+  uvec4 a = splats[at];
+  uvec4 b = splats[at + 1u];
+  vec3 axis1 = vec3(0.0);
+  vec3 axis2 = vec3(0.0);
+  if (!Circular)
+  {
+    axis1 = uintBitsToFloat(splats[at + 2u].xyz);
+    axis2 = uintBitsToFloat(splats[at + 3u].xyz);
+  }
+  return project(uintBitsToFloat(a.xyz), uintBitsToFloat(b.xyz), axis1, axis2,
+    uintBitsToFloat(a.w), reach, h, q);
+}
+
+uint splatId(uint index)
+{
+  return splats[index * (Circular ? 2u : 4u) + 1u].w;
+}
+
+int pixelIndex(ivec2 pixel)
+{
+  return pixel.y * ImageWidth + pixel.x;
+}
+
+// What a stage does with one pixel of a splat's box.
+void drawPixel(Splat q, uint index, ivec2 pixel);
+
+void drawSplats(float reach, float h)
+{
+  Splat q;
+  if (DrawLarge)
+  {
+    for (uint i = gl_WorkGroupID.x; i < largeCount; i += gl_NumWorkGroups.x)
+    {
+      uint index = large[i];
+      if (loadSplat(index, reach, h, q))
+      {
+        ivec2 size = q.box.zw - q.box.xy + 1;
+        for (int k = int(gl_LocalInvocationID.x); k < size.x * size.y; k += 64)
+        {
+          drawPixel(q, index, q.box.xy + ivec2(k % size.x, k / size.x));
+        }
+      }
+    }
+    return;
+  }
+  uint index =
+    (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 64u + gl_LocalInvocationID.x;
+  if (index >= SplatCount || !loadSplat(index, reach, h, q))
+  {
+    return;
+  }
+  ivec2 size = q.box.zw - q.box.xy + 1;
+  if (size.x * size.y > LargeArea)
+  {
+    if (ListLarge)
+    {
+      large[atomicAdd(largeCount, 1u)] = index;
+    }
+    return;
+  }
+  for (int y = q.box.y; y <= q.box.w; ++y)
+  {
+    for (int x = q.box.x; x <= q.box.z; ++x)
+    {
+      drawPixel(q, index, ivec2(x, y));
+    }
+  }
+}

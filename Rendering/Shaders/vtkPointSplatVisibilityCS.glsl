@@ -1,0 +1,27 @@
+#version 430
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Visibility splatting, by compute: the nearest depth of all disks at each
+// pixel. Disks are drawn without the kernel's tail, which would draw the
+// surface past its silhouettes.
+// Writes: Depths, one uint a pixel (see encodeDepth).
+
+#include "vtkPointSplatSplatsCS"
+
+uniform float CoverageRadius; // pixels: below, a disk might miss every pixel
+
+void drawPixel(Splat q, uint index, ivec2 pixel)
+{
+  float r2;
+  float depth;
+  if (intersect(q, vec2(pixel) + 0.5, 1.0, r2, depth))
+  {
+    atomicMin(depths[pixelIndex(pixel)], encodeDepth(depth, q.tag));
+  }
+}
+
+void main()
+{
+  drawSplats(1.0, CoverageRadius);
+}

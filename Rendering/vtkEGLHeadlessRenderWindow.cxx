@@ -1,0 +1,373 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkEGLHeadlessRenderWindow.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkPointSplattingConfigure.h"
+#include "vtkPointSplattingOpenGL.h"
+#include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
+
+#include <string>
+#include <vector>
+
+#if PointSplatting_HAVE_EGL && !PointSplatting_VTK_HAS_EGL_WINDOW
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#endif
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkEGLHeadlessRenderWindow);
+
+#if PointSplatting_VTK_HAS_EGL_WINDOW
+
+struct vtkEGLHeadlessRenderWindow::vtkInternals
+{
+};
+
+vtkEGLHeadlessRenderWindow::vtkEGLHeadlessRenderWindow()
+{
+  this->SetOffScreenRendering(1);
+}
+
+vtkEGLHeadlessRenderWindow::~vtkEGLHeadlessRenderWindow() = default;
+
+const char* vtkEGLHeadlessRenderWindow::GetPlatform()
+{
+  return this->Initialized ? "vtkEGLRenderWindow" : "";
+}
+
+#else
+
+struct vtkEGLHeadlessRenderWindow::vtkInternals
+{
+  std::string Platform;
+  std::string Capabilities;
+  bool Failed = false;
+
+#if PointSplatting_HAVE_EGL
+  EGLDisplay Display = EGL_NO_DISPLAY;
+  EGLContext Context = EGL_NO_CONTEXT;
+  EGLSurface Surface = EGL_NO_SURFACE;
+
+  /**
+   * Makes a context on a display; without a surface where EGL allows that,
+   * else on a pbuffer of one pixel (VTK draws into its own framebuffers).
+   */
+  bool Open(EGLDisplay display, const std::string& platform)
+  {
+    if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr) ||
+      !eglBindAPI(EGL_OPENGL_API))
+    {
+      return false;
+    }
+    const char* extensions = eglQueryString(display, EGL_EXTENSIONS);
+    const bool surfaceless = extensions &&
+      std::string(extensions).find("EGL_KHR_surfaceless_context") != std::string::npos;
+    const EGLint wanted[] = { EGL_SURFACE_TYPE, surfaceless ? 0 : EGL_PBUFFER_BIT,
+      EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_RED_SIZE, 8, EGL_GREEN_SIZE, 8, EGL_BLUE_SIZE, 8,
+      EGL_NONE };
+    EGLConfig config = nullptr;
+    EGLint count = 0;
+    if (!eglChooseConfig(display, wanted, &config, 1, &count) || count < 1)
+    {
+      return false;
+    }
+    const int versions[][2] = { { 4, 6 }, { 4, 5 }, { 4, 3 }, { 4, 1 }, { 3, 3 }, { 3, 2 } };
+    EGLContext context = EGL_NO_CONTEXT;
+    for (const auto& version : versions)
+    {
+      const EGLint attributes[] = { EGL_CONTEXT_MAJOR_VERSION, version[0],
+        EGL_CONTEXT_MINOR_VERSION, version[1], EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE };
+      context = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes);
+      if (context != EGL_NO_CONTEXT)
+      {
+        break;
+      }
+    }
+    if (context == EGL_NO_CONTEXT)
+    {
+      return false;
+    }
+    EGLSurface surface = EGL_NO_SURFACE;
+    if (!surfaceless)
+    {
+      const EGLint size[] = { EGL_WIDTH, 1, EGL_HEIGHT, 1, EGL_NONE };
+      surface = eglCreatePbufferSurface(display, config, size);
+    }
+    if (!eglMakeCurrent(display, surface, surface, context))
+    {
+      if (surface != EGL_NO_SURFACE)
+      {
+        eglDestroySurface(display, surface);
+      }
+      eglDestroyContext(display, context);
+      return false;
+    }
+    this->Display = display;
+    this->Context = context;
+    this->Surface = surface;
+    this->Platform = platform;
+    return true;
+  }
+
+  bool OpenAny()
+  {
+    const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+    const std::string extensions = client ? client : "";
+    auto getDisplay = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
+      eglGetProcAddress("eglGetPlatformDisplayEXT"));
+    auto queryDevices =
+      reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
+    if (getDisplay && extensions.find("EGL_MESA_platform_surfaceless") != std::string::npos &&
+      this->Open(getDisplay(EGL_PLATFORM_SURFACELESS_MESA,
+                   reinterpret_cast<void*>(EGL_DEFAULT_DISPLAY), nullptr),
+        "surfaceless"))
+    {
+      return true;
+    }
+    if (getDisplay && queryDevices &&
+      extensions.find("EGL_EXT_platform_device") != std::string::npos)
+    {
+      EGLint count = 0;
+      queryDevices(0, nullptr, &count);
+      std::vector<EGLDeviceEXT> devices(static_cast<size_t>(count));
+      queryDevices(count, devices.data(), &count);
+      for (EGLint i = 0; i < count; ++i)
+      {
+        if (this->Open(getDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr),
+              "device " + std::to_string(i)))
+        {
+          return true;
+        }
+      }
+    }
+    return this->Open(eglGetDisplay(EGL_DEFAULT_DISPLAY), "pbuffer");
+  }
+
+  // The display is not terminated: EGL hands the same one to every window of
+  // the process, VTK's own and the application's included.
+  void Close()
+  {
+    if (this->Context == EGL_NO_CONTEXT)
+    {
+      return;
+    }
+    if (eglGetCurrentContext() == this->Context)
+    {
+      eglMakeCurrent(this->Display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    }
+    if (this->Surface != EGL_NO_SURFACE)
+    {
+      eglDestroySurface(this->Display, this->Surface);
+    }
+    eglDestroyContext(this->Display, this->Context);
+    this->Context = EGL_NO_CONTEXT;
+    this->Surface = EGL_NO_SURFACE;
+    this->Platform.clear();
+  }
+
+  bool IsOpen() const { return this->Context != EGL_NO_CONTEXT; }
+  bool IsCurrent() const { return this->IsOpen() && eglGetCurrentContext() == this->Context; }
+  bool MakeCurrent()
+  {
+    return eglMakeCurrent(this->Display, this->Surface, this->Surface, this->Context);
+  }
+  void* GetContext() const { return this->Context; }
+#else
+  bool OpenAny() { return false; }
+  void Close() {}
+  bool IsOpen() const { return false; }
+  bool IsCurrent() const { return false; }
+  bool MakeCurrent() { return false; }
+  void* GetContext() const { return nullptr; }
+#endif
+};
+
+//------------------------------------------------------------------------------
+vtkEGLHeadlessRenderWindow::vtkEGLHeadlessRenderWindow()
+  : Internals(new vtkInternals)
+{
+  this->ScreenSize[0] = 1920;
+  this->ScreenSize[1] = 1080;
+  this->SetStencilCapable(1);
+  // There is no framebuffer 0 to blit to.
+  this->FrameBlitMode = NoBlit;
+  this->SetOffScreenRendering(1);
+}
+
+//------------------------------------------------------------------------------
+vtkEGLHeadlessRenderWindow::~vtkEGLHeadlessRenderWindow()
+{
+  this->Finalize();
+  vtkCollectionSimpleIterator it;
+  this->Renderers->InitTraversal(it);
+  while (vtkRenderer* renderer = this->Renderers->GetNextRenderer(it))
+  {
+    renderer->SetRenderWindow(nullptr);
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkEGLHeadlessRenderWindow::GetPlatform()
+{
+  return this->Internals->Platform.c_str();
+}
+
+//------------------------------------------------------------------------------
+void vtkEGLHeadlessRenderWindow::Initialize()
+{
+  if (!this->Internals->IsOpen() && !this->Internals->Failed)
+  {
+    this->CreateAWindow();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkEGLHeadlessRenderWindow::CreateAWindow()
+{
+  if (!this->Internals->OpenAny())
+  {
+    this->Internals->Failed = true;
+    vtkErrorMacro(
+      "No OpenGL context of version 3.2 or newer can be made by EGL (surfaceless, device and "
+      "pbuffer were tried). Install an EGL driver (Debian: libegl1 and libgl1-mesa-dri), or use "
+      "vtkRenderWindow with an X server.");
+    return;
+  }
+  if (this->Size[0] <= 0 || this->Size[1] <= 0)
+  {
+    this->Size[0] = 300;
+    this->Size[1] = 300;
+  }
+  this->Mapped = 1;
+  this->OwnContext = 1;
+
+  // Renderers may have been made for another context: let them start afresh.
+  vtkCollectionSimpleIterator it;
+  this->Renderers->InitTraversal(it);
+  while (vtkRenderer* renderer = this->Renderers->GetNextRenderer(it))
+  {
+    renderer->SetRenderWindow(nullptr);
+    renderer->SetRenderWindow(this);
+  }
+  this->OpenGLInit();
+}
+
+//------------------------------------------------------------------------------
+void vtkEGLHeadlessRenderWindow::OpenGLInitContext()
+{
+  if (!this->Initialized && this->Internals->IsOpen())
+  {
+    // A glew that was built for GLX loads every entry point and then complains
+    // that there is no GLX display (error 4): that is expected here.
+    glewExperimental = GL_TRUE;
+    const GLenum result = glewInit();
+    constexpr GLenum noGLXDisplay = 4;
+    if (result != GLEW_OK && result != noGLXDisplay)
+    {
+      vtkErrorMacro("OpenGL's entry points cannot be loaded: "
+        << reinterpret_cast<const char*>(glewGetErrorString(result)));
+      return;
+    }
+    while (glGetError() != GL_NO_ERROR)
+    {
+      // glewInit leaves errors behind in core profiles
+    }
+    this->GlewInitValid = true;
+    this->Initialized = true;
+    GLfloat range[2] = { 1.0f, 1.0f };
+    glGetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, range);
+    this->MaximumHardwareLineWidth = range[1];
+    this->ContextCreationTime.Modified();
+    return;
+  }
+  this->Superclass::OpenGLInitContext();
+}
+
+//------------------------------------------------------------------------------
+void vtkEGLHeadlessRenderWindow::DestroyWindow()
+{
+  if (!this->Internals->IsOpen())
+  {
+    return;
+  }
+  this->MakeCurrent();
+  this->ReleaseGraphicsResources(this);
+  this->Internals->Close();
+  this->Initialized = false;
+  this->Mapped = 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkEGLHeadlessRenderWindow::Finalize()
+{
+  this->DestroyWindow();
+}
+
+//------------------------------------------------------------------------------
+void vtkEGLHeadlessRenderWindow::MakeCurrent()
+{
+  if (this->Internals->IsOpen() && !this->Internals->IsCurrent() &&
+    !this->Internals->MakeCurrent())
+  {
+    vtkErrorMacro("The EGL context cannot be made current; is it current in another thread?");
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkEGLHeadlessRenderWindow::IsCurrent()
+{
+  return this->Internals->IsCurrent();
+}
+
+//------------------------------------------------------------------------------
+void vtkEGLHeadlessRenderWindow::SetSize(int width, int height)
+{
+  // VTK's framebuffers follow the size at the next Render(); no surface does.
+  this->Superclass::SetSize(width, height);
+}
+
+//------------------------------------------------------------------------------
+int* vtkEGLHeadlessRenderWindow::GetScreenSize()
+{
+  return this->ScreenSize;
+}
+
+//------------------------------------------------------------------------------
+void* vtkEGLHeadlessRenderWindow::GetGenericContext()
+{
+  return this->Internals->GetContext();
+}
+
+//------------------------------------------------------------------------------
+const char* vtkEGLHeadlessRenderWindow::ReportCapabilities()
+{
+  this->Initialize();
+  std::string& text = this->Internals->Capabilities;
+  text = "EGL platform:  " + this->Internals->Platform + "\n";
+  if (this->Initialized)
+  {
+    this->MakeCurrent();
+    const GLenum names[] = { GL_VENDOR, GL_RENDERER, GL_VERSION };
+    const char* labels[] = { "OpenGL vendor string:  ", "OpenGL renderer string:  ",
+      "OpenGL version string:  " };
+    for (int i = 0; i < 3; ++i)
+    {
+      const GLubyte* value = glGetString(names[i]);
+      text += labels[i] + std::string(value ? reinterpret_cast<const char*>(value) : "") + "\n";
+    }
+  }
+  return text.c_str();
+}
+
+#endif
+
+//------------------------------------------------------------------------------
+void vtkEGLHeadlessRenderWindow::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Platform: " << this->GetPlatform() << "\n";
+}
+VTK_ABI_NAMESPACE_END

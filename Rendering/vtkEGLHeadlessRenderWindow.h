@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkEGLHeadlessRenderWindow
+ * @brief   an off-screen OpenGL window that needs no X server
+ *
+ * Many packaged builds of VTK have GLX windows only and abort where there is
+ * no DISPLAY. This window makes a core-profile context by EGL alone and lets
+ * VTK draw into its own framebuffer objects, so it serves batch jobs,
+ * containers and tests. Everything that works with an off-screen
+ * vtkRenderWindow works with it: GetPixelData, vtkWindowToImageFilter,
+ * selection, render passes, several windows side by side.
+ *
+ * How the context is found, the first that works being used:
+ * 1. the surfaceless platform (EGL_MESA_platform_surfaceless),
+ * 2. each device of the device platform (EGL_EXT_platform_device), in the
+ *    order in which EGL lists them,
+ * 3. the default display with a pbuffer of one pixel.
+ * In each, core profiles from 4.6 down to 3.2 are tried. GetPlatform() tells
+ * what was found. Where there is no EGL, or no context, one error is given and
+ * the window stays uninitialised: Render() then draws nothing.
+ *
+ * Where VTK has an EGL window of its own (vtkEGLRenderWindow, every build from
+ * VTK 9.4 on), this class is nothing but that window, made off-screen.
+ */
+
+#ifndef vtkEGLHeadlessRenderWindow_h
+#define vtkEGLHeadlessRenderWindow_h
+
+#include "vtkPointSplattingFeatures.h"        // whether VTK has an EGL window
+#include "vtkRenderingPointSplattingModule.h" // For export macro
+
+#if PointSplatting_VTK_HAS_EGL_WINDOW
+#include "vtkEGLRenderWindow.h"
+using vtkEGLHeadlessRenderWindowBase = vtkEGLRenderWindow;
+#else
+#include "vtkOpenGLRenderWindow.h"
+using vtkEGLHeadlessRenderWindowBase = vtkOpenGLRenderWindow;
+#endif
+
+#include "vtkPointSplattingABI.h"
+
+#include <memory> // For std::unique_ptr
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class VTKRENDERINGPOINTSPLATTING_EXPORT vtkEGLHeadlessRenderWindow
+  : public vtkEGLHeadlessRenderWindowBase
+{
+public:
+  static vtkEGLHeadlessRenderWindow* New();
+  vtkTypeMacro(vtkEGLHeadlessRenderWindow, vtkEGLHeadlessRenderWindowBase);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * How the context was made: "surfaceless", "device 0", "pbuffer", ..., or an
+   * empty string before the first Render() and where no context was to be had.
+   */
+  const char* GetPlatform();
+
+#if !PointSplatting_VTK_HAS_EGL_WINDOW
+  ///@{
+  /**
+   * What vtkRenderWindow asks of a window of its own kind. There is no screen,
+   * so positions, window ids and full-screen modes are remembered or ignored.
+   */
+  void Initialize() override;
+  void Finalize() override;
+  void MakeCurrent() override;
+  bool IsCurrent() override;
+  void SetSize(int width, int height) override;
+  void SetSize(int size[2]) override { this->SetSize(size[0], size[1]); }
+  int* GetScreenSize() VTK_SIZEHINT(2) override;
+  void SetFullScreen(vtkTypeBool) override {}
+  void WindowRemap() override {}
+  void HideCursor() override {}
+  void ShowCursor() override {}
+  void* GetGenericDisplayId() override { return nullptr; }
+  void* GetGenericWindowId() override { return nullptr; }
+  void* GetGenericParentId() override { return nullptr; }
+  void* GetGenericContext() override;
+  void* GetGenericDrawable() override { return nullptr; }
+  void SetDisplayId(void*) override {}
+  void SetWindowId(void*) override {}
+  void SetParentId(void*) override {}
+  void SetNextWindowId(void*) override {}
+  void SetWindowInfo(const char*) override {}
+  void SetNextWindowInfo(const char*) override {}
+  void SetParentInfo(const char*) override {}
+  const char* ReportCapabilities() override;
+  int IsDirect() override { return 1; }
+  vtkTypeBool GetEventPending() override { return 0; }
+  ///@}
+#endif
+
+protected:
+  vtkEGLHeadlessRenderWindow();
+  ~vtkEGLHeadlessRenderWindow() override;
+
+#if !PointSplatting_VTK_HAS_EGL_WINDOW
+  void CreateAWindow() override;
+  void DestroyWindow() override;
+  void OpenGLInitContext() override;
+#endif
+
+private:
+  vtkEGLHeadlessRenderWindow(const vtkEGLHeadlessRenderWindow&) = delete;
+  void operator=(const vtkEGLHeadlessRenderWindow&) = delete;
+
+  struct vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The splats of one mapper's input, in the form in which the stages read them,
+// in main memory and in the buffers of each OpenGL context that drew them.
+//
+// Splats, 32-bit words, in the order of the points (ids tell which, since points
+// that cannot be drawn are left out). Coordinates are relative to an origin in
+// the middle of the data, so that single precision keeps millimetres in UTM.
+//   circular:   x y z radius | normal x y z, point id
+//   elliptical: x y z 0 | normal x y z, point id | axis 1, 0 | axis 2, 0
+// Colours: RGBA, 8 bits each, one a splat, where scalars colour the points.
+#ifndef vtkPointSplatCloud_h
+#define vtkPointSplatCloud_h
+
+#include "vtkPointSplattingOpenGL.h"
+
+#include "vtkTimeStamp.h"
+#include "vtkType.h"
+
+#include "vtkPointSplattingABI.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataObject;
+class vtkPointSet;
+class vtkPointSplatMapper;
+class vtkWindow;
+VTK_ABI_NAMESPACE_END
+
+class vtkPointSplatCloud
+{
+public:
+  /**
+   * What a hardware selection wants to know of a splat beside the point's id.
+   */
+  enum IdKind
+  {
+    PointIds,
+    CellIds,
+    CompositeIds
+  };
+
+  /**
+   * The buffers of one context.
+   */
+  struct Buffers
+  {
+    GLuint Splats = 0;
+    GLuint Colours = 0;
+    GLuint IdMaps[3] = { 0, 0, 0 }; // by IdKind; that of point ids stays 0
+    GLuint Large = 0;               // a count, then indices of splats of many pixels
+    GLuint VertexArray = 0;
+    vtkTimeStamp SplatTime;
+    vtkTimeStamp ColourTime;
+  };
+
+  vtkPointSplatCloud() = default;
+  ~vtkPointSplatCloud() = default;
+  vtkPointSplatCloud(const vtkPointSplatCloud&) = delete;
+  void operator=(const vtkPointSplatCloud&) = delete;
+
+  /**
+   * Follows the input and the mapper's colouring, doing anew only what changed.
+   */
+  void Update(vtkPointSplatMapper* mapper, vtkDataObject* input);
+
+  /**
+   * The buffers of the current context, which belongs to the window, filled.
+   */
+  Buffers& Upload(vtkWindow* window);
+
+  /**
+   * Makes the id map of a kind for Upload()'s buffers, if it is wanted at all:
+   * 0 where the splats' own ids serve.
+   */
+  GLuint UploadIdMap(vtkWindow* window, IdKind kind);
+
+  /**
+   * Deletes the window's buffers. Its context must be current.
+   */
+  void Release(vtkWindow* window);
+
+  vtkIdType GetNumberOfSplats() const { return this->Count; }
+  vtkIdType GetNumberOfSkippedPoints() const { return this->Skipped; }
+  vtkIdType GetNumberOfPoints() const { return this->Points; }
+  bool IsCircular() const { return this->Circular; }
+  bool HasColours() const { return !this->Colours.empty(); }
+  double GetMedianRadius() const { return this->MedianRadius; }
+  double GetMaximumRadius() const { return this->MaximumRadius; }
+  const std::array<double, 3>& GetOrigin() const { return this->Origin; }
+  const std::array<double, 6>& GetBounds() const { return this->Bounds; }
+  vtkMTimeType GetMTime() const;
+
+private:
+  struct Block
+  {
+    vtkPointSet* Data;
+    unsigned int FlatIndex;
+    vtkIdType First;
+    vtkIdType Count;
+  };
+  static std::vector<Block> Gather(vtkDataObject* input);
+  void BuildSplats(vtkPointSplatMapper* mapper, std::vector<Block>& blocks);
+  void BuildColours(vtkPointSplatMapper* mapper, const std::vector<Block>& blocks);
+  std::vector<uint32_t> MakeIdMap(IdKind kind) const;
+
+  std::vector<uint32_t> Splats;
+  std::vector<uint32_t> Colours;
+  std::vector<Block> Blocks; // of the input that Splats came from
+  vtkIdType Count = 0;
+  vtkIdType Points = 0;
+  vtkIdType Skipped = 0;
+  bool Circular = true;
+  double MedianRadius = 0.0;
+  double MaximumRadius = 0.0;
+  std::array<double, 3> Origin{ { 0.0, 0.0, 0.0 } };
+  std::array<double, 6> Bounds{ { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 } };
+  vtkDataObject* Input = nullptr; // compared only
+  vtkTimeStamp SplatTime;
+  vtkTimeStamp ColourTime;
+  std::map<vtkWindow*, std::unique_ptr<Buffers>> PerWindow;
+};
+
+#endif
