@@ -32,10 +32,20 @@ if (PointSplatting_WRAP_PYTHON)
   find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
 endif ()
 
-find_package(VTK 9.1 REQUIRED)
-if (PointSplatting_WRAP_PYTHON AND NOT TARGET VTK::WrappingPythonCore)
-  message(FATAL_ERROR "This VTK has no Python wrapping; set PointSplatting_WRAP_PYTHON=OFF.")
+# By name, since all of a packaged VTK's components want Qt and much else.
+set(_components
+  CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
+  FiltersCore FiltersGeneral FiltersGeometry FiltersSources
+  IOGeometry IOImage IOLegacy IOPLY IOXML ImagingCore InteractionStyle
+  RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI
+  RenderingVolumeOpenGL2)
+if (PointSplatting_WRAP_PYTHON)
+  list(APPEND _components WrappingPythonCore)
 endif ()
+if (BUILD_TESTING)
+  list(APPEND _components TestingCore TestingRendering)
+endif ()
+find_package(VTK 9.1 REQUIRED COMPONENTS ${_components} OPTIONAL_COMPONENTS glad)
 
 if (BUILD_TESTING)
   include(CTest)
@@ -65,6 +75,12 @@ vtk_module_build(
   CMAKE_DESTINATION    "${CMAKE_INSTALL_LIBDIR}/cmake/PointSplatting"
   LIBRARY_NAME_SUFFIX  ""
   TARGETS_COMPONENT    Development)
+
+if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  foreach (_module IN LISTS _modules)
+    vtk_module_compile_options(${_module} PRIVATE -Wall -Wextra)
+  endforeach ()
+endif ()
 
 if (PointSplatting_WRAP_PYTHON)
   include(Module/Python.cmake)
