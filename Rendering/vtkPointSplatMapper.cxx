@@ -1,22 +1,393 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatMapper.h"
+
+#include "vtkActor.h"
+#include "vtkCommand.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataPipeline.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
+#include "vtkHardwareSelector.h"
+#include "vtkInformation.h"
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPointData.h"
+#include "vtkPointSplatCloud.h"
+#include "vtkPointSplatCompositor.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkScalarsToColors.h"
 #include "vtkUnsignedCharArray.h"
 
-VTK_ABI_NAMESPACE_BEGIN
+#include <algorithm>
+#include <cmath>
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkPointSplatMapper);
 
-vtkPointSplatMapper::vtkPointSplatMapper() = default;
-vtkPointSplatMapper::~vtkPointSplatMapper() = default;
+namespace
+{
+// The automatic layer distance, as a fraction of each splat's radius. Disks that
+// cover a surface stay much nearer to it than this unless it bends within a splat.
+constexpr double LayerFraction = 0.7;
 
+// As many as the shaders take; VTK's own mappers take six.
+constexpr int MaximumClipPlanes = 6;
+}
+
+struct vtkPointSplatMapper::vtkInternals
+{
+  vtkPointSplatCloud Cloud;
+  std::shared_ptr<vtkPointSplatCompositor> Compositor; // that drew last
+  bool WarnedOfClipPlanes = false;
+  std::string LastError;
+};
+
+//------------------------------------------------------------------------------
+vtkPointSplatMapper::vtkPointSplatMapper()
+  : Internals(new vtkInternals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatMapper::~vtkPointSplatMapper()
+{
+  // The OpenGL resources go with ReleaseGraphicsResources(), as in every mapper.
+  if (this->Internals->Compositor)
+  {
+    this->Internals->Compositor->Leave(this, nullptr);
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkPointSplatMapper::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkExecutive* vtkPointSplatMapper::CreateDefaultExecutive()
+{
+  return vtkCompositeDataPipeline::New();
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatMapper::HasCompositeInput()
+{
+  return this->GetNumberOfInputConnections(0) > 0 &&
+    vtkCompositeDataSet::SafeDownCast(this->GetExecutive()->GetInputData(0, 0)) != nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatMapper::UpdateInput()
+{
+  if (!this->Static && this->GetNumberOfInputConnections(0) > 0)
+  {
+    this->GetInputAlgorithm()->UpdateInformation();
+    this->GetInputAlgorithm()->UpdatePiece(
+      this->Piece, this->NumberOfPieces * this->NumberOfSubPieces, this->GhostLevel);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatMapper::UpdateCloud()
+{
+  if (this->GetNumberOfInputConnections(0) == 0)
+  {
+    return false;
+  }
+  this->UpdateInput();
+  vtkDataObject* input = this->GetExecutive()->GetInputData(0, 0);
+  if (!input)
+  {
+    return false;
+  }
+  this->Internals->Cloud.Update(this, input);
+  return this->Internals->Cloud.GetNumberOfSplats() > 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatMapper::Render(vtkRenderer* renderer, vtkActor* actor)
+{
+  if (this->GetNumberOfInputConnections(0) == 0)
+  {
+    vtkErrorMacro("The mapper has no input: call SetInputConnection() or SetInputData().");
+    return;
+  }
+  this->RenderPiece(renderer, actor);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
+{
+  if (renderer->GetRenderWindow()->CheckAbortStatus())
+  {
+    return;
+  }
+  this->InvokeEvent(vtkCommand::StartEvent, nullptr);
+  const bool some = this->UpdateCloud();
+  this->InvokeEvent(vtkCommand::EndEvent, nullptr);
+  if (!some)
+  {
+    return;
+  }
+  if (vtkHardwareSelector* selector = renderer->GetSelector())
+  {
+    // Tells it how many passes the ids need.
+    selector->UpdateMaximumPointId(this->Internals->Cloud.GetNumberOfPoints());
+    selector->UpdateMaximumCellId(this->Internals->Cloud.GetNumberOfPoints());
+  }
+  auto compositor = vtkPointSplatCompositor::Of(renderer);
+  if (this->Internals->Compositor && this->Internals->Compositor != compositor)
+  {
+    this->Internals->Compositor->Leave(this, nullptr);
+  }
+  this->Internals->Compositor = compositor;
+  this->TimeToDraw = 0.0;
+  if (!compositor->Present(renderer, actor, this))
+  {
+    // Once, not at every frame.
+    if (this->Internals->LastError != compositor->GetError())
+    {
+      this->Internals->LastError = compositor->GetError();
+      vtkErrorMacro("OpenGL cannot draw the splats: " << this->Internals->LastError);
+    }
+  }
+  this->UpdateProgress(1.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatMapper::FillItem(
+  vtkActor* actor, const vtkPointSplatView& view, vtkPointSplatItem& item)
+{
+  vtkPointSplatCloud& cloud = this->Internals->Cloud;
+  item.Cloud = &cloud;
+  vtkProperty* property = actor->GetProperty();
+  item.Culling =
+    (property->GetBackfaceCulling() ? 1 : 0) | (property->GetFrontfaceCulling() ? 2 : 0);
+  item.RadiusScale = this->RadiusScale;
+  // How much the actor's matrix stretches, at most.
+  const glm::dmat3 linear(item.MCWC);
+  double stretch = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    stretch += glm::dot(linear[k], linear[k]);
+  }
+  stretch = std::sqrt(stretch);
+  const double largest = stretch * this->RadiusScale * cloud.GetMaximumRadius();
+  item.LayerDistance = this->LayerDistance > 0.0 ? this->LayerDistance : -LayerFraction;
+  item.LargestLayer = this->LayerDistance > 0.0 ? this->LayerDistance : LayerFraction * largest;
+  item.KernelType = this->Kernel;
+  item.KernelShape = this->Kernel == GAUSSIAN
+    ? glm::vec2(0.5 / (this->KernelSigma * this->KernelSigma), 0.0)
+    : glm::vec2(this->PlateauFalloff, this->PlateauExponent);
+  item.KernelSupport = this->KernelSupport;
+  item.ClipPlanes.clear();
+  if (vtkPlaneCollection* planes = this->GetClippingPlanes())
+  {
+    vtkCollectionSimpleIterator it;
+    planes->InitTraversal(it);
+    while (vtkPlane* plane = planes->GetNextPlane(it))
+    {
+      const double* n = plane->GetNormal();
+      const double* o = plane->GetOrigin();
+      if (item.ClipPlanes.size() == MaximumClipPlanes)
+      {
+        if (!this->Internals->WarnedOfClipPlanes)
+        {
+          vtkErrorMacro("Only " << MaximumClipPlanes << " clipping planes are honoured; remove "
+                                << planes->GetNumberOfItems() - MaximumClipPlanes << ".");
+          this->Internals->WarnedOfClipPlanes = true;
+        }
+        break;
+      }
+      item.ClipPlanes.emplace_back(n[0], n[1], n[2], -vtkMath::Dot(n, o));
+    }
+  }
+  item.Window = view.Cover(item.MCWC, cloud.GetBounds().data(), this->KernelSupport * largest);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkUnsignedCharArray> vtkPointSplatMapper::MapPointColours(
+  vtkDataSet* data, int& cellFlag)
+{
+  // Colours are interpolated, not texture coordinates.
+  const vtkTypeBool interpolate = this->InterpolateScalarsBeforeMapping;
+  this->InterpolateScalarsBeforeMapping = 0;
+  this->MapScalars(data, 1.0, cellFlag);
+  this->InterpolateScalarsBeforeMapping = interpolate;
+  vtkSmartPointer<vtkUnsignedCharArray> colours = this->Colors;
+  return colours;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatMapper::HasTranslucentPolygonalGeometry()
+{
+  if (!this->ScalarVisibility || !this->GetLookupTable())
+  {
+    return false;
+  }
+  vtkDataObject* input =
+    this->GetNumberOfInputConnections(0) > 0 ? this->GetExecutive()->GetInputData(0, 0) : nullptr;
+  auto translucent = [this](vtkDataObject* object) {
+    vtkDataSet* data = vtkDataSet::SafeDownCast(object);
+    int cellFlag = 0;
+    vtkAbstractArray* scalars = data ? vtkAbstractMapper::GetAbstractScalars(data, this->ScalarMode,
+                                         this->ArrayAccessMode, this->ArrayId, this->ArrayName,
+                                         cellFlag)
+                                     : nullptr;
+    if (!scalars)
+    {
+      return false;
+    }
+    vtkScalarsToColors* table = this->GetLookupTable();
+    table->Build();
+    return table->IsOpaque(scalars, this->ColorMode, this->ArrayComponent) == 0;
+  };
+  if (auto composite = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    vtkSmartPointer<vtkCompositeDataIterator> it;
+    it.TakeReference(composite->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      if (translucent(it->GetCurrentDataObject()))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+  return translucent(input);
+}
+
+//------------------------------------------------------------------------------
+double* vtkPointSplatMapper::GetBounds()
+{
+  if (this->GetNumberOfInputConnections(0) == 0)
+  {
+    vtkMath::UninitializeBounds(this->Bounds);
+    return this->Bounds;
+  }
+  this->UpdateInput();
+  this->ComputeBounds();
+  return this->Bounds;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatMapper::ComputeBounds()
+{
+  // The points' own bounds, as a mesh through them has: splats reach no farther
+  // than the surface does. Of what is drawn only: a NaN or a ghost far off must
+  // not spoil the camera's reset.
+  vtkDataObject* input = this->GetExecutive()->GetInputData(0, 0);
+  vtkMath::UninitializeBounds(this->Bounds);
+  if (input)
+  {
+    this->Internals->Cloud.Update(this, input);
+    if (this->Internals->Cloud.GetNumberOfSplats() > 0)
+    {
+      std::copy_n(this->Internals->Cloud.GetBounds().data(), 6, this->Bounds);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (window)
+  {
+    window->MakeCurrent();
+  }
+  this->Internals->Cloud.Release(window);
+  if (this->Internals->Compositor)
+  {
+    this->Internals->Compositor->Leave(this, window);
+    this->Internals->Compositor.reset();
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkPointSplatMapper::GetMethodUsed()
+{
+  return "two-pass";
+}
+
+//------------------------------------------------------------------------------
+const char* vtkPointSplatMapper::GetProjectionUsed()
+{
+  return !this->Internals->Compositor            ? "none"
+    : this->Internals->Compositor->IsCompute() ? "compute"
+                                                 : "quads";
+}
+
+//------------------------------------------------------------------------------
+double vtkPointSplatMapper::GetLayerDistanceUsed()
+{
+  return this->LayerDistance > 0.0
+    ? this->LayerDistance
+    : LayerFraction * this->RadiusScale * this->Internals->Cloud.GetMedianRadius();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPointSplatMapper::GetNumberOfSplats()
+{
+  return this->Internals->Cloud.GetNumberOfSplats();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPointSplatMapper::GetNumberOfSkippedPoints()
+{
+  return this->Internals->Cloud.GetNumberOfSkippedPoints();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPointSplatMapper::GetImageMemorySize()
+{
+  return this->Internals->Compositor ? this->Internals->Compositor->GetMemorySize() : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatMapper::ShallowCopy(vtkAbstractMapper* mapper)
+{
+  if (auto other = vtkPointSplatMapper::SafeDownCast(mapper))
+  {
+    this->SetMethod(other->Method);
+    this->SetProjection(other->Projection);
+    this->SetKernel(other->Kernel);
+    this->SetKernelSigma(other->KernelSigma);
+    this->SetPlateauFalloff(other->PlateauFalloff);
+    this->SetPlateauExponent(other->PlateauExponent);
+    this->SetKernelSupport(other->KernelSupport);
+    this->SetRadiusScale(other->RadiusScale);
+    this->SetLayerDistance(other->LayerDistance);
+  }
+  this->Superclass::ShallowCopy(mapper);
+}
+
+//------------------------------------------------------------------------------
 void vtkPointSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << this->Method << " (used: " << this->GetMethodUsed() << ")\n";
+  os << indent << "Projection: " << this->Projection << " (used: " << this->GetProjectionUsed()
+     << ")\n";
+  os << indent << "Kernel: " << (this->Kernel == GAUSSIAN ? "Gaussian" : "plateau") << "\n";
+  os << indent << "KernelSigma: " << this->KernelSigma << "\n";
+  os << indent << "PlateauFalloff: " << this->PlateauFalloff << "\n";
+  os << indent << "PlateauExponent: " << this->PlateauExponent << "\n";
+  os << indent << "KernelSupport: " << this->KernelSupport << "\n";
+  os << indent << "RadiusScale: " << this->RadiusScale << "\n";
+  os << indent << "LayerDistance: " << this->LayerDistance
+     << " (used: " << this->GetLayerDistanceUsed() << ")\n";
+  os << indent << "NumberOfSplats: " << this->GetNumberOfSplats() << "\n";
+  os << indent << "NumberOfSkippedPoints: " << this->GetNumberOfSkippedPoints() << "\n";
+  os << indent << "ImageMemorySize: " << this->GetImageMemorySize() << "\n";
 }
-
-void vtkPointSplatMapper::RenderPiece(vtkRenderer*, vtkActor*) {}
-vtkSmartPointer<vtkUnsignedCharArray> vtkPointSplatMapper::MapPointColours(vtkDataSet*, int&) { return nullptr; }
-
 VTK_ABI_NAMESPACE_END

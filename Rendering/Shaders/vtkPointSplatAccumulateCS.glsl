@@ -42,7 +42,7 @@ void drawPixel(Splat q, uint index, ivec2 pixel)
   atomicAdd(sums[at + 1], n.x);
   atomicAdd(sums[at + 2], n.y);
   atomicAdd(sums[at + 3], n.z);
-  atomicAdd(sums[at + 4], int(round(weight * behind)));
+  atomicAdd(sums[at + 4], int(round(DepthScale * weight * behind)));
   if (HasColours)
   {
     ivec3 colour = ivec3(round(weight * unpackUnorm4x8(colours[index]).rgb));

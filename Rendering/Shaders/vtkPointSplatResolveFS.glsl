@@ -1,4 +1,4 @@
-//VTK::System::Dec
+#version 330
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
@@ -10,15 +10,17 @@
 // their code declares (pixel, front, ...) are not used here.
 // OUTPUT: 0 shaded, 1 one colour for hardware selection, 2 point ids for it.
 
+//PointSplat::Defines
+
 //VTK::CustomUniforms::Dec
 
 //VTK::DepthPeeling::Dec
 
-#include "vtkPointSplatImages"
+#include "vtkPointSplatFetch"
 #include "vtkPointSplatLighting"
 
 uniform ivec2 ImageOrigin;   // the images' first pixel in the framebuffer
-uniform uint Slot;           // of the cloud that is presented
+uniform int Slot;            // of the cloud that is presented
 uniform float NearDistance;
 uniform vec4 PixelX;         // view coordinates to x w, in pixels of the images
 uniform vec4 PixelY;
@@ -42,7 +44,7 @@ void main()
 {
   ivec2 at = ivec2(gl_FragCoord.xy) - ImageOrigin;
   uint code = fetchDepth(at);
-  if (code == NoDepth || (code & TagMask) >> 1 != Slot)
+  if (code == NoDepth || int((code & TagMask) >> 1) != Slot)
   {
     discard;
   }

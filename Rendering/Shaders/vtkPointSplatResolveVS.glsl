@@ -1,13 +1,11 @@
-//VTK::System::Dec
+#version 330
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A triangle over the whole viewport; the scissor test confines it to what the
-// cloud's bounds cover.
-
-in vec2 vertexDC;
+// One triangle over the whole viewport, without attributes; the scissor test
+// confines it to what the cloud's bounds cover.
 
 void main()
 {
-  gl_Position = vec4(vertexDC, 0.0, 1.0);
+  gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
 }

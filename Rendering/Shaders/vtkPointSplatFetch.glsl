@@ -31,7 +31,7 @@ bool fetchSums(ivec2 pixel, out vec3 normal, out float behind, out vec3 colour)
   ivec4 b = texelFetch(Sums, at + 1);
   float w = float(a.x);
   normal = vec3(a.yzw) / w;
-  behind = DepthUnit * float(b.x) / w;
+  behind = DepthUnit / DepthScale * float(b.x) / w;
   colour = vec3(b.yzw) / w;
   return a.x > 0;
 }

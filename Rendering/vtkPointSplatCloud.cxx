@@ -1,0 +1,527 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatCloud.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkCellArray.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkIdList.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPointSplatArrays.h"
+#include "vtkPointSplatEstimation.h"
+#include "vtkPointSplatMapper.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace
+{
+uint32_t Bits(double value)
+{
+  const float single = static_cast<float>(value);
+  uint32_t bits;
+  std::memcpy(&bits, &single, sizeof(bits));
+  return bits;
+}
+
+bool Finite(const double v[3])
+{
+  return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+}
+
+/**
+ * The arrays of one block that make its splats.
+ */
+struct Arrays
+{
+  vtkSmartPointer<vtkDataArray> Points;
+  vtkSmartPointer<vtkDataArray> Normals;
+  vtkSmartPointer<vtkDataArray> Radius;
+  vtkSmartPointer<vtkDataArray> Axis1;
+  vtkSmartPointer<vtkDataArray> Axis2;
+  vtkUnsignedCharArray* Ghosts = nullptr;
+};
+
+/**
+ * An array of the wanted shape, or an error that says what is wrong with it.
+ */
+vtkDataArray* Wanted(vtkPointSplatMapper* mapper, vtkPointSet* data, const char* name, int components)
+{
+  vtkDataArray* array = data->GetPointData()->GetArray(name);
+  if (array && array->GetNumberOfComponents() != components)
+  {
+    vtkErrorWithObjectMacro(mapper, << "The point array " << name << " has "
+                                    << array->GetNumberOfComponents() << " components, not "
+                                    << components << ". It is not used: rename or remove it.");
+    return nullptr;
+  }
+  return array;
+}
+
+Arrays Collect(vtkPointSplatMapper* mapper, vtkPointSet* data)
+{
+  Arrays a;
+  a.Points = data->GetPoints()->GetData();
+  a.Ghosts = data->GetPointData()->HasArray(vtkDataSetAttributes::GhostArrayName())
+    ? vtkArrayDownCast<vtkUnsignedCharArray>(
+        data->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()))
+    : nullptr;
+  a.Normals = data->GetPointData()->GetNormals();
+  a.Radius = Wanted(mapper, data, vtkPointSplatArrays::Radius, 1);
+  a.Axis1 = Wanted(mapper, data, vtkPointSplatArrays::Axis1, 3);
+  a.Axis2 = Wanted(mapper, data, vtkPointSplatArrays::Axis2, 3);
+  if (!a.Axis1 || !a.Axis2)
+  {
+    a.Axis1 = a.Axis2 = nullptr;
+  }
+  if (!a.Normals || (!a.Radius && !a.Axis1))
+  {
+    vtkNew<vtkPolyData> bare;
+    bare->SetPoints(data->GetPoints());
+    if (a.Normals)
+    {
+      bare->GetPointData()->SetNormals(a.Normals);
+    }
+    if (a.Ghosts)
+    {
+      bare->GetPointData()->AddArray(a.Ghosts);
+    }
+    vtkNew<vtkPointSplatEstimation> estimation;
+    estimation->SetInputData(bare);
+    estimation->Update();
+    vtkPointData* estimated = estimation->GetOutput()->GetPointData();
+    a.Normals = estimated->GetNormals();
+    if (!a.Radius && !a.Axis1)
+    {
+      a.Radius = estimated->GetArray(vtkPointSplatArrays::Radius);
+    }
+  }
+  return a;
+}
+
+/**
+ * Packs a block's splats. Valid gets 1 for each point that can be drawn; the
+ * caller closes the gaps that the others leave.
+ */
+struct PackWorker
+{
+  template <typename PointArray, typename NormalArray>
+  void operator()(PointArray* pointArray, NormalArray* normalArray, const Arrays& a,
+    const std::array<double, 3>& origin, bool circular, uint32_t* splats, unsigned char* valid)
+  {
+    const auto points = vtk::DataArrayTupleRange<3>(pointArray);
+    const auto normals = vtk::DataArrayTupleRange<3>(normalArray);
+    const vtkIdType words = circular ? 8 : 16;
+    vtkSMPTools::For(0, points.size(), [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        valid[i] = 0;
+        const double p[3] = { static_cast<double>(points[i][0]) - origin[0],
+          static_cast<double>(points[i][1]) - origin[1],
+          static_cast<double>(points[i][2]) - origin[2] };
+        double n[3] = { static_cast<double>(normals[i][0]), static_cast<double>(normals[i][1]),
+          static_cast<double>(normals[i][2]) };
+        const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+        const unsigned char ghost =
+          a.Ghosts ? a.Ghosts->GetValue(i) & (vtkDataSetAttributes::HIDDENPOINT |
+                                               vtkDataSetAttributes::DUPLICATEPOINT)
+                   : 0;
+        if (ghost || !Finite(p) || !(length > 0.0) || !std::isfinite(length))
+        {
+          continue;
+        }
+        double radius = 0.0;
+        double axis1[3] = { 0.0, 0.0, 0.0 };
+        double axis2[3] = { 0.0, 0.0, 0.0 };
+        if (a.Axis1)
+        {
+          a.Axis1->GetTuple(i, axis1);
+          a.Axis2->GetTuple(i, axis2);
+          radius = std::sqrt(
+            std::max(axis1[0] * axis1[0] + axis1[1] * axis1[1] + axis1[2] * axis1[2],
+              axis2[0] * axis2[0] + axis2[1] * axis2[1] + axis2[2] * axis2[2]));
+          if (!Finite(axis1) || !Finite(axis2))
+          {
+            continue;
+          }
+        }
+        else
+        {
+          radius = a.Radius->GetComponent(i, 0);
+          if (!circular)
+          {
+            // Beside blocks of ellipses, a disk is an ellipse of two equal axes.
+            const int least = std::abs(n[0]) < std::abs(n[1])
+              ? (std::abs(n[0]) < std::abs(n[2]) ? 0 : 2)
+              : (std::abs(n[1]) < std::abs(n[2]) ? 1 : 2);
+            double other[3] = { 0.0, 0.0, 0.0 };
+            other[least] = 1.0;
+            vtkMath::Cross(n, other, axis1);
+            vtkMath::Normalize(axis1);
+            vtkMath::Cross(n, axis1, axis2);
+            vtkMath::Normalize(axis2);
+            vtkMath::MultiplyScalar(axis1, radius);
+            vtkMath::MultiplyScalar(axis2, radius);
+          }
+        }
+        if (!(radius > 0.0) || !std::isfinite(radius))
+        {
+          continue;
+        }
+        valid[i] = 1;
+        uint32_t* out = splats + words * i;
+        for (int k = 0; k < 3; ++k)
+        {
+          out[k] = Bits(p[k]);
+          out[4 + k] = Bits(n[k] / length);
+        }
+        out[3] = Bits(radius);
+        out[7] = static_cast<uint32_t>(i);
+        if (!circular)
+        {
+          for (int k = 0; k < 3; ++k)
+          {
+            out[8 + k] = Bits(axis1[k]);
+            out[12 + k] = Bits(axis2[k]);
+          }
+          out[11] = out[15] = 0;
+        }
+      }
+    });
+  }
+};
+
+/**
+ * For each point the first cell that uses it, or -1.
+ */
+std::vector<vtkIdType> CellsOfPoints(vtkPointSet* data)
+{
+  std::vector<vtkIdType> cells(static_cast<size_t>(data->GetNumberOfPoints()), -1);
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType c = data->GetNumberOfCells() - 1; c >= 0; --c)
+  {
+    data->GetCellPoints(c, ids);
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+    {
+      cells[static_cast<size_t>(ids->GetId(k))] = c;
+    }
+  }
+  return cells;
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkPointSplatCloud::Block> vtkPointSplatCloud::Gather(vtkDataObject* input)
+{
+  std::vector<Block> blocks;
+  auto add = [&blocks](vtkDataObject* object, unsigned int flatIndex) {
+    vtkPointSet* data = vtkPointSet::SafeDownCast(object);
+    if (data && data->GetPoints() && data->GetNumberOfPoints() > 0)
+    {
+      blocks.push_back({ data, flatIndex, 0, 0 });
+    }
+  };
+  if (auto composite = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    vtkSmartPointer<vtkCompositeDataIterator> it;
+    it.TakeReference(composite->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      add(it->GetCurrentDataObject(), it->GetCurrentFlatIndex());
+    }
+  }
+  else
+  {
+    add(input, 0);
+  }
+  return blocks;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatCloud::Update(vtkPointSplatMapper* mapper, vtkDataObject* input)
+{
+  std::vector<Block> blocks = vtkPointSplatCloud::Gather(input);
+  vtkMTimeType changed = input ? input->GetMTime() : 0;
+  for (const Block& block : blocks)
+  {
+    changed = std::max(changed, block.Data->GetMTime());
+  }
+  const bool same = input == this->Input && blocks.size() == this->Blocks.size() &&
+    std::equal(blocks.begin(), blocks.end(), this->Blocks.begin(),
+      [](const Block& a, const Block& b) { return a.Data == b.Data; });
+  if (!same || changed > this->SplatTime)
+  {
+    this->BuildSplats(mapper, blocks);
+    this->Input = input;
+    this->Blocks = std::move(blocks);
+    this->SplatTime.Modified();
+  }
+  if (std::max<vtkMTimeType>(mapper->GetMTime(), this->SplatTime) > this->ColourTime)
+  {
+    this->BuildColours(mapper, this->Blocks);
+    this->ColourTime.Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatCloud::BuildSplats(vtkPointSplatMapper* mapper, std::vector<Block>& blocks)
+{
+  this->Splats.clear();
+  this->Count = 0;
+  this->Points = 0;
+  this->Skipped = 0;
+  this->Circular = true;
+  this->MedianRadius = this->MaximumRadius = 0.0;
+  this->Bounds = { { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 } };
+
+  std::vector<Arrays> arrays;
+  double low[3] = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };
+  double high[3] = { -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
+  for (const Block& block : blocks)
+  {
+    arrays.push_back(Collect(mapper, block.Data));
+    this->Circular = this->Circular && !arrays.back().Axis1;
+    this->Points += block.Data->GetNumberOfPoints();
+    double range[2];
+    for (int k = 0; k < 3; ++k)
+    {
+      // Of finite coordinates: vtkPointSet's own bounds swallow NaN and infinity.
+      block.Data->GetPoints()->GetData()->GetFiniteRange(range, k);
+      if (range[0] <= range[1])
+      {
+        low[k] = std::min(low[k], range[0]);
+        high[k] = std::max(high[k], range[1]);
+      }
+    }
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    this->Origin[k] = low[k] <= high[k] ? 0.5 * low[k] + 0.5 * high[k] : 0.0;
+  }
+
+  const vtkIdType words = this->Circular ? 8 : 16;
+  this->Splats.resize(static_cast<size_t>(words * this->Points));
+  std::vector<unsigned char> valid;
+  for (size_t b = 0; b < blocks.size(); ++b)
+  {
+    Block& block = blocks[b];
+    const vtkIdType n = block.Data->GetNumberOfPoints();
+    block.First = this->Count;
+    block.Count = 0;
+    const Arrays& a = arrays[b];
+    if (!a.Normals || !(a.Radius || a.Axis1) || a.Normals->GetNumberOfTuples() != n ||
+      a.Normals->GetNumberOfComponents() != 3)
+    {
+      vtkErrorWithObjectMacro(mapper, << "A block of " << n
+                                      << " points has no usable normals: give it point normals of "
+                                         "3 components, one a point.");
+      this->Skipped += n;
+      continue;
+    }
+    valid.assign(static_cast<size_t>(n), 0);
+    uint32_t* to = this->Splats.data() + words * this->Count;
+    using Reals = vtkArrayDispatch::Reals;
+    using Dispatcher = vtkArrayDispatch::Dispatch2ByValueType<Reals, Reals>;
+    PackWorker worker;
+    if (!Dispatcher::Execute(a.Points.Get(), a.Normals.Get(), worker, a, this->Origin,
+          this->Circular, to, valid.data()))
+    {
+      worker(a.Points.Get(), a.Normals.Get(), a, this->Origin, this->Circular, to, valid.data());
+    }
+    vtkIdType kept = 0;
+    for (vtkIdType i = 0; i < n; ++i)
+    {
+      if (valid[static_cast<size_t>(i)])
+      {
+        if (kept != i)
+        {
+          std::copy_n(to + words * i, words, to + words * kept);
+        }
+        ++kept;
+      }
+    }
+    block.Count = kept;
+    this->Count += kept;
+    this->Skipped += n - kept;
+  }
+  this->Splats.resize(static_cast<size_t>(words * this->Count));
+
+  std::vector<float> radii;
+  radii.reserve(static_cast<size_t>(this->Count));
+  for (vtkIdType i = 0; i < this->Count; ++i)
+  {
+    const float* splat = reinterpret_cast<const float*>(this->Splats.data() + words * i);
+    radii.push_back(splat[3]);
+    for (int k = 0; k < 3; ++k)
+    {
+      const double x = splat[k] + this->Origin[k];
+      this->Bounds[2 * k] = i ? std::min(this->Bounds[2 * k], x) : x;
+      this->Bounds[2 * k + 1] = i ? std::max(this->Bounds[2 * k + 1], x) : x;
+    }
+  }
+  if (!radii.empty())
+  {
+    auto middle = radii.begin() + radii.size() / 2;
+    std::nth_element(radii.begin(), middle, radii.end());
+    this->MedianRadius = *middle;
+    this->MaximumRadius = *std::max_element(middle, radii.end());
+  }
+  if (this->Skipped > 0)
+  {
+    vtkWarningWithObjectMacro(mapper, << this->Skipped << " of " << this->Points
+                                      << " points are not drawn: ghosts, or coordinates, normals "
+                                         "or splat sizes that are not finite and not zero.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatCloud::BuildColours(
+  vtkPointSplatMapper* mapper, const std::vector<Block>& blocks)
+{
+  this->Colours.clear();
+  if (!mapper->GetScalarVisibility())
+  {
+    return;
+  }
+  const size_t words = this->Circular ? 8 : 16;
+  for (const Block& block : blocks)
+  {
+    int cellFlag = 0;
+    vtkSmartPointer<vtkUnsignedCharArray> colours = mapper->MapPointColours(block.Data, cellFlag);
+    if (!colours || colours->GetNumberOfComponents() != 4)
+    {
+      continue;
+    }
+    if (this->Colours.empty())
+    {
+      // Blocks without scalars stay white beside those with.
+      this->Colours.assign(static_cast<size_t>(this->Count), 0xffffffffu);
+    }
+    const std::vector<vtkIdType> cells =
+      cellFlag == 1 ? CellsOfPoints(block.Data) : std::vector<vtkIdType>();
+    const unsigned char* from = colours->GetPointer(0);
+    for (vtkIdType i = block.First; i < block.First + block.Count; ++i)
+    {
+      vtkIdType id = this->Splats[words * static_cast<size_t>(i) + 7];
+      if (cellFlag == 1)
+      {
+        id = cells[static_cast<size_t>(id)];
+      }
+      if (id >= 0 && id < colours->GetNumberOfTuples())
+      {
+        std::memcpy(&this->Colours[static_cast<size_t>(i)], from + 4 * id, 4);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkPointSplatCloud::GetMTime() const
+{
+  return std::max(this->SplatTime.GetMTime(), this->ColourTime.GetMTime());
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatCloud::Buffers& vtkPointSplatCloud::Upload(vtkWindow* window)
+{
+  std::unique_ptr<Buffers>& buffers = this->PerWindow[window];
+  if (!buffers)
+  {
+    buffers.reset(new Buffers);
+    glGenBuffers(1, &buffers->Splats);
+    glGenBuffers(1, &buffers->Colours);
+    glGenBuffers(1, &buffers->Large);
+    glGenVertexArrays(1, &buffers->VertexArray);
+  }
+  if (this->SplatTime > buffers->SplatTime)
+  {
+    glBindBuffer(GL_ARRAY_BUFFER, buffers->Splats);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(4 * this->Splats.size()),
+      this->Splats.data(), GL_STATIC_DRAW);
+    glBindBuffer(GL_ARRAY_BUFFER, buffers->Large);
+    glBufferData(
+      GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(4 * (this->Count + 1)), nullptr, GL_DYNAMIC_COPY);
+    for (GLuint& map : buffers->IdMaps)
+    {
+      glDeleteBuffers(1, &map);
+      map = 0;
+    }
+    buffers->SplatTime.Modified();
+  }
+  if (this->ColourTime > buffers->ColourTime)
+  {
+    glBindBuffer(GL_ARRAY_BUFFER, buffers->Colours);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(4 * this->Colours.size()),
+      this->Colours.data(), GL_STATIC_DRAW);
+    buffers->ColourTime.Modified();
+  }
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  return *buffers;
+}
+
+//------------------------------------------------------------------------------
+std::vector<uint32_t> vtkPointSplatCloud::MakeIdMap(IdKind kind) const
+{
+  std::vector<uint32_t> map(static_cast<size_t>(this->Count));
+  const size_t words = this->Circular ? 8 : 16;
+  for (const Block& block : this->Blocks)
+  {
+    // A cloud without cells: the cell id that VTK's selections carry is the point's.
+    const bool cells = kind == CellIds && block.Data->GetNumberOfCells() > 0;
+    const std::vector<vtkIdType> cellOf =
+      cells ? CellsOfPoints(block.Data) : std::vector<vtkIdType>();
+    for (vtkIdType i = block.First; i < block.First + block.Count; ++i)
+    {
+      const uint32_t id = this->Splats[words * static_cast<size_t>(i) + 7];
+      map[static_cast<size_t>(i)] = kind == CompositeIds ? block.FlatIndex
+        : cells ? static_cast<uint32_t>(cellOf[id] < 0 ? 0xffffffffu : cellOf[id])
+                : id;
+    }
+  }
+  return map;
+}
+
+//------------------------------------------------------------------------------
+GLuint vtkPointSplatCloud::UploadIdMap(vtkWindow* window, IdKind kind)
+{
+  Buffers& buffers = this->Upload(window);
+  if (kind != PointIds && !buffers.IdMaps[kind])
+  {
+    const std::vector<uint32_t> map = this->MakeIdMap(kind);
+    glGenBuffers(1, &buffers.IdMaps[kind]);
+    glBindBuffer(GL_ARRAY_BUFFER, buffers.IdMaps[kind]);
+    glBufferData(
+      GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(4 * map.size()), map.data(), GL_STATIC_DRAW);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+  }
+  return buffers.IdMaps[kind];
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatCloud::Release(vtkWindow* window)
+{
+  auto found = this->PerWindow.find(window);
+  if (found == this->PerWindow.end())
+  {
+    return;
+  }
+  Buffers& buffers = *found->second;
+  const GLuint all[] = { buffers.Splats, buffers.Colours, buffers.Large, buffers.IdMaps[1],
+    buffers.IdMaps[2] };
+  glDeleteBuffers(5, all);
+  glDeleteVertexArrays(1, &buffers.VertexArray);
+  this->PerWindow.erase(found);
+}

@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatImages.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureUnitManager.h"
+
+#include <algorithm>
+
+namespace
+{
+// Bytes a pixel, compute.
+constexpr GLsizeiptr DepthBytes = 4;
+constexpr GLsizeiptr SumBytes = 32;
+constexpr GLsizeiptr IdBytes = 8;
+
+void MakeTexture(GLuint& texture, const glm::ivec2& size, GLenum internal, GLenum format, GLenum type)
+{
+  glGenTextures(1, &texture);
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal), size.x, size.y, 0, format, type,
+    nullptr);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+}
+
+void MakeBuffer(GLuint& buffer, GLuint& texture, GLsizeiptr bytes, GLenum format)
+{
+  glGenBuffers(1, &buffer);
+  glBindBuffer(GL_TEXTURE_BUFFER, buffer);
+  glBufferData(GL_TEXTURE_BUFFER, bytes, nullptr, GL_DYNAMIC_COPY);
+  glGenTextures(1, &texture);
+  glBindTexture(GL_TEXTURE_BUFFER, texture);
+  glTexBuffer(GL_TEXTURE_BUFFER, format, buffer);
+  glBindTexture(GL_TEXTURE_BUFFER, 0);
+  glBindBuffer(GL_TEXTURE_BUFFER, 0);
+}
+
+void ClearRows(GLuint buffer, GLsizeiptr bytesPerPixel, int width, const glm::ivec4& window,
+  GLenum internal, GLenum format, GLenum type, const void* value)
+{
+  if (window.y > window.w)
+  {
+    return;
+  }
+  glBindBuffer(GL_TEXTURE_BUFFER, buffer);
+  glClearBufferSubData(GL_TEXTURE_BUFFER, internal, bytesPerPixel * width * window.y,
+    bytesPerPixel * width * (window.w - window.y + 1), format, type, value);
+  glBindBuffer(GL_TEXTURE_BUFFER, 0);
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatImages::FitCompute(const glm::ivec2& size)
+{
+  GLint block = 0;
+  GLint texels = 0;
+  glGetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &block);
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
+  const GLint64 pixels = static_cast<GLint64>(size.x) * size.y;
+  return pixels * SumBytes <= block && pixels * 2 <= texels;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatImages::Allocate(bool compute, const glm::ivec2& size)
+{
+  if (this->Depths && this->Compute == compute && this->Size == size)
+  {
+    return;
+  }
+  this->Release();
+  this->Compute = compute;
+  this->Size = size;
+  if (compute)
+  {
+    const GLsizeiptr pixels = static_cast<GLsizeiptr>(size.x) * size.y;
+    MakeBuffer(this->Depths, this->BufferTextures[0], DepthBytes * pixels, GL_R32UI);
+    MakeBuffer(this->Sums[0], this->BufferTextures[1], SumBytes * pixels, GL_RGBA32I);
+    return;
+  }
+  MakeTexture(this->Depths, size, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT);
+  MakeTexture(this->Sums[0], size, GL_RGBA32F, GL_RGBA, GL_FLOAT);
+  MakeTexture(this->Sums[1], size, GL_RGBA32F, GL_RGBA, GL_FLOAT);
+  MakeTexture(this->Ids, size, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT);
+  MakeTexture(this->DepthAttachment, size, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT);
+  glBindTexture(GL_TEXTURE_2D, 0);
+  glGenFramebuffers(1, &this->Framebuffer);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatImages::ClearBuffers(const glm::ivec4& window)
+{
+  const GLuint none = 0xffffffffu;
+  const GLint zero[4] = { 0, 0, 0, 0 };
+  ClearRows(this->Depths, DepthBytes, this->Size.x, window, GL_R32UI, GL_RED_INTEGER,
+    GL_UNSIGNED_INT, &none);
+  ClearRows(
+    this->Sums[0], SumBytes, this->Size.x, window, GL_RGBA32I, GL_RGBA_INTEGER, GL_INT, zero);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatImages::ClearIdBuffer(const glm::ivec4& window)
+{
+  if (!this->Ids)
+  {
+    const GLsizeiptr pixels = static_cast<GLsizeiptr>(this->Size.x) * this->Size.y;
+    MakeBuffer(this->Ids, this->BufferTextures[2], IdBytes * pixels, GL_RG32UI);
+  }
+  const GLuint none[2] = { 0, 0xffffffffu };
+  ClearRows(
+    this->Ids, IdBytes, this->Size.x, window, GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, none);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPointSplatImages::GetMemorySize() const
+{
+  const vtkIdType pixels = static_cast<vtkIdType>(this->Size.x) * this->Size.y;
+  const vtkIdType ids = this->Ids ? IdBytes : 0;
+  return this->Compute ? pixels * (DepthBytes + SumBytes + ids) : pixels * (4 + 32 + 4 + 4);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatImages::Bind(
+  vtkOpenGLRenderWindow* window, vtkShaderProgram* program, bool withIds)
+{
+  const GLenum target = this->Compute ? GL_TEXTURE_BUFFER : GL_TEXTURE_2D;
+  auto bind = [&](int slot, GLuint texture, const char* name) {
+    this->Units[slot] = window->GetTextureUnitManager()->Allocate();
+    window->GetState()->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned>(this->Units[slot]));
+    glBindTexture(target, texture);
+    program->SetUniformi(name, this->Units[slot]);
+  };
+  bind(0, this->Compute ? this->BufferTextures[0] : this->Depths, "Depths");
+  if (this->Compute)
+  {
+    bind(1, this->BufferTextures[1], "Sums");
+    program->SetUniformi("ImageWidth", this->Size.x);
+  }
+  else
+  {
+    bind(1, this->Sums[0], "WeightAndNormal");
+    bind(2, this->Sums[1], "DepthAndColour");
+  }
+  if (withIds)
+  {
+    bind(3, this->Compute ? this->BufferTextures[2] : this->Ids, "Ids");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatImages::Unbind(vtkOpenGLRenderWindow* window)
+{
+  const GLenum target = this->Compute ? GL_TEXTURE_BUFFER : GL_TEXTURE_2D;
+  for (int& unit : this->Units)
+  {
+    if (unit >= 0)
+    {
+      window->GetState()->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned>(unit));
+      glBindTexture(target, 0);
+      window->GetTextureUnitManager()->Free(unit);
+      unit = -1;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatImages::Release()
+{
+  if (this->Compute)
+  {
+    const GLuint buffers[] = { this->Depths, this->Sums[0], this->Ids };
+    glDeleteBuffers(3, buffers);
+    glDeleteTextures(3, this->BufferTextures);
+  }
+  else
+  {
+    const GLuint textures[] = { this->Depths, this->Sums[0], this->Sums[1], this->Ids,
+      this->DepthAttachment };
+    glDeleteTextures(5, textures);
+    if (this->Framebuffer)
+    {
+      glDeleteFramebuffers(1, &this->Framebuffer);
+    }
+  }
+  this->Depths = this->Sums[0] = this->Sums[1] = this->Ids = this->DepthAttachment = 0;
+  this->Framebuffer = 0;
+  std::fill_n(this->BufferTextures, 3, 0u);
+  this->Size = glm::ivec2(0);
+}

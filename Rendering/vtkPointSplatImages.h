@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The images between the stages of a frame. Both kinds hold the same:
+//   depths  the nearest disk's coded depth, a uint a pixel (vtkPointSplatProjection.glsl)
+//   sums    of weights, and of weighted normals, depths and colours
+//   ids     the splat of the greatest weight, made for hardware selection only
+// Compute shaders write buffers (uint; 8 ints; 2 uints a pixel), which the
+// resolve stage reads as buffer textures. Quads write textures (R32UI; two
+// RGBA32F; R32UI) through a framebuffer object.
+#ifndef vtkPointSplatImages_h
+#define vtkPointSplatImages_h
+
+#include "vtkPointSplattingOpenGL.h"
+
+#include <glm/glm.hpp>
+
+#include "vtkType.h"
+
+#include "vtkPointSplattingABI.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+VTK_ABI_NAMESPACE_END
+
+class vtkPointSplatImages
+{
+public:
+  vtkPointSplatImages() = default;
+  ~vtkPointSplatImages() = default;
+  vtkPointSplatImages(const vtkPointSplatImages&) = delete;
+  void operator=(const vtkPointSplatImages&) = delete;
+
+  /**
+   * Whether buffers of this size are within what the driver allows.
+   */
+  static bool FitCompute(const glm::ivec2& size);
+
+  /**
+   * Makes the images of this size and kind, or keeps them if they are.
+   */
+  void Allocate(bool compute, const glm::ivec2& size);
+
+  /**
+   * Empties the rows of a rectangle (first x, y, last x, y).
+   */
+  void ClearBuffers(const glm::ivec4& window);
+  void ClearIdBuffer(const glm::ivec4& window);
+
+  bool IsCompute() const { return this->Compute; }
+  const glm::ivec2& GetSize() const { return this->Size; }
+  vtkIdType GetMemorySize() const; // bytes
+
+  ///@{
+  /**
+   * OpenGL names: of buffers, or of textures.
+   */
+  GLuint GetDepths() const { return this->Depths; }
+  GLuint GetSums(int i = 0) const { return this->Sums[i]; }
+  GLuint GetIds() const { return this->Ids; }
+  GLuint GetDepthAttachment() const { return this->DepthAttachment; }
+  GLuint GetFramebuffer() const { return this->Framebuffer; }
+  ///@}
+
+  /**
+   * Binds what the resolve stage reads to texture units of the window, and says
+   * so to its program. Unbind() gives the units back.
+   */
+  void Bind(vtkOpenGLRenderWindow* window, vtkShaderProgram* program, bool withIds);
+  void Unbind(vtkOpenGLRenderWindow* window);
+
+  void Release();
+
+private:
+  bool Compute = false;
+  glm::ivec2 Size{ 0, 0 };
+  GLuint Depths = 0;
+  GLuint Sums[2] = { 0, 0 };
+  GLuint Ids = 0;
+  GLuint DepthAttachment = 0;
+  GLuint Framebuffer = 0;
+  GLuint BufferTextures[3] = { 0, 0, 0 }; // of depths, sums, ids
+  int Units[4] = { -1, -1, -1, -1 };
+};
+
+#endif

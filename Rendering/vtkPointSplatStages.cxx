@@ -1,0 +1,427 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatStages.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkPointSplatImages.h"
+
+#include <algorithm>
+
+namespace
+{
+// The least radius, in pixels, of a disk's image in the visibility pass: at half
+// a pixel's diagonal a disk wherever it lies meets a pixel's centre.
+constexpr float CoverageRadius = 0.71f;
+// The prefilter's radius, in pixels, in the accumulation pass (Guennebaud,
+// section 4.1: the square root of two).
+constexpr float PrefilterRadius = 1.414f;
+
+constexpr GLuint GroupSize = 64;      // as in vtkPointSplatSplatsCS.glsl
+constexpr GLuint MostGroups = 32768;  // in one dimension; OpenGL promises 65535
+constexpr GLuint LargeGroups = 256;   // share the listed splats of many pixels
+
+GLsizeiptr Stride(const vtkPointSplatCloud& cloud)
+{
+  return cloud.IsCircular() ? 32 : 64;
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatItem::operator==(const vtkPointSplatItem& other) const
+{
+  return this->Cloud == other.Cloud && this->MCWC == other.MCWC && this->Slot == other.Slot &&
+    this->Culling == other.Culling && this->RadiusScale == other.RadiusScale &&
+    this->LayerDistance == other.LayerDistance && this->KernelType == other.KernelType &&
+    this->KernelShape == other.KernelShape && this->KernelSupport == other.KernelSupport &&
+    this->ClipPlanes == other.ClipPlanes;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatStages::ComputeSupported(vtkOpenGLRenderWindow* window)
+{
+  int major = 0;
+  int minor = 0;
+  window->GetOpenGLVersion(major, minor);
+  return major > 4 || (major == 4 && minor >= 3);
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatProgram* vtkPointSplatStages::Use(Program which)
+{
+  static const struct
+  {
+    const char* Vertex;
+    const char* Other;
+  } files[NumberOfPrograms] = { { nullptr, "vtkPointSplatVisibilityCS" },
+    { nullptr, "vtkPointSplatAccumulateCS" }, { nullptr, "vtkPointSplatIdentifyCS" },
+    { "vtkPointSplatQuadVS", "vtkPointSplatVisibilityFS" },
+    { "vtkPointSplatQuadVS", "vtkPointSplatAccumulateFS" },
+    { "vtkPointSplatQuadVS", "vtkPointSplatIdentifyFS" } };
+  vtkPointSplatProgram& program = this->Programs[which];
+  if (!program.IsBuilt())
+  {
+    std::vector<std::pair<GLenum, std::string>> stages;
+    if (files[which].Vertex)
+    {
+      stages.emplace_back(GL_VERTEX_SHADER, files[which].Vertex);
+      stages.emplace_back(GL_FRAGMENT_SHADER, files[which].Other);
+    }
+    else
+    {
+      stages.emplace_back(GL_COMPUTE_SHADER, files[which].Other);
+    }
+    if (!program.Build(stages))
+    {
+      this->Error = program.GetLog();
+      return nullptr;
+    }
+  }
+  program.Use();
+  return &program;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatStages::SetItem(vtkPointSplatProgram& program, const vtkPointSplatView& view,
+  const vtkPointSplatItem& item, const glm::ivec2& imageSize)
+{
+  const auto& origin = item.Cloud->GetOrigin();
+  glm::dmat4 MCVC = view.WCVC * item.MCWC;
+  const glm::dmat3 normals = glm::transpose(glm::inverse(glm::dmat3(MCVC)));
+  // In double precision up to here: only the product of a far camera and a far
+  // cloud is small.
+  MCVC[3] = MCVC * glm::dvec4(origin[0], origin[1], origin[2], 1.0);
+  std::vector<glm::vec4> planes;
+  const glm::dmat4 VCWCTransposed = glm::transpose(glm::inverse(view.WCVC));
+  for (const glm::dvec4& plane : item.ClipPlanes)
+  {
+    planes.emplace_back(VCWCTransposed * plane);
+  }
+  program.Set("MCVC", glm::mat4(MCVC));
+  program.Set("NormalMatrix", glm::mat3(normals));
+  program.Set("PixelX", view.PixelX);
+  program.Set("PixelY", view.PixelY);
+  program.Set("PixelW", view.PixelW);
+  program.Set("Window", item.Window);
+  program.Set("DepthRange",
+    glm::vec2(static_cast<float>(view.Near), static_cast<float>(view.Far - view.Near)));
+  program.Set("Parallel", view.Parallel);
+  program.Set("Circular", item.Cloud->IsCircular());
+  program.Set("RadiusScale", static_cast<float>(item.RadiusScale));
+  program.Set("Culling", item.Culling);
+  program.Set("Tag", static_cast<unsigned int>(item.Slot) << 1);
+  program.Set("LayerDistance", static_cast<float>(item.LayerDistance));
+  program.Set("ClipPlaneCount", static_cast<int>(planes.size()));
+  program.Set("ClipPlanes", planes);
+  program.Set("KernelType", item.KernelType);
+  program.Set("KernelShape", item.KernelShape);
+  program.Set("KernelSupport", static_cast<float>(item.KernelSupport));
+  program.Set("HasColours", item.Cloud->HasColours());
+  program.Set("SplatCount", static_cast<unsigned int>(item.Cloud->GetNumberOfSplats()));
+  program.Set("ImageWidth", imageSize.x);
+  program.Set("ImageSize", imageSize);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatStages::Dispatch(vtkPointSplatProgram& program, const vtkPointSplatItem& item,
+  vtkPointSplatCloud::Buffers& buffers, bool listLarge)
+{
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, buffers.Splats);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, buffers.Large);
+  if (listLarge)
+  {
+    const GLuint zero = 0;
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffers.Large);
+    glClearBufferSubData(
+      GL_SHADER_STORAGE_BUFFER, GL_R32UI, 0, 4, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+  }
+  const GLuint groups =
+    static_cast<GLuint>((item.Cloud->GetNumberOfSplats() + GroupSize - 1) / GroupSize);
+  program.Set("ListLarge", listLarge);
+  program.Set("DrawLarge", false);
+  glDispatchCompute(std::min(groups, MostGroups), (groups + MostGroups - 1) / MostGroups, 1);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  program.Set("DrawLarge", true);
+  glDispatchCompute(LargeGroups, 1, 1);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatStages::ReconstructByCompute(vtkOpenGLRenderWindow* window,
+  const vtkPointSplatView& view, const std::vector<vtkPointSplatItem>& items,
+  vtkPointSplatImages& images, float depthUnit)
+{
+  vtkPointSplatProgram* program = this->Use(VisibilityCompute);
+  if (!program)
+  {
+    return false;
+  }
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, images.GetDepths());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, images.GetSums());
+  for (const vtkPointSplatItem& item : items)
+  {
+    this->SetItem(*program, view, item, images.GetSize());
+    program->Set("CoverageRadius", CoverageRadius);
+    this->Dispatch(*program, item, item.Cloud->Upload(window), true);
+  }
+  program = this->Use(AccumulateCompute);
+  if (!program)
+  {
+    return false;
+  }
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  for (const vtkPointSplatItem& item : items)
+  {
+    vtkPointSplatCloud::Buffers& buffers = item.Cloud->Upload(window);
+    this->SetItem(*program, view, item, images.GetSize());
+    program->Set("PrefilterRadius", PrefilterRadius);
+    program->Set("DepthUnit", depthUnit);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, buffers.Colours);
+    this->Dispatch(*program, item, buffers, true);
+  }
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatStages::DrawQuads(
+  const vtkPointSplatItem& item, vtkPointSplatCloud::Buffers& buffers, GLuint idMap)
+{
+  const GLsizei stride = static_cast<GLsizei>(Stride(*item.Cloud));
+  auto at = [](size_t bytes) { return reinterpret_cast<const void*>(bytes); };
+  glBindVertexArray(buffers.VertexArray);
+  glBindBuffer(GL_ARRAY_BUFFER, buffers.Splats);
+  glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, stride, at(0));
+  glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride, at(16));
+  glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, stride, at(28));
+  const bool axes = !item.Cloud->IsCircular();
+  if (axes)
+  {
+    glVertexAttribPointer(4, 3, GL_FLOAT, GL_FALSE, stride, at(32));
+    glVertexAttribPointer(5, 3, GL_FLOAT, GL_FALSE, stride, at(48));
+  }
+  if (idMap)
+  {
+    glBindBuffer(GL_ARRAY_BUFFER, idMap);
+    glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, 4, at(0));
+  }
+  const bool colours = item.Cloud->HasColours();
+  if (colours)
+  {
+    glBindBuffer(GL_ARRAY_BUFFER, buffers.Colours);
+    glVertexAttribPointer(3, 4, GL_UNSIGNED_BYTE, GL_TRUE, 4, at(0));
+  }
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  const bool used[] = { true, true, true, colours, axes, axes };
+  for (GLuint i = 0; i < 6; ++i)
+  {
+    if (used[i])
+    {
+      glEnableVertexAttribArray(i);
+    }
+    else
+    {
+      glDisableVertexAttribArray(i);
+    }
+    glVertexAttribDivisor(i, 1);
+  }
+  glDrawArraysInstanced(
+    GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(item.Cloud->GetNumberOfSplats()));
+  glBindVertexArray(0);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatStages::ReconstructByQuads(vtkOpenGLRenderWindow* window,
+  const vtkPointSplatView& view, const std::vector<vtkPointSplatItem>& items,
+  vtkPointSplatImages& images, float depthUnit)
+{
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglViewport(0, 0, images.GetSize().x, images.GetSize().y);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LESS);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, images.GetFramebuffer());
+
+  // Visibility: the nearest depth of all disks.
+  GLenum both[] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1 };
+  const GLuint none[4] = { 0xffffffffu, 0xffffffffu, 0xffffffffu, 0xffffffffu };
+  const GLfloat zero[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
+  const GLfloat farthest = 1.0f;
+  glFramebufferTexture2D(
+    GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, images.GetDepths(), 0);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, 0, 0);
+  glFramebufferTexture2D(
+    GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, images.GetDepthAttachment(), 0);
+  state->vtkglDrawBuffers(1, both);
+  glClearBufferuiv(GL_COLOR, 0, none);
+  glClearBufferfv(GL_DEPTH, 0, &farthest);
+  vtkPointSplatProgram* program = this->Use(VisibilityQuads);
+  if (!program)
+  {
+    return false;
+  }
+  for (const vtkPointSplatItem& item : items)
+  {
+    this->SetItem(*program, view, item, images.GetSize());
+    program->Set("Reach", 1.0f);
+    program->Set("MinimumRadius", CoverageRadius);
+    this->DrawQuads(item, item.Cloud->Upload(window), 0);
+  }
+
+  // Accumulation: sums over the splats of that layer.
+  glFramebufferTexture2D(
+    GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, images.GetSums(0), 0);
+  glFramebufferTexture2D(
+    GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, images.GetSums(1), 0);
+  state->vtkglDrawBuffers(2, both);
+  glClearBufferfv(GL_COLOR, 0, zero);
+  glClearBufferfv(GL_COLOR, 1, zero);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+  program = this->Use(AccumulateQuads);
+  if (!program)
+  {
+    return false;
+  }
+  state->vtkglActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, images.GetDepths());
+  for (const vtkPointSplatItem& item : items)
+  {
+    this->SetItem(*program, view, item, images.GetSize());
+    program->Set("Reach", static_cast<float>(item.KernelSupport));
+    program->Set("MinimumRadius", PrefilterRadius);
+    program->Set("DepthUnit", depthUnit);
+    program->Set("Depths", 0);
+    this->DrawQuads(item, item.Cloud->Upload(window), 0);
+  }
+  glBindTexture(GL_TEXTURE_2D, 0);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatStages::IdentifyByQuads(vtkOpenGLRenderWindow* window,
+  const vtkPointSplatView& view, const std::vector<vtkPointSplatItem>& items,
+  vtkPointSplatImages& images, vtkPointSplatCloud::IdKind kind)
+{
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglViewport(0, 0, images.GetSize().x, images.GetSize().y);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LESS);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, images.GetFramebuffer());
+  GLenum first[] = { GL_COLOR_ATTACHMENT0 };
+  const GLuint none[4] = { 0xffffffffu, 0xffffffffu, 0xffffffffu, 0xffffffffu };
+  const GLfloat farthest = 1.0f;
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, images.GetIds(), 0);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, 0, 0);
+  glFramebufferTexture2D(
+    GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, images.GetDepthAttachment(), 0);
+  state->vtkglDrawBuffers(1, first);
+  glClearBufferuiv(GL_COLOR, 0, none);
+  glClearBufferfv(GL_DEPTH, 0, &farthest);
+  vtkPointSplatProgram* program = this->Use(IdentifyQuads);
+  if (!program)
+  {
+    return false;
+  }
+  state->vtkglActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, images.GetDepths());
+  for (const vtkPointSplatItem& item : items)
+  {
+    const GLuint idMap = item.Cloud->UploadIdMap(window, kind);
+    this->SetItem(*program, view, item, images.GetSize());
+    program->Set("Reach", static_cast<float>(item.KernelSupport));
+    program->Set("MinimumRadius", PrefilterRadius);
+    program->Set("Depths", 0);
+    this->DrawQuads(item, item.Cloud->Upload(window), idMap);
+  }
+  glBindTexture(GL_TEXTURE_2D, 0);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatStages::Reconstruct(vtkOpenGLRenderWindow* window,
+  const vtkPointSplatView& view, const std::vector<vtkPointSplatItem>& items,
+  vtkPointSplatImages& images, float depthUnit)
+{
+  window->GetShaderCache()->ReleaseCurrentShader();
+  bool good = false;
+  if (images.IsCompute())
+  {
+    good = this->ReconstructByCompute(window, view, items, images, depthUnit);
+  }
+  else
+  {
+    vtkOpenGLState* state = window->GetState();
+    state->Push();
+    state->PushFramebufferBindings();
+    good = this->ReconstructByQuads(window, view, items, images, depthUnit);
+    state->PopFramebufferBindings();
+    state->Pop();
+  }
+  glUseProgram(0);
+  return good;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatStages::Identify(vtkOpenGLRenderWindow* window, const vtkPointSplatView& view,
+  const std::vector<vtkPointSplatItem>& items, vtkPointSplatImages& images,
+  vtkPointSplatCloud::IdKind kind)
+{
+  window->GetShaderCache()->ReleaseCurrentShader();
+  bool good = false;
+  if (images.IsCompute())
+  {
+    images.ClearIdBuffer({ 0, 0, images.GetSize().x - 1, images.GetSize().y - 1 });
+    if (vtkPointSplatProgram* program = this->Use(IdentifyCompute))
+    {
+      glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, images.GetDepths());
+      glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, images.GetIds());
+      for (const bool findWeight : { true, false })
+      {
+        for (const vtkPointSplatItem& item : items)
+        {
+          const GLuint idMap = item.Cloud->UploadIdMap(window, kind);
+          this->SetItem(*program, view, item, images.GetSize());
+          program->Set("PrefilterRadius", PrefilterRadius);
+          program->Set("FindWeight", findWeight);
+          program->Set("UseIdMap", idMap != 0);
+          glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, idMap);
+          this->Dispatch(*program, item, item.Cloud->Upload(window), true);
+        }
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+      }
+      good = true;
+    }
+  }
+  else
+  {
+    vtkOpenGLState* state = window->GetState();
+    state->Push();
+    state->PushFramebufferBindings();
+    good = this->IdentifyByQuads(window, view, items, images, kind);
+    state->PopFramebufferBindings();
+    state->Pop();
+  }
+  glUseProgram(0);
+  return good;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatStages::Release()
+{
+  for (vtkPointSplatProgram& program : this->Programs)
+  {
+    program.Release();
+  }
+}

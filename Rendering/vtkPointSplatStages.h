@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The stages that project splats to the images of one surface layer, in either
+// of two ways: compute shaders that loop over each splat's pixels, or quads
+// through the rasteriser. What is drawn is the same.
+//
+// Rasterising a splat costs a few hundred nanoseconds of set-up before its first
+// pixel, on CPUs and GPUs alike; a splat of a dozen pixels is drawn sooner by a
+// loop. Compute shaders need OpenGL 4.3 and image sizes within the driver's
+// bound for storage buffers; quads need OpenGL 3.3.
+#ifndef vtkPointSplatStages_h
+#define vtkPointSplatStages_h
+
+#include "vtkPointSplatCloud.h"
+#include "vtkPointSplatProgram.h"
+#include "vtkPointSplatView.h"
+
+#include <string>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkOpenGLRenderWindow;
+VTK_ABI_NAMESPACE_END
+class vtkPointSplatImages;
+
+/**
+ * One cloud to draw, with all that its projection depends on.
+ */
+struct vtkPointSplatItem
+{
+  vtkPointSplatCloud* Cloud = nullptr;
+  glm::dmat4 MCWC{ 1.0 };
+  int Slot = 0;               // names the cloud in the images' tags
+  int Culling = 0;            // 1 back faces, 2 front faces
+  double RadiusScale = 1.0;
+  double LayerDistance = 0.0; // world units; negative: a fraction of each radius
+  double LargestLayer = 0.0;  // an upper bound of it, world units
+  int KernelType = 0;
+  glm::vec2 KernelShape{ 0.0f };
+  double KernelSupport = 1.5;
+  std::vector<glm::dvec4> ClipPlanes; // world coordinates
+  glm::ivec4 Window{ 0 };             // pixels that it can cover
+
+  bool operator==(const vtkPointSplatItem& other) const;
+};
+
+class vtkPointSplatStages
+{
+public:
+  /**
+   * Slots that the tags of coded depths can tell apart.
+   */
+  static constexpr int MaximumSlots = 64;
+
+  /**
+   * Whether the context has what compute shaders need.
+   */
+  static bool ComputeSupported(vtkOpenGLRenderWindow* window);
+
+  /**
+   * Depths and sums of the layer nearest to the eye, of all items together.
+   * depthUnit: the unit of depths in the sums, world units.
+   * False, with GetError(), where a shader does not compile.
+   */
+  bool Reconstruct(vtkOpenGLRenderWindow* window, const vtkPointSplatView& view,
+    const std::vector<vtkPointSplatItem>& items, vtkPointSplatImages& images, float depthUnit);
+
+  /**
+   * Ids of the splats with the greatest weights in that layer.
+   */
+  bool Identify(vtkOpenGLRenderWindow* window, const vtkPointSplatView& view,
+    const std::vector<vtkPointSplatItem>& items, vtkPointSplatImages& images,
+    vtkPointSplatCloud::IdKind kind);
+
+  const std::string& GetError() const { return this->Error; }
+  void Release();
+
+private:
+  enum Program
+  {
+    VisibilityCompute,
+    AccumulateCompute,
+    IdentifyCompute,
+    VisibilityQuads,
+    AccumulateQuads,
+    IdentifyQuads,
+    NumberOfPrograms
+  };
+  vtkPointSplatProgram* Use(Program which);
+  void SetItem(vtkPointSplatProgram& program, const vtkPointSplatView& view,
+    const vtkPointSplatItem& item, const glm::ivec2& imageSize);
+  void Dispatch(vtkPointSplatProgram& program, const vtkPointSplatItem& item,
+    vtkPointSplatCloud::Buffers& buffers, bool listLarge);
+  void DrawQuads(const vtkPointSplatItem& item, vtkPointSplatCloud::Buffers& buffers, GLuint idMap);
+  bool ReconstructByCompute(vtkOpenGLRenderWindow* window, const vtkPointSplatView& view,
+    const std::vector<vtkPointSplatItem>& items, vtkPointSplatImages& images, float depthUnit);
+  bool ReconstructByQuads(vtkOpenGLRenderWindow* window, const vtkPointSplatView& view,
+    const std::vector<vtkPointSplatItem>& items, vtkPointSplatImages& images, float depthUnit);
+  bool IdentifyByQuads(vtkOpenGLRenderWindow* window, const vtkPointSplatView& view,
+    const std::vector<vtkPointSplatItem>& items, vtkPointSplatImages& images,
+    vtkPointSplatCloud::IdKind kind);
+
+  vtkPointSplatProgram Programs[NumberOfPrograms];
+  std::string Error;
+};
+
+#endif
