@@ -22,6 +22,12 @@ option(BUILD_SHARED_LIBS "Build shared libraries" ON)
 option(BUILD_TESTING "Build the tests" ON)
 option(PointSplatting_WRAP_PYTHON "Build the Python package pointsplatting" ON)
 option(PointSplatting_BUILD_EXAMPLES "Build splatview and the examples" ON)
+option(PointSplatting_SANITIZE "Build with the address and undefined behaviour sanitizers" OFF)
+if (PointSplatting_SANITIZE)
+  add_compile_options(
+    -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer -g1)
+  add_link_options(-fsanitize=address,undefined)
+endif ()
 
 if (PointSplatting_WRAP_PYTHON)
   # Debian's vtkmodules belong to the system's interpreter; another one that is
@@ -47,48 +53,52 @@ if (BUILD_TESTING)
 endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${_components} OPTIONAL_COMPONENTS glad)
 
-if (BUILD_TESTING)
-  include(CTest)
-  set(_tests WANT)
-else ()
-  set(_tests OFF)
-endif ()
-
-vtk_module_find_modules(_module_files "${CMAKE_SOURCE_DIR}/Filters" "${CMAKE_SOURCE_DIR}/Rendering")
-list(APPEND _module_files
-  "${CMAKE_SOURCE_DIR}/Filters/vtk.module" "${CMAKE_SOURCE_DIR}/Rendering/vtk.module")
-list(REMOVE_DUPLICATES _module_files)
+set(_cmake_destination "${CMAKE_INSTALL_LIBDIR}/cmake/PointSplatting")
+set(_module_files
+  "${CMAKE_SOURCE_DIR}/Filters/vtk.module"
+  "${CMAKE_SOURCE_DIR}/Rendering/vtk.module")
 vtk_module_scan(
   MODULE_FILES         ${_module_files}
   PROVIDES_MODULES     _modules
-  REQUEST_MODULES      VTK::FiltersPointSplatting VTK::RenderingPointSplatting
   WANT_BY_DEFAULT      ON
+  # The tests are added below: they are the project's, and not one module's.
   ENABLE_TESTS         OFF)
 vtk_module_build(
   MODULES              ${_modules}
   PACKAGE              PointSplatting
   VERSION              "${PROJECT_VERSION}"
-  SOVERSION            0
+  SOVERSION            "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}"
   INSTALL_EXPORT       PointSplatting
   INSTALL_HEADERS      ON
   HEADERS_DESTINATION  "${CMAKE_INSTALL_INCLUDEDIR}/pointsplatting"
-  CMAKE_DESTINATION    "${CMAKE_INSTALL_LIBDIR}/cmake/PointSplatting"
-  LIBRARY_NAME_SUFFIX  ""
-  TARGETS_COMPONENT    Development)
-
+  CMAKE_DESTINATION    "${_cmake_destination}")
 if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   foreach (_module IN LISTS _modules)
     vtk_module_compile_options(${_module} PRIVATE -Wall -Wextra)
   endforeach ()
 endif ()
 
+# A module at the root cannot be built by a project at the same root, so the
+# umbrella is a plain target here.
+add_library(PointSplatting INTERFACE)
+target_link_libraries(PointSplatting INTERFACE ${_modules})
+add_library(VTK::PointSplatting ALIAS PointSplatting)
+
 if (PointSplatting_WRAP_PYTHON)
   include(Module/Python.cmake)
 endif ()
-include(Module/Package.cmake OPTIONAL)
-if (PointSplatting_BUILD_EXAMPLES AND EXISTS "${CMAKE_SOURCE_DIR}/Examples/CMakeLists.txt")
+include(Module/Package.cmake)
+if (PointSplatting_BUILD_EXAMPLES)
   add_subdirectory(Examples)
 endif ()
-if (BUILD_TESTING AND EXISTS "${CMAKE_SOURCE_DIR}/Testing/CMakeLists.txt")
+# What a user of this tree runs, without the tests.
+add_custom_target(programs)
+foreach (_target IN ITEMS splatview vtkFiltersPointSplattingPython vtkRenderingPointSplattingPython)
+  if (TARGET ${_target})
+    add_dependencies(programs ${_target})
+  endif ()
+endforeach ()
+if (BUILD_TESTING)
+  enable_testing()
   add_subdirectory(Testing)
 endif ()

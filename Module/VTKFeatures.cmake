@@ -1,0 +1,33 @@
+# SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# What this VTK has, asked of its headers and not of its version number.
+
+# pointsplatting_find_header(<out> <target> <header>): the header's path among a
+# module's include directories, or empty. The directories of a module that is
+# being built stand inside generator expressions.
+function (pointsplatting_find_header out target header)
+  set(${out} "" PARENT_SCOPE)
+  get_target_property(_dirs ${target} INTERFACE_INCLUDE_DIRECTORIES)
+  foreach (_dir IN LISTS _dirs)
+    string(REGEX REPLACE "^\\$<BUILD_INTERFACE:(.*)>$" "\\1" _dir "${_dir}")
+    if (EXISTS "${_dir}/${header}")
+      set(${out} "${_dir}/${header}" PARENT_SCOPE)
+      return ()
+    endif ()
+  endforeach ()
+endfunction ()
+
+# pointsplatting_header_has(<out> <target> <header> <regex>): 1 where a line of
+# the header matches, otherwise 0.
+function (pointsplatting_header_has out target header regex)
+  set(_has 0)
+  pointsplatting_find_header(_file ${target} ${header})
+  if (_file)
+    file(STRINGS "${_file}" _lines REGEX "${regex}")
+    if (_lines)
+      set(_has 1)
+    endif ()
+  endif ()
+  set(${out} ${_has} PARENT_SCOPE)
+endfunction ()

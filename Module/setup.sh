@@ -1,0 +1,49 @@
+# SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# For run.sh and test.sh, which source it: Debian's packages, then the build.
+
+packages=(
+  cmake ninja-build g++                 # to build
+  libvtk9-dev python3-vtk9              # VTK and its Python modules
+  libglm-dev libegl-dev libegl1         # matrices, contexts without an X server
+  libgl1-mesa-dri                       # OpenGL where there is no GPU
+)
+
+# Installs what is missing from Debian, saying what; names it where it cannot.
+install_packages() {
+  command -v dpkg-query >/dev/null || return 0 # not Debian: CMake says what it misses
+  local missing=() package
+  for package in "${packages[@]}"; do
+    dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed ||
+      missing+=("$package")
+  done
+  [ ${#missing[@]} -gt 0 ] || return 0
+
+  echo "Missing Debian packages, to be installed now: ${missing[*]}"
+  local as_root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    if ! command -v sudo >/dev/null; then
+      echo "Neither root nor sudo here. Have these installed, then start again: ${missing[*]}" >&2
+      return 1
+    fi
+    as_root=(sudo)
+  fi
+  if ! { "${as_root[@]}" apt-get update -q &&
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+      apt-get install -q -y --no-install-recommends "${missing[@]}"; }; then
+    echo "Could not install them. Have these installed, then start again: ${missing[*]}" >&2
+    return 1
+  fi
+}
+
+# build FOLDER TARGET [CMake options]: configures the first time only, since a
+# configured folder looks after itself, and builds what is not up to date.
+build() {
+  local folder=$1 target=$2
+  shift 2
+  if [ ! -f "$folder/build.ninja" ]; then
+    cmake -G Ninja -S "$top" -B "$folder" -DCMAKE_BUILD_TYPE=Release "$@"
+  fi
+  cmake --build "$folder" --target "$target" --parallel "$(nproc)"
+}

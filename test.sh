@@ -1,0 +1,25 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# bash test.sh [--sanitize] [ctest arguments]: sets up, builds, runs every test.
+# --sanitize does so with the address and undefined behaviour sanitizers, in a
+# folder of its own.
+set -eu
+top=$(cd "$(dirname "$0")" && pwd)
+. "$top/Module/setup.sh"
+
+folder=$top/build
+options=()
+if [ "${1:-}" = --sanitize ]; then
+  shift
+  folder=$top/build-sanitize
+  options=(-DPointSplatting_SANITIZE=ON)
+  # Drivers and VTK keep what they allocate once until the process ends.
+  export ASAN_OPTIONS=detect_leaks=0
+  export UBSAN_OPTIONS=print_stacktrace=1
+fi
+
+install_packages
+build "$folder" all "${options[@]}"
+exec ctest --test-dir "$folder" --output-on-failure --parallel "$(nproc)" "$@"
