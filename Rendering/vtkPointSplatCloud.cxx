@@ -442,6 +442,7 @@ vtkPointSplatCloud::Buffers& vtkPointSplatCloud::Upload(vtkWindow* window)
   {
     buffers.reset(new Buffers);
     glGenBuffers(1, &buffers->Splats);
+    glGenTextures(1, &buffers->SplatTexture);
     glGenBuffers(1, &buffers->Colours);
     glGenBuffers(1, &buffers->Large);
     glGenVertexArrays(1, &buffers->VertexArray);
@@ -451,6 +452,9 @@ vtkPointSplatCloud::Buffers& vtkPointSplatCloud::Upload(vtkWindow* window)
     glBindBuffer(GL_ARRAY_BUFFER, buffers->Splats);
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(4 * this->Splats.size()),
       this->Splats.data(), GL_STATIC_DRAW);
+    glBindTexture(GL_TEXTURE_BUFFER, buffers->SplatTexture);
+    glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32UI, buffers->Splats);
+    glBindTexture(GL_TEXTURE_BUFFER, 0);
     glBindBuffer(GL_ARRAY_BUFFER, buffers->Large);
     glBufferData(
       GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(4 * (this->Count + 1)), nullptr, GL_DYNAMIC_COPY);
@@ -522,6 +526,7 @@ void vtkPointSplatCloud::Release(vtkWindow* window)
   const GLuint all[] = { buffers.Splats, buffers.Colours, buffers.Large, buffers.IdMaps[1],
     buffers.IdMaps[2] };
   glDeleteBuffers(5, all);
+  glDeleteTextures(1, &buffers.SplatTexture);
   glDeleteVertexArrays(1, &buffers.VertexArray);
   this->PerWindow.erase(found);
 }

@@ -51,6 +51,7 @@ public:
   struct Buffers
   {
     GLuint Splats = 0;
+    GLuint SplatTexture = 0; // the buffer as RGBA32UI texels
     GLuint Colours = 0;
     GLuint IdMaps[3] = { 0, 0, 0 }; // by IdKind; that of point ids stays 0
     GLuint Large = 0;               // a count, then indices of splats of many pixels

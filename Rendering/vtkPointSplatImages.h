@@ -56,6 +56,7 @@ public:
    * OpenGL names: of buffers, or of textures.
    */
   GLuint GetDepths() const { return this->Depths; }
+  GLuint GetDepthTexture() const { return this->BufferTextures[0]; } // of the buffer
   GLuint GetSums(int i = 0) const { return this->Sums[i]; }
   GLuint GetIds() const { return this->Ids; }
   GLuint GetDepthAttachment() const { return this->DepthAttachment; }

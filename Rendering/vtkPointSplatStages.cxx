@@ -124,11 +124,32 @@ void vtkPointSplatStages::SetItem(vtkPointSplatProgram& program, const vtkPointS
 }
 
 //------------------------------------------------------------------------------
+void vtkPointSplatStages::BindDepths(
+  vtkOpenGLRenderWindow* window, vtkPointSplatProgram& program, vtkPointSplatImages& images)
+{
+  window->GetState()->vtkglActiveTexture(GL_TEXTURE1);
+  glBindTexture(GL_TEXTURE_BUFFER, images.GetDepthTexture());
+  program.Set("Depths", 1);
+  window->GetState()->vtkglActiveTexture(GL_TEXTURE0);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatStages::UnbindTextures(vtkOpenGLRenderWindow* window)
+{
+  for (const GLenum unit : { GL_TEXTURE1, GL_TEXTURE0 })
+  {
+    window->GetState()->vtkglActiveTexture(unit);
+    glBindTexture(GL_TEXTURE_BUFFER, 0);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkPointSplatStages::Dispatch(vtkPointSplatProgram& program, const vtkPointSplatItem& item,
   vtkPointSplatCloud::Buffers& buffers, bool listLarge)
 {
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, buffers.Splats);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, buffers.Large);
+  glBindTexture(GL_TEXTURE_BUFFER, buffers.SplatTexture); // unit 0 is active
+  program.Set("Splats", 0);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, buffers.Large);
   if (listLarge)
   {
     const GLuint zero = 0;
@@ -156,8 +177,7 @@ bool vtkPointSplatStages::ReconstructByCompute(vtkOpenGLRenderWindow* window,
   {
     return false;
   }
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, images.GetDepths());
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, images.GetSums());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, images.GetDepths());
   for (const vtkPointSplatItem& item : items)
   {
     this->SetItem(*program, view, item, images.GetSize());
@@ -169,14 +189,16 @@ bool vtkPointSplatStages::ReconstructByCompute(vtkOpenGLRenderWindow* window,
   {
     return false;
   }
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, images.GetSums());
+  this->BindDepths(window, *program, images);
   for (const vtkPointSplatItem& item : items)
   {
     vtkPointSplatCloud::Buffers& buffers = item.Cloud->Upload(window);
     this->SetItem(*program, view, item, images.GetSize());
     program->Set("PrefilterRadius", PrefilterRadius);
     program->Set("DepthUnit", depthUnit);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, buffers.Colours);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, buffers.Colours);
     this->Dispatch(*program, item, buffers, true);
   }
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
@@ -358,7 +380,10 @@ bool vtkPointSplatStages::Reconstruct(vtkOpenGLRenderWindow* window,
   bool good = false;
   if (images.IsCompute())
   {
+    vtkOpenGLState::ScopedglActiveTexture unit(window->GetState());
+    window->GetState()->vtkglActiveTexture(GL_TEXTURE0);
     good = this->ReconstructByCompute(window, view, items, images, depthUnit);
+    vtkPointSplatStages::UnbindTextures(window);
   }
   else
   {
@@ -382,11 +407,13 @@ bool vtkPointSplatStages::Identify(vtkOpenGLRenderWindow* window, const vtkPoint
   bool good = false;
   if (images.IsCompute())
   {
+    vtkOpenGLState::ScopedglActiveTexture unit(window->GetState());
+    window->GetState()->vtkglActiveTexture(GL_TEXTURE0);
     images.ClearIdBuffer({ 0, 0, images.GetSize().x - 1, images.GetSize().y - 1 });
     if (vtkPointSplatProgram* program = this->Use(IdentifyCompute))
     {
-      glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, images.GetDepths());
-      glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, images.GetIds());
+      glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, images.GetIds());
+      this->BindDepths(window, *program, images);
       for (const bool findWeight : { true, false })
       {
         for (const vtkPointSplatItem& item : items)
@@ -396,13 +423,14 @@ bool vtkPointSplatStages::Identify(vtkOpenGLRenderWindow* window, const vtkPoint
           program->Set("PrefilterRadius", PrefilterRadius);
           program->Set("FindWeight", findWeight);
           program->Set("UseIdMap", idMap != 0);
-          glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, idMap);
+          glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, idMap);
           this->Dispatch(*program, item, item.Cloud->Upload(window), true);
         }
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
       }
       good = true;
     }
+    vtkPointSplatStages::UnbindTextures(window);
   }
   else
   {

@@ -89,6 +89,9 @@ private:
   vtkPointSplatProgram* Use(Program which);
   void SetItem(vtkPointSplatProgram& program, const vtkPointSplatView& view,
     const vtkPointSplatItem& item, const glm::ivec2& imageSize);
+  void BindDepths(
+    vtkOpenGLRenderWindow* window, vtkPointSplatProgram& program, vtkPointSplatImages& images);
+  static void UnbindTextures(vtkOpenGLRenderWindow* window);
   void Dispatch(vtkPointSplatProgram& program, const vtkPointSplatItem& item,
     vtkPointSplatCloud::Buffers& buffers, bool listLarge);
   void DrawQuads(const vtkPointSplatItem& item, vtkPointSplatCloud::Buffers& buffers, GLuint idMap);

@@ -12,16 +12,17 @@
 #include "vtkPointSplatKernel"
 #include "vtkPointSplatFixedPoint"
 
-layout(std430, binding = 2) buffer Sums { int sums[]; };
-layout(std430, binding = 4) readonly buffer Colours { uint colours[]; };
+layout(std430, binding = 0) buffer Sums { int sums[]; };
+layout(std430, binding = 2) readonly buffer Colours { uint colours[]; };
 
+uniform usamplerBuffer Depths; // R32UI
 uniform float PrefilterRadius; // pixels
 uniform bool HasColours;
 
 void drawPixel(Splat q, uint index, ivec2 pixel)
 {
   int at = pixelIndex(pixel);
-  uint nearest = depths[at];
+  uint nearest = texelFetch(Depths, at).r;
   float r2;
   float depth;
   if ((nearest & TagMask) != q.tag ||

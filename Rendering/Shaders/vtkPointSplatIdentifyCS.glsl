@@ -10,9 +10,10 @@
 #include "vtkPointSplatSplatsCS"
 #include "vtkPointSplatKernel"
 
-layout(std430, binding = 2) buffer Ids { uint ids[]; };
-layout(std430, binding = 4) readonly buffer IdMap { uint idMap[]; };
+layout(std430, binding = 0) buffer Ids { uint ids[]; };
+layout(std430, binding = 2) readonly buffer IdMap { uint idMap[]; };
 
+uniform usamplerBuffer Depths; // R32UI
 uniform float PrefilterRadius; // pixels
 uniform bool FindWeight;
 uniform bool UseIdMap;
@@ -20,7 +21,7 @@ uniform bool UseIdMap;
 void drawPixel(Splat q, uint index, ivec2 pixel)
 {
   int at = pixelIndex(pixel);
-  uint nearest = depths[at];
+  uint nearest = texelFetch(Depths, at).r;
   float r2;
   float depth;
   if ((nearest & TagMask) != q.tag ||

@@ -9,9 +9,10 @@
 
 layout(local_size_x = 64) in;
 
-layout(std430, binding = 0) readonly buffer Splats { uvec4 splats[]; };
-layout(std430, binding = 1) buffer Depths { uint depths[]; };
-layout(std430, binding = 3) buffer Large { uint largeCount; uint large[]; };
+// By texture, not by storage buffer: on CPUs Mesa loads the former for several
+// invocations at once, and GPUs do not mind.
+uniform usamplerBuffer Splats; // RGBA32UI, two or four a splat: see vtkPointSplatCloud.h
+layout(std430, binding = 1) buffer Large { uint largeCount; uint large[]; };
 
 uniform uint SplatCount;
 uniform bool DrawLarge;      // this dispatch draws the listed splats
@@ -23,15 +24,15 @@ const int LargeArea = 256;
 
 bool loadSplat(uint index, float reach, float h, out Splat q)
 {
-  uint at = index * (Circular ? 2u : 4u);
-  uvec4 a = splats[at];
-  uvec4 b = splats[at + 1u];
+  int at = int(index) * (Circular ? 2 : 4);
+  uvec4 a = texelFetch(Splats, at);
+  uvec4 b = texelFetch(Splats, at + 1);
   vec3 axis1 = vec3(0.0);
   vec3 axis2 = vec3(0.0);
   if (!Circular)
   {
-    axis1 = uintBitsToFloat(splats[at + 2u].xyz);
-    axis2 = uintBitsToFloat(splats[at + 3u].xyz);
+    axis1 = uintBitsToFloat(texelFetch(Splats, at + 2).xyz);
+    axis2 = uintBitsToFloat(texelFetch(Splats, at + 3).xyz);
   }
   return project(uintBitsToFloat(a.xyz), uintBitsToFloat(b.xyz), axis1, axis2,
     uintBitsToFloat(a.w), reach, h, q);
@@ -39,7 +40,7 @@ bool loadSplat(uint index, float reach, float h, out Splat q)
 
 uint splatId(uint index)
 {
-  return splats[index * (Circular ? 2u : 4u) + 1u].w;
+  return texelFetch(Splats, int(index) * (Circular ? 2 : 4) + 1).w;
 }
 
 int pixelIndex(ivec2 pixel)

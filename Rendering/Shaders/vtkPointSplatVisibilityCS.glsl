@@ -9,6 +9,8 @@
 
 #include "vtkPointSplatSplatsCS"
 
+layout(std430, binding = 0) buffer Depths { uint depths[]; };
+
 uniform float CoverageRadius; // pixels: below, a disk might miss every pixel
 
 void drawPixel(Splat q, uint index, ivec2 pixel)
