@@ -72,11 +72,13 @@ vtk_module_build(
   INSTALL_HEADERS      ON
   HEADERS_DESTINATION  "${CMAKE_INSTALL_INCLUDEDIR}/pointsplatting"
   CMAKE_DESTINATION    "${_cmake_destination}")
+set(_warnings)
 if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
-  foreach (_module IN LISTS _modules)
-    vtk_module_compile_options(${_module} PRIVATE -Wall -Wextra)
-  endforeach ()
+  set(_warnings -Wall -Wextra)
 endif ()
+foreach (_module IN LISTS _modules)
+  vtk_module_compile_options(${_module} PRIVATE ${_warnings})
+endforeach ()
 
 # A module at the root cannot be built by a project at the same root, so the
 # umbrella is a plain target here.
@@ -88,6 +90,9 @@ if (PointSplatting_WRAP_PYTHON)
   include(Module/Python.cmake)
 endif ()
 include(Module/Package.cmake)
+
+# Not before: what the wrapping generates is not ours.
+add_compile_options(${_warnings})
 if (PointSplatting_BUILD_EXAMPLES)
   add_subdirectory(Examples)
 endif ()
