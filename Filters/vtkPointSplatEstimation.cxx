@@ -1,25 +1,138 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatEstimation.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkDataArrayRange.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkImageData.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
+#include "vtkPointSplatArrays.h"
+#include "vtkPointSplatDisk.h"
+#include "vtkPointSplatNeighbors.h"
+#include "vtkPointSplatNormals.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cmath>
+#include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
 
 vtkStandardNewMacro(vtkPointSplatEstimation);
 
+namespace
+{
+/// The radius of a point that has no neighbour to compare with.
+constexpr float LoneRadius = 0.1f;
+/// How much larger than its neighbours' disks one may be.
+constexpr float LargestRatio = 4.0f;
+/// Floats hold no more, and nothing real is farther out.
+constexpr double LargestCoordinate = 1e37;
+/// The neighbours, by rank, that bound a disk.
+constexpr int NumberOfWitnesses = 4;
+
+using Slot = vtkPointSplatNeighbors::Slot;
+
+struct MarkUsable
+{
+  template <typename Array>
+  void operator()(Array* points, std::vector<unsigned char>& used) const
+  {
+    const auto range = vtk::DataArrayTupleRange<3>(points);
+    vtkSMPTools::For(0, range.size(), [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        const auto x = range[id];
+        // NaN compares false.
+        used[id] = std::abs(static_cast<double>(x[0])) <= LargestCoordinate &&
+          std::abs(static_cast<double>(x[1])) <= LargestCoordinate &&
+          std::abs(static_cast<double>(x[2])) <= LargestCoordinate;
+      }
+    });
+  }
+};
+
+struct ReadNormals
+{
+  /// Unit normals, or zero where there is none to be had.
+  template <typename Array>
+  void operator()(Array* given, float* normals) const
+  {
+    const auto range = vtk::DataArrayTupleRange<3>(given);
+    vtkSMPTools::For(0, range.size(), [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        const auto n = range[id];
+        const double x = n[0], y = n[1], z = n[2];
+        const double largest = std::max({ std::abs(x), std::abs(y), std::abs(z) });
+        // Scaled first, since squares may overflow or underflow.
+        const double a = x / largest, b = y / largest, c = z / largest;
+        const double inverse = 1 / std::sqrt(a * a + b * b + c * c);
+        const bool good = largest > 0 && std::isfinite(inverse) && std::isfinite(largest);
+        normals[3 * id] = good ? static_cast<float>(a * inverse) : 0.0f;
+        normals[3 * id + 1] = good ? static_cast<float>(b * inverse) : 0.0f;
+        normals[3 * id + 2] = good ? static_cast<float>(c * inverse) : 0.0f;
+      }
+    });
+  }
+};
+
+template <typename Worker, typename... Args>
+void Dispatch(vtkDataArray* array, Args&&... args)
+{
+  if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>::Execute(
+        array, Worker{}, args...))
+  {
+    Worker{}(array, args...);
+  }
+}
+
+bool IsZero(const float n[3])
+{
+  return n[0] == 0 && n[1] == 0 && n[2] == 0;
+}
+
+/// Disks as they are found, for each slot.
+struct Disks
+{
+  explicit Disks(Slot slots, bool elliptical)
+    : Length(slots, 0.0f)
+    , Witnesses(std::size_t(NumberOfWitnesses) * slots, vtkPointSplatNeighbors::None)
+    , Axes(elliptical ? std::size_t(6) * slots : 0)
+  {
+  }
+
+  /// At most LargestRatio times the second smallest of some neighbours' lengths.
+  float GetBounded(Slot slot) const
+  {
+    float smallest = std::numeric_limits<float>::max(), second = smallest;
+    for (int w = 0; w < NumberOfWitnesses; ++w)
+    {
+      const Slot witness = this->Witnesses[std::size_t(NumberOfWitnesses) * slot + w];
+      if (witness != vtkPointSplatNeighbors::None)
+      {
+        const float length = this->Length[witness];
+        second = std::min(second, std::max(smallest, length));
+        smallest = std::min(smallest, length);
+      }
+    }
+    return std::min(this->Length[slot], LargestRatio * second);
+  }
+
+  std::vector<float> Length; // of the longer axis
+  std::vector<Slot> Witnesses;
+  std::vector<float> Axes; // both, unless circular
+};
+}
+
 vtkPointSplatEstimation::vtkPointSplatEstimation() = default;
 vtkPointSplatEstimation::~vtkPointSplatEstimation() = default;
-
-void vtkPointSplatEstimation::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-}
 
 int vtkPointSplatEstimation::FillInputPortInformation(int, vtkInformation* info)
 {
@@ -32,9 +145,190 @@ int vtkPointSplatEstimation::RequestData(
 {
   vtkPointSet* input = vtkPointSet::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
+  const vtkIdType numberOfPoints = input->GetNumberOfPoints();
+  const bool elliptical = this->Shape == Elliptical;
+
+  vtkNew<vtkFloatArray> normals;
+  vtkDataArray* given = input->GetPointData()->GetNormals();
+  normals->SetName(given && given->GetName() ? given->GetName() : "Normals");
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(numberOfPoints);
+  vtkNew<vtkFloatArray> sizes[2];
+  for (int a = 0; a < 2; ++a)
+  {
+    sizes[a]->SetName(!elliptical ? vtkPointSplatArrays::Radius
+        : a == 0                  ? vtkPointSplatArrays::Axis1
+                                  : vtkPointSplatArrays::Axis2);
+    sizes[a]->SetNumberOfComponents(elliptical ? 3 : 1);
+    sizes[a]->SetNumberOfTuples(elliptical || a == 0 ? numberOfPoints : 0);
+  }
+
+  if (numberOfPoints > 0)
+  {
+    vtkDataArray* points = input->GetPoints()->GetData();
+    float* n = normals->GetPointer(0);
+    if (given)
+    {
+      Dispatch<ReadNormals>(given, n);
+    }
+    else
+    {
+      std::fill(n, n + 3 * numberOfPoints, 0.0f);
+    }
+
+    // Which points take part.
+    std::vector<unsigned char> used(numberOfPoints);
+    Dispatch<MarkUsable>(points, used);
+    const vtkIdType bad = std::count(used.begin(), used.end(), 0);
+    auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
+      input->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+    const unsigned char* ghost =
+      ghosts && ghosts->GetNumberOfTuples() == numberOfPoints ? ghosts->GetPointer(0) : nullptr;
+    vtkIdType hidden = 0;
+    for (vtkIdType id = 0; ghost && id < numberOfPoints; ++id)
+    {
+      if (used[id] && (ghost[id] & vtkDataSetAttributes::HIDDENPOINT))
+      {
+        used[id] = 0;
+        ++hidden;
+      }
+    }
+    if (bad > 0 || hidden > 0)
+    {
+      vtkWarningMacro("Of " << numberOfPoints << " points " << bad
+                            << " have coordinates that are not finite and " << hidden
+                            << " are hidden (" << vtkDataSetAttributes::GhostArrayName()
+                            << "); they take no part and get radius 0.");
+    }
+
+    // 1. Neighbours
+    vtkPointSplatNeighbors neighbors;
+    neighbors.Build(points, used.data());
+    const Slot slots = neighbors.GetNumberOfSlots();
+    const std::vector<Slot>& slotOf = neighbors.GetSlots();
+
+    // 2. and 3. Normals
+    std::vector<float> slotNormals(std::size_t(3) * slots, 0.0f);
+    std::vector<unsigned char> known(slots, 0);
+    bool missing = false;
+    for (Slot s = 0; s < slots; ++s)
+    {
+      const vtkIdType id = neighbors.GetId(s);
+      if (id >= 0)
+      {
+        std::copy(n + 3 * id, n + 3 * id + 3, slotNormals.data() + std::size_t(3) * s);
+        known[s] = !IsZero(n + 3 * id);
+        missing = missing || !known[s];
+      }
+    }
+    if (missing)
+    {
+      vtkPointSplatNormals fitted(neighbors, slotNormals, known);
+      const bool consistent = this->Orientation == Consistent;
+      if (!fitted.Fit(this, 0.1, 0.4, this->NumberOfNeighbors, consistent))
+      {
+        return 1;
+      }
+      if (consistent)
+      {
+        fitted.OrientConsistently();
+      }
+      else
+      {
+        fitted.OrientToViewpoint(this->Viewpoint);
+      }
+    }
+
+    // 4. Disks
+    Disks disks(slots, elliptical);
+    auto measure = [&](const vtkPointSplatNeighbors::Neighborhood& around, bool last) {
+      vtkPointSplatDisk disk;
+      if (!disk.Estimate(around, slotNormals.data(), elliptical, this->NumberOfNeighbors, last))
+      {
+        return false;
+      }
+      const Slot s = around.Center;
+      disks.Length[s] = disk.Length1 > 0 ? disk.Length1 : LoneRadius;
+      for (int w = 0; w < NumberOfWitnesses && around.Count >= NumberOfWitnesses; ++w)
+      {
+        disks.Witnesses[std::size_t(NumberOfWitnesses) * s + w] =
+          around.Slots[(w + 1) * around.Count / NumberOfWitnesses - 1];
+      }
+      if (elliptical)
+      {
+        const float ratio = disk.Length1 > 0 ? disk.Length2 / disk.Length1 : 1.0f;
+        for (int c = 0; c < 3; ++c)
+        {
+          disks.Axes[std::size_t(6) * s + c] = disk.Axis1[c];
+          disks.Axes[std::size_t(6) * s + 3 + c] = ratio * disk.Axis2[c];
+        }
+      }
+      return true;
+    };
+    if (!neighbors.Visit(this, missing ? 0.5 : 0.1, 0.9, this->NumberOfNeighbors, measure))
+    {
+      return 1;
+    }
+
+    // 5. Bounds, and from slots back to points
+    const float scale = static_cast<float>(this->RadiusScale);
+    vtkSMPTools::For(0, numberOfPoints, [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        const Slot s = slotOf[id];
+        const bool drawn = s != vtkPointSplatNeighbors::None &&
+          !(ghost && (ghost[id] & vtkDataSetAttributes::DUPLICATEPOINT));
+        const float length = drawn ? scale * disks.GetBounded(s) : 0.0f;
+        if (!elliptical)
+        {
+          sizes[0]->SetValue(id, length);
+        }
+        else
+        {
+          for (int c = 0; c < 6; ++c)
+          {
+            sizes[c / 3]->SetValue(
+              3 * id + c % 3, drawn ? length * disks.Axes[std::size_t(6) * s + c] : 0.0f);
+          }
+        }
+        if (s != vtkPointSplatNeighbors::None && IsZero(n + 3 * id))
+        {
+          const float* m = slotNormals.data() + std::size_t(3) * s;
+          std::copy(m, m + 3, n + 3 * id);
+        }
+      }
+    });
+  }
+
   output->SetPoints(input->GetPoints());
   output->GetPointData()->PassData(input->GetPointData());
+  output->GetFieldData()->PassData(input->GetFieldData());
+  for (const char* name : { vtkPointSplatArrays::Radius, vtkPointSplatArrays::Axis1,
+         vtkPointSplatArrays::Axis2 })
+  {
+    // Of an earlier estimation, possibly of the other shape.
+    output->GetPointData()->RemoveArray(name);
+  }
+  output->GetPointData()->SetNormals(normals);
+  output->GetPointData()->AddArray(sizes[0]);
+  if (elliptical)
+  {
+    output->GetPointData()->AddArray(sizes[1]);
+  }
+  this->UpdateProgress(1.0);
   return 1;
+}
+
+void vtkPointSplatEstimation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfNeighbors: " << this->NumberOfNeighbors << "\n";
+  os << indent << "Shape: " << (this->Shape == Elliptical ? "Elliptical" : "Circular") << "\n";
+  os << indent << "Orientation: "
+     << (this->Orientation == Consistent ? "Consistent" : "TowardsViewpoint") << "\n";
+  os << indent << "Viewpoint: " << this->Viewpoint[0] << " " << this->Viewpoint[1] << " "
+     << this->Viewpoint[2] << "\n";
+  os << indent << "RadiusScale: " << this->RadiusScale << "\n";
 }
 
 VTK_ABI_NAMESPACE_END

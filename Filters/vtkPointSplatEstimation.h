@@ -2,14 +2,63 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPointSplatEstimation
- * @brief   normals and splat radii for points
+ * @brief   normals where missing and the size of a splat for each point of a cloud
+ *
+ * The splats are disks (circles, or ellipses) in the points' tangent planes that cover the
+ * surface without holes and are no larger than needed.
+ *
+ * Input: any vtkPointSet with points of any type; only points and point data are used.
+ * Coordinates may lie far from the origin: everything is measured from point to point.
+ *
+ * Output: a vtkPolyData with the same points in the same order, all of the input's point
+ * data and field data, no cells, and
+ * - the active normals (3 floats, unit length): those of the input, normalised and with their
+ *   sign, where they are finite and not zero, otherwise estimated;
+ * - `SplatRadius` (1 float, world units) if Shape is Circular, or
+ * - `SplatAxis1`, `SplatAxis2` (3 floats each, world units) if it is Elliptical: the half axes,
+ *   perpendicular to each other and to the normal, the first the longer.
+ * A mapper's blending kernel reaches 1.5 to 2 times farther than these.
+ *
+ * Stages:
+ * 1. *Neighbours.* For each point the NumberOfNeighbors nearest ones, found for all points at
+ *    once. Of points at the same position one takes part, and the others share its result.
+ * 2. *Normals*, where the input has none: the axis of least variance of the neighbours.
+ * 3. *Orientation* of the normals from stage 2, either towards the Viewpoint, or consistently:
+ *    along a minimum spanning tree over the neighbours (Hoppe et al. 1992, Surface
+ *    Reconstruction from Unorganized Points, section 3.3), in which the normal is carried on
+ *    as if along a circle's arc, and edges that leave the tangent planes cost more, so that
+ *    it does not jump to another sheet. Given normals start the tree; a piece of surface
+ *    without any is turned outward at its extreme point.
+ * 4. *Disk.* The neighbours are projected to the tangent plane (Pajarola, Sainz, Guidotti
+ *    2004, Confetti, section 4.3), but those of other sheets: whose normal differs by more than
+ *    78 degrees or that lie more than 53 degrees off the plane. Bisectors cut the point's
+ *    Voronoi cell out of the plane, and the disk reaches to the cell's farthest vertex. A vertex
+ *    between two neighbours that are more than 150 degrees apart is left to their disks. Where
+ *    the cell stays open, four times as many neighbours are looked at; if it is open still,
+ *    the point lies on a border: then the cell ends at the convex hull of the neighbours.
+ *    So border splats reach no farther than inner ones. For ellipses all this is done in
+ *    the plane scaled along the principal axes of the neighbours' covariance (Confetti,
+ *    section 4.2, equation 3) until it is round there; where Confetti scales the ellipse to
+ *    bound the neighbours, here it bounds the cell.
+ * 5. *Bound.* No disk is larger than the distance to the farthest neighbour looked at, nor than four
+ *    times those of its neighbours, which keeps outliers small. With no neighbour at all, for a
+ *    lone point, the radius is 0.1.
+ *
+ * Bad input: points with a coordinate that is not finite (or beyond 1e37), and hidden ones
+ * (vtkGhostType has HIDDENPOINT), take no part; they stay in the output, with radius 0, and
+ * their number is reported. Duplicate ghost points (DUPLICATEPOINT, another process' points)
+ * serve as neighbours, but get the radius 0, so that no splat is drawn twice. An empty input
+ * gives an empty output.
+ *
+ * Results do not depend on the number of threads. The filter reports progress and can be
+ * aborted, with an empty output then.
  */
 #ifndef vtkPointSplatEstimation_h
 #define vtkPointSplatEstimation_h
 
 #include "vtkFiltersPointSplattingModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
 #include "vtkPointSplattingABI.h"
+#include "vtkPolyDataAlgorithm.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -19,6 +68,65 @@ public:
   static vtkPointSplatEstimation* New();
   vtkTypeMacro(vtkPointSplatEstimation, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum ShapeType
+  {
+    Circular = 0,
+    Elliptical = 1
+  };
+  enum OrientationType
+  {
+    Consistent = 0,
+    TowardsViewpoint = 1
+  };
+
+  ///@{
+  /**
+   * How many neighbours of a point say how its surface runs there; 4 to 32, 12 by default.
+   * More of them smooth estimated normals.
+   */
+  vtkSetClampMacro(NumberOfNeighbors, int, 4, 32);
+  vtkGetMacro(NumberOfNeighbors, int);
+  ///@}
+
+  ///@{
+  /**
+   * Circular (default) gives `SplatRadius`, Elliptical `SplatAxis1` and `SplatAxis2`. Ellipses
+   * fit samplings that are denser in one direction, as of scan lines.
+   */
+  vtkSetClampMacro(Shape, int, Circular, Elliptical);
+  vtkGetMacro(Shape, int);
+  void SetShapeToCircular() { this->SetShape(Circular); }
+  void SetShapeToElliptical() { this->SetShape(Elliptical); }
+  ///@}
+
+  ///@{
+  /**
+   * Which way estimated normals point: Consistent (default) within each connected surface,
+   * outward if it is closed, or TowardsViewpoint. Normals that the input has keep their sign.
+   */
+  vtkSetClampMacro(Orientation, int, Consistent, TowardsViewpoint);
+  vtkGetMacro(Orientation, int);
+  void SetOrientationToConsistent() { this->SetOrientation(Consistent); }
+  void SetOrientationToViewpoint() { this->SetOrientation(TowardsViewpoint); }
+  ///@}
+
+  ///@{
+  /**
+   * The point, in world coordinates, that estimated normals face if Orientation is
+   * TowardsViewpoint; (0, 0, 0) by default.
+   */
+  vtkSetVector3Macro(Viewpoint, double);
+  vtkGetVector3Macro(Viewpoint, double);
+  ///@}
+
+  ///@{
+  /**
+   * What radii and axes are multiplied with at the end; 1 by default, at least 0.
+   */
+  vtkSetClampMacro(RadiusScale, double, 0.0, 1e9);
+  vtkGetMacro(RadiusScale, double);
+  ///@}
 
 protected:
   vtkPointSplatEstimation();
@@ -30,6 +138,12 @@ protected:
 private:
   vtkPointSplatEstimation(const vtkPointSplatEstimation&) = delete;
   void operator=(const vtkPointSplatEstimation&) = delete;
+
+  int NumberOfNeighbors = 12;
+  int Shape = Circular;
+  int Orientation = Consistent;
+  double Viewpoint[3] = { 0, 0, 0 };
+  double RadiusScale = 1;
 };
 
 VTK_ABI_NAMESPACE_END

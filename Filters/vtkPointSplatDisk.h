@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPointSplatDisk
+ * @brief   the smallest disk about a point that does its share in covering the surface
+ *
+ * An internal helper of vtkPointSplatEstimation; see the stages there.
+ */
+#ifndef vtkPointSplatDisk_h
+#define vtkPointSplatDisk_h
+
+#include "vtkPointSplatNeighbors.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkPointSplatDisk
+{
+public:
+  /// The disk: its two half axes, perpendicular to each other and to the normal.
+  float Axis1[3], Axis2[3];
+  /// The half axes' lengths, the first the longer; both the radius for a circle.
+  float Length1 = 0, Length2 = 0;
+
+  /**
+   * Finds the disk of the neighbourhood's centre. normals: 3 floats a slot, unit length.
+   * Returns false when more neighbours are needed to know it; with `last` the answer
+   * stands, whatever they are. A disk on a border reaches no farther than the `nearby`
+   * nearest of them. Lengths are 0 if there is no neighbour at all.
+   */
+  bool Estimate(const vtkPointSplatNeighbors::Neighborhood& around, const float* normals,
+    bool elliptical, int nearby, bool last);
+
+private:
+  static constexpr int MaximumNumberOfVertices =
+    vtkPointSplatNeighbors::MaximumNumberOfNeighbors + 8;
+
+  struct Vertex
+  {
+    float X, Y;
+    int Edge; // what made the edge from this vertex to the next: a neighbour, or one of these:
+  };
+  static constexpr int Frame = -1; // the square that the clipping starts from
+  static constexpr int Hull = -2;  // the border of the hull of the neighbours
+
+  void Project(const vtkPointSplatNeighbors::Neighborhood& around, const float* normals);
+  void Whiten();
+  void Clip(float nx, float ny, float offset, int edge);
+  bool ClipByBisectors();
+  void ClipByHull();
+  float FarthestVertex() const;
+
+  float Normal[3];
+  float Scale1, Scale2; // world units of the plane's two coordinates
+  int Count;            // neighbours in use
+  float U[vtkPointSplatNeighbors::MaximumNumberOfNeighbors];
+  float V[vtkPointSplatNeighbors::MaximumNumberOfNeighbors];
+  Vertex Cell[MaximumNumberOfVertices];
+  int Size; // of Cell
+  float Reach;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

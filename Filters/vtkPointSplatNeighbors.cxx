@@ -1,0 +1,445 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatNeighbors.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkDataArrayRange.h"
+
+#include <cmath>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+struct Item
+{
+  double X[3];
+  vtkIdType Id;
+};
+
+struct Gather
+{
+  template <typename Array>
+  void operator()(Array* points, const std::vector<vtkIdType>& ids, std::vector<Item>& items) const
+  {
+    const auto range = vtk::DataArrayTupleRange<3>(points);
+    vtkSMPTools::For(0, static_cast<vtkIdType>(ids.size()), [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const auto x = range[ids[i]];
+        items[i] = { { static_cast<double>(x[0]), static_cast<double>(x[1]),
+                       static_cast<double>(x[2]) },
+          ids[i] };
+      }
+    });
+  }
+};
+
+void GetBounds(const Item* begin, const Item* end, double bounds[6])
+{
+  for (int c = 0; c < 3; ++c)
+  {
+    bounds[c] = bounds[c + 3] = begin->X[c];
+  }
+  for (const Item* item = begin + 1; item < end; ++item)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      bounds[c] = std::min(bounds[c], item->X[c]);
+      bounds[c + 3] = std::max(bounds[c + 3], item->X[c]);
+    }
+  }
+}
+
+/// The squared distance of two boxes.
+double SquaredDistance(const double a[6], const double b[6])
+{
+  double sum = 0;
+  for (int c = 0; c < 3; ++c)
+  {
+    const double d = std::max({ a[c] - b[c + 3], b[c] - a[c + 3], 0.0 });
+    sum += d * d;
+  }
+  return sum;
+}
+}
+
+/// Splits the items into leaves: the first levels by tasks side by side, the rest within a task.
+struct vtkPointSplatNeighbors::Builder
+{
+  struct Range
+  {
+    vtkIdType Begin, End;
+  };
+  struct Task
+  {
+    Range Items;
+    double Bounds[6];
+    int Children = -1; // index of the first of two, -1 for none
+    std::vector<Node> Nodes;
+    std::vector<Range> Leaves;
+  };
+
+  std::vector<Item> Items;
+  std::vector<Task> Tasks;
+
+  /// Where the items of one range part: all positions of a kind stay on one side.
+  vtkIdType Split(const Range& range, const double bounds[6])
+  {
+    int axis = 0;
+    for (int c = 1; c < 3; ++c)
+    {
+      if (bounds[c + 3] - bounds[c] > bounds[axis + 3] - bounds[axis])
+      {
+        axis = c;
+      }
+    }
+    Item* begin = this->Items.data() + range.Begin;
+    Item* end = this->Items.data() + range.End;
+    Item* middle = begin + (end - begin) / 2;
+    std::nth_element(
+      begin, middle, end, [axis](const Item& a, const Item& b) { return a.X[axis] < b.X[axis]; });
+    const double value = middle->X[axis];
+    // Of the two ways to keep equal coordinates together take one that leaves no side empty.
+    Item* cut = value > bounds[axis]
+      ? std::partition(begin, middle, [=](const Item& a) { return a.X[axis] < value; })
+      : std::partition(middle, end, [=](const Item& a) { return a.X[axis] <= value; });
+    return cut - this->Items.data();
+  }
+
+  static bool IsLeaf(const Range& range, const double bounds[6])
+  {
+    return range.End - range.Begin <= LeafSize ||
+      (bounds[0] == bounds[3] && bounds[1] == bounds[4] && bounds[2] == bounds[5]);
+  }
+
+  void Recurse(Task& task, const Range& range)
+  {
+    const std::size_t index = task.Nodes.size();
+    task.Nodes.emplace_back();
+    Node& node = task.Nodes.back();
+    GetBounds(this->Items.data() + range.Begin, this->Items.data() + range.End, node.Bounds);
+    node.Leaf = None;
+    if (IsLeaf(range, node.Bounds))
+    {
+      node.Leaf = static_cast<std::uint32_t>(task.Leaves.size());
+      task.Leaves.push_back(range);
+    }
+    else
+    {
+      const vtkIdType cut = this->Split(range, node.Bounds);
+      this->Recurse(task, { range.Begin, cut });
+      this->Recurse(task, { cut, range.End });
+    }
+    task.Nodes[index].Skip = static_cast<std::uint32_t>(task.Nodes.size());
+  }
+
+  void Run()
+  {
+    const vtkIdType smallest = 4096;
+    this->Tasks.resize(1);
+    this->Tasks[0].Items = { 0, static_cast<vtkIdType>(this->Items.size()) };
+    GetBounds(this->Items.data(), this->Items.data() + this->Items.size(), this->Tasks[0].Bounds);
+    std::size_t first = 0;
+    for (int level = 0; level < 6; ++level)
+    {
+      const std::size_t last = this->Tasks.size();
+      for (std::size_t t = first; t < last; ++t)
+      {
+        const Range range = this->Tasks[t].Items;
+        if (range.End - range.Begin > smallest && !IsLeaf(range, this->Tasks[t].Bounds))
+        {
+          this->Tasks[t].Children = static_cast<int>(this->Tasks.size());
+          this->Tasks.resize(this->Tasks.size() + 2);
+        }
+      }
+      vtkSMPTools::For(first, last, 1, [&](vtkIdType begin, vtkIdType end) {
+        for (vtkIdType t = begin; t < end; ++t)
+        {
+          Task& task = this->Tasks[t];
+          if (task.Children >= 0)
+          {
+            const vtkIdType cut = this->Split(task.Items, task.Bounds);
+            Task* child = &this->Tasks[task.Children];
+            child[0].Items = { task.Items.Begin, cut };
+            child[1].Items = { cut, task.Items.End };
+            for (int c = 0; c < 2; ++c)
+            {
+              GetBounds(this->Items.data() + child[c].Items.Begin,
+                this->Items.data() + child[c].Items.End, child[c].Bounds);
+            }
+          }
+        }
+      });
+      first = last;
+    }
+    vtkSMPTools::For(0, this->Tasks.size(), 1, [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType t = begin; t < end; ++t)
+      {
+        if (this->Tasks[t].Children < 0)
+        {
+          this->Recurse(this->Tasks[t], this->Tasks[t].Items);
+        }
+      }
+    });
+  }
+
+  /// Strings the tasks' nodes together in depth-first order.
+  void Emit(const Task& task, std::vector<Node>& nodes, std::vector<Range>& leaves) const
+  {
+    const std::size_t index = nodes.size();
+    if (task.Children < 0)
+    {
+      const std::uint32_t leaf = static_cast<std::uint32_t>(leaves.size());
+      for (Node node : task.Nodes)
+      {
+        node.Skip += static_cast<std::uint32_t>(index);
+        node.Leaf = node.Leaf == None ? None : node.Leaf + leaf;
+        nodes.push_back(node);
+      }
+      leaves.insert(leaves.end(), task.Leaves.begin(), task.Leaves.end());
+      return;
+    }
+    nodes.emplace_back();
+    std::copy(task.Bounds, task.Bounds + 6, nodes.back().Bounds);
+    nodes.back().Leaf = None;
+    this->Emit(this->Tasks[task.Children], nodes, leaves);
+    this->Emit(this->Tasks[task.Children + 1], nodes, leaves);
+    nodes[index].Skip = static_cast<std::uint32_t>(nodes.size());
+  }
+};
+
+void vtkPointSplatNeighbors::Build(vtkDataArray* points, const unsigned char* used)
+{
+  const vtkIdType numberOfPoints = points->GetNumberOfTuples();
+  std::vector<vtkIdType> ids;
+  ids.reserve(numberOfPoints);
+  for (vtkIdType id = 0; id < numberOfPoints; ++id)
+  {
+    if (used[id])
+    {
+      ids.push_back(id);
+    }
+  }
+  this->Nodes.clear();
+  this->Leaves.clear();
+  this->Ids.clear();
+  this->SlotOfPoint.assign(numberOfPoints, None);
+  if (ids.empty())
+  {
+    return;
+  }
+
+  Builder builder;
+  builder.Items.resize(ids.size());
+  if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>::Execute(
+        points, Gather{}, ids, builder.Items))
+  {
+    Gather{}(points, ids, builder.Items);
+  }
+  builder.Run();
+  std::vector<Builder::Range> ranges;
+  builder.Emit(builder.Tasks[0], this->Nodes, ranges);
+
+  this->Leaves.resize(ranges.size());
+  this->Ids.assign(ranges.size() * LeafSize, -1);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(ranges.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType l = begin; l < end; ++l)
+    {
+      Item* items = builder.Items.data() + ranges[l].Begin;
+      const vtkIdType count = ranges[l].End - ranges[l].Begin;
+      std::sort(items, items + count, [](const Item& a, const Item& b) { return a.Id < b.Id; });
+      Leaf& leaf = this->Leaves[l];
+      const Item* lanes[LeafSize];
+      leaf.Count = 0;
+      for (vtkIdType i = 0; i < count; ++i)
+      {
+        int lane = 0;
+        while (lane < leaf.Count &&
+          !std::equal(lanes[lane]->X, lanes[lane]->X + 3, items[i].X))
+        {
+          ++lane;
+        }
+        const Slot slot = static_cast<Slot>(l * LeafSize + lane);
+        if (lane == leaf.Count)
+        {
+          lanes[leaf.Count++] = items + i;
+          this->Ids[slot] = items[i].Id;
+        }
+        this->SlotOfPoint[items[i].Id] = slot;
+      }
+      // The median, since the box's centre would follow a far outlier and cost the others
+      // their precision.
+      for (int c = 0; c < 3; ++c)
+      {
+        double values[LeafSize];
+        for (int lane = 0; lane < leaf.Count; ++lane)
+        {
+          values[lane] = lanes[lane]->X[c];
+        }
+        std::nth_element(values, values + leaf.Count / 2, values + leaf.Count);
+        leaf.Origin[c] = values[leaf.Count / 2];
+        float* local = c == 0 ? leaf.X : c == 1 ? leaf.Y : leaf.Z;
+        leaf.Bounds[c] = std::numeric_limits<float>::infinity();
+        leaf.Bounds[c + 3] = -leaf.Bounds[c];
+        for (int lane = 0; lane < LeafSize; ++lane)
+        {
+          local[lane] = lane < leaf.Count
+            ? static_cast<float>(lanes[lane]->X[c] - leaf.Origin[c])
+            : std::numeric_limits<float>::infinity();
+          if (lane < leaf.Count)
+          {
+            leaf.Bounds[c] = std::min(leaf.Bounds[c], local[lane]);
+            leaf.Bounds[c + 3] = std::max(leaf.Bounds[c + 3], local[lane]);
+          }
+        }
+      }
+    }
+  });
+}
+
+void vtkPointSplatNeighbors::GetPosition(Slot slot, double x[3]) const
+{
+  const Leaf& leaf = this->Leaves[slot / LeafSize];
+  x[0] = leaf.Origin[0] + leaf.X[slot % LeafSize];
+  x[1] = leaf.Origin[1] + leaf.Y[slot % LeafSize];
+  x[2] = leaf.Origin[2] + leaf.Z[slot % LeafSize];
+}
+
+void vtkPointSplatNeighbors::Scan(const Leaf& from, std::uint32_t other, unsigned int lanes, int k,
+  bool self, Scratch& scratch) const
+{
+  const Leaf& leaf = this->Leaves[other];
+  const float sx = static_cast<float>(leaf.Origin[0] - from.Origin[0]);
+  const float sy = static_cast<float>(leaf.Origin[1] - from.Origin[1]);
+  const float sz = static_cast<float>(leaf.Origin[2] - from.Origin[2]);
+  for (int lane = 0; lane < from.Count; ++lane)
+  {
+    if (!(lanes >> lane & 1u))
+    {
+      continue;
+    }
+    const float x = from.X[lane] - sx, y = from.Y[lane] - sy, z = from.Z[lane] - sz;
+    float* distances = scratch.Distances.data() + lane * k;
+    float worst = distances[k - 1];
+    const float bx = std::max({ leaf.Bounds[0] - x, x - leaf.Bounds[3], 0.0f });
+    const float by = std::max({ leaf.Bounds[1] - y, y - leaf.Bounds[4], 0.0f });
+    const float bz = std::max({ leaf.Bounds[2] - z, z - leaf.Bounds[5], 0.0f });
+    if (!(bx * bx + by * by + bz * bz < worst))
+    {
+      continue;
+    }
+    float squared[LeafSize];
+    for (int i = 0; i < LeafSize; ++i)
+    {
+      const float dx = leaf.X[i] - x, dy = leaf.Y[i] - y, dz = leaf.Z[i] - z;
+      squared[i] = dx * dx + dy * dy + dz * dz;
+    }
+    Slot* slots = scratch.Slots.data() + lane * k;
+    for (int i = 0; i < leaf.Count; ++i)
+    {
+      // Distinct points whose distance underflows are as good as the same point.
+      if (!(squared[i] < worst) || squared[i] <= 0 || (self && i == lane))
+      {
+        continue;
+      }
+      int at = k - 1;
+      while (at > 0 && distances[at - 1] > squared[i])
+      {
+        distances[at] = distances[at - 1];
+        slots[at] = slots[at - 1];
+        --at;
+      }
+      distances[at] = squared[i];
+      slots[at] = other * LeafSize + i;
+      worst = distances[k - 1];
+    }
+  }
+}
+
+void vtkPointSplatNeighbors::SearchLeaf(
+  std::uint32_t leafId, unsigned int lanes, int k, Scratch& scratch) const
+{
+  const Leaf& leaf = this->Leaves[leafId];
+  scratch.Distances.assign(
+    static_cast<std::size_t>(k) * LeafSize, std::numeric_limits<float>::infinity());
+  scratch.Slots.resize(static_cast<std::size_t>(k) * LeafSize);
+
+  // The leaves around in the tree's order give a first bound.
+  const std::uint32_t window = 1 + k / 16;
+  const std::uint32_t first = leafId > window ? leafId - window : 0;
+  const std::uint32_t last =
+    std::min<std::uint32_t>(leafId + window, static_cast<std::uint32_t>(this->Leaves.size()) - 1);
+  this->Scan(leaf, leafId, lanes, k, true, scratch);
+  for (std::uint32_t other = first; other <= last; ++other)
+  {
+    if (other != leafId)
+    {
+      this->Scan(leaf, other, lanes, k, false, scratch);
+    }
+  }
+  float worst = 0;
+  double bounds[6];
+  for (int c = 0; c < 6; ++c)
+  {
+    bounds[c] = c < 3 ? std::numeric_limits<double>::max() : std::numeric_limits<double>::lowest();
+  }
+  for (int lane = 0; lane < leaf.Count; ++lane)
+  {
+    if (lanes >> lane & 1u)
+    {
+      worst = std::max(worst, scratch.Distances[lane * k + k - 1]);
+      const float local[3] = { leaf.X[lane], leaf.Y[lane], leaf.Z[lane] };
+      for (int c = 0; c < 3; ++c)
+      {
+        bounds[c] = std::min(bounds[c], leaf.Origin[c] + local[c]);
+        bounds[c + 3] = std::max(bounds[c + 3], leaf.Origin[c] + local[c]);
+      }
+    }
+  }
+
+  scratch.Leaves.clear();
+  const std::uint32_t numberOfNodes = static_cast<std::uint32_t>(this->Nodes.size());
+  for (std::uint32_t n = 0; n < numberOfNodes;)
+  {
+    const Node& node = this->Nodes[n];
+    if (!(SquaredDistance(bounds, node.Bounds) <= worst))
+    {
+      n = node.Skip;
+      continue;
+    }
+    if (node.Leaf != None && (node.Leaf < first || node.Leaf > last))
+    {
+      scratch.Leaves.push_back(node.Leaf);
+    }
+    ++n;
+  }
+  for (std::uint32_t other : scratch.Leaves)
+  {
+    this->Scan(leaf, other, lanes, k, false, scratch);
+  }
+}
+
+vtkPointSplatNeighbors::Neighborhood vtkPointSplatNeighbors::Describe(
+  std::uint32_t leafId, int lane, int k, Scratch& scratch) const
+{
+  scratch.X.resize(k);
+  scratch.Y.resize(k);
+  scratch.Z.resize(k);
+  const Leaf& leaf = this->Leaves[leafId];
+  const float* distances = scratch.Distances.data() + lane * k;
+  const Slot* slots = scratch.Slots.data() + lane * k;
+  int count = 0;
+  for (; count < k && distances[count] < std::numeric_limits<float>::infinity(); ++count)
+  {
+    const Leaf& other = this->Leaves[slots[count] / LeafSize];
+    const Slot i = slots[count] % LeafSize;
+    scratch.X[count] = other.X[i] - (leaf.X[lane] - float(other.Origin[0] - leaf.Origin[0]));
+    scratch.Y[count] = other.Y[i] - (leaf.Y[lane] - float(other.Origin[1] - leaf.Origin[1]));
+    scratch.Z[count] = other.Z[i] - (leaf.Z[lane] - float(other.Origin[2] - leaf.Origin[2]));
+  }
+  return { leafId * LeafSize + lane, count, slots, scratch.X.data(), scratch.Y.data(),
+    scratch.Z.data(), distances };
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPointSplatNeighbors
+ * @brief   the nearest neighbours of every point of a cloud
+ *
+ * An internal helper of the filters: it answers the query "k nearest neighbours" for all
+ * points at once, which is faster than one query after the other.
+ *
+ * 1. Points are split at the median of the longest side of their bounding box until at
+ *    most LeafSize are together. Points at the same position always fall on the same side
+ *    and become one *slot*; the others of them are known by GetSlots() only. So duplicates
+ *    neither hide the true neighbours nor slow the search down.
+ * 2. A leaf stores its positions as floats relative to its own origin (a double), so that
+ *    neighbours are exact to float's precision of their *distance*, wherever the cloud lies
+ *    and whatever outliers it has.
+ * 3. For a leaf, candidates from the leaves next to it in the tree's order bound the search
+ *    radius; one walk over the tree collects the leaves within that bound for all its points.
+ *
+ * Nodes lie in depth-first order with the index of the next node to visit when one is
+ * skipped, so the walk needs no stack.
+ */
+#ifndef vtkPointSplatNeighbors_h
+#define vtkPointSplatNeighbors_h
+
+#include "vtkDataArray.h"
+#include "vtkPointSplatBatches.h"
+#include "vtkSMPThreadLocal.h"
+#include "vtkType.h"
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkPointSplatNeighbors
+{
+public:
+  using Slot = std::uint32_t;
+  static constexpr int LeafSize = 16;
+  static constexpr int MaximumNumberOfNeighbors = 128;
+  static constexpr Slot None = std::numeric_limits<Slot>::max();
+
+  /// The neighbours of one slot, nearest first, none at the same position.
+  struct Neighborhood
+  {
+    Slot Center;
+    int Count;
+    const Slot* Slots;
+    /// Offsets from the centre, and their squared lengths, in world units.
+    const float *X, *Y, *Z;
+    const float* SquaredDistance;
+  };
+
+  /**
+   * Sorts the points (3 components, any type) in. A point takes part if used[id] is not 0.
+   */
+  void Build(vtkDataArray* points, const unsigned char* used);
+
+  /// Slots are numbered from 0; some numbers below this one are empty.
+  Slot GetNumberOfSlots() const { return static_cast<Slot>(this->Ids.size()); }
+  /// The point id of a slot, or -1 where it is empty.
+  vtkIdType GetId(Slot slot) const { return this->Ids[slot]; }
+  /// The slot of each point; None for one that takes no part.
+  const std::vector<Slot>& GetSlots() const { return this->SlotOfPoint; }
+  /// The position of a slot in world coordinates.
+  void GetPosition(Slot slot, double x[3]) const;
+
+  /**
+   * Calls visit(neighborhood, last) for each slot with its k nearest neighbours, slots in
+   * parallel. Where it returns false and `last` is false, it is called once more, with
+   * four times as many neighbours and `last` true. Moves self's progress from `from` to
+   * `to`; returns false if aborted.
+   */
+  template <typename Visitor>
+  bool Visit(vtkAlgorithm* self, double from, double to, int k, const Visitor& visit) const;
+
+private:
+  struct Node
+  {
+    double Bounds[6];
+    std::uint32_t Skip;
+    std::uint32_t Leaf; // None for an inner node
+  };
+  struct Leaf
+  {
+    double Origin[3];
+    float Bounds[6]; // relative to Origin: minima, maxima
+    float X[LeafSize], Y[LeafSize], Z[LeafSize];
+    int Count;
+  };
+  struct Scratch
+  {
+    std::vector<float> Distances; // k for each lane, ascending
+    std::vector<Slot> Slots;
+    std::vector<std::uint32_t> Leaves;
+    std::vector<float> X, Y, Z;
+    int Counts[LeafSize];
+  };
+  struct Builder;
+
+  static constexpr unsigned int AllLanes = (1u << LeafSize) - 1;
+
+  void SearchLeaf(std::uint32_t leaf, unsigned int lanes, int k, Scratch& scratch) const;
+  void Scan(const Leaf& from, std::uint32_t other, unsigned int lanes, int k, bool self,
+    Scratch& scratch) const;
+  Neighborhood Describe(std::uint32_t leaf, int lane, int k, Scratch& scratch) const;
+
+  std::vector<Node> Nodes;
+  std::vector<Leaf> Leaves;
+  std::vector<vtkIdType> Ids;
+  std::vector<Slot> SlotOfPoint;
+};
+
+template <typename Visitor>
+bool vtkPointSplatNeighbors::Visit(
+  vtkAlgorithm* self, double from, double to, int k, const Visitor& visit) const
+{
+  vtkSMPThreadLocal<Scratch> scratches;
+  const int more = std::min(4 * k, MaximumNumberOfNeighbors);
+  auto functor = [&](vtkIdType begin, vtkIdType end) {
+    Scratch& scratch = scratches.Local();
+    for (vtkIdType leaf = begin; leaf < end; ++leaf)
+    {
+      const std::uint32_t leafId = static_cast<std::uint32_t>(leaf);
+      unsigned int lanes = (1u << this->Leaves[leaf].Count) - 1;
+      for (int round = 0; round < 2 && lanes; ++round)
+      {
+        const int count = round ? more : k;
+        this->SearchLeaf(leafId, lanes, count, scratch);
+        for (int lane = 0; lane < LeafSize; ++lane)
+        {
+          if ((lanes >> lane & 1u) &&
+            visit(this->Describe(leafId, lane, count, scratch), round == 1))
+          {
+            lanes &= ~(1u << lane);
+          }
+        }
+      }
+    }
+  };
+  return vtkPointSplatBatches::For(
+    self, static_cast<vtkIdType>(this->Leaves.size()), from, to, functor);
+}
+
+VTK_ABI_NAMESPACE_END
+#endif
