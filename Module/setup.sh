@@ -20,7 +20,6 @@ install_packages() {
   done
   [ ${#missing[@]} -gt 0 ] || return 0
 
-  echo "Missing Debian packages, to be installed now: ${missing[*]}"
   local as_root=()
   if [ "$(id -u)" -ne 0 ]; then
     if ! command -v sudo >/dev/null; then
@@ -29,6 +28,7 @@ install_packages() {
     fi
     as_root=(sudo)
   fi
+  echo "Installing Debian's packages ${missing[*]}"
   if ! { "${as_root[@]}" apt-get update -q &&
     "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
       apt-get install -q -y --no-install-recommends "${missing[@]}"; }; then
