@@ -18,6 +18,8 @@ inline constexpr const char* Radius = "SplatRadius";
 inline constexpr const char* Axis1 = "SplatAxis1";
 inline constexpr const char* Axis2 = "SplatAxis2";
 ///@}
+/// 3 floats, unit length: the normal of a disk's plane, where it is not the point normal.
+inline constexpr const char* PlaneNormal = "SplatPlaneNormal";
 /// 1 int: the minimal independent group that a splat belongs to.
 inline constexpr const char* Group = "SplatGroup";
 /// 1 float, 0 (in shadow) to 1 (lit).

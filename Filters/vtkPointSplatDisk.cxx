@@ -2,16 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatDisk.h"
 
+#include "vtkPointSplatNormals.h"
+
 #include <cmath>
 
 VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-/// Neighbours whose normals part by more than this cosine are of another sheet.
+/// A neighbour whose normal parts by more than this cosine (78 degrees) is of another sheet ...
 constexpr float LeastNormalCosine = 0.2f;
-/// So are those that lie higher above the tangent plane than this part of their distance.
+/// ... if it lies higher above the tangent plane than this part of its distance; normals may be
+/// wrong, or oriented this way and that over one sheet.
+constexpr float LargestElevationAcross = 0.3f;
+/// So is any that lies higher than this.
 constexpr float LargestElevation = 0.8f;
+/// A normal is not that of the surface if its tangent plane leaves out more than this part of
+/// the neighbours' squared distances, and another plane much less.
+constexpr float LargestResidual = 0.25f;
+constexpr float ResidualRatio = 0.3f;
 /// A Voronoi vertex between two neighbours seen at a wider angle (150 degrees) is left to them.
 constexpr float WidestAngleCosine = -0.8660254f;
 /// Beyond the farthest vertex, for rounding and for what lies between the tangent planes.
@@ -22,11 +31,53 @@ constexpr float RadiusPerDistance = 0.70710678f;
 constexpr float LargestAspect = 8.0f;
 }
 
-void vtkPointSplatDisk::Project(
+namespace
+{
+/// The part of the neighbours' squared distances that lies across a plane.
+float Residual(const vtkPointSplatNeighbors::Neighborhood& around, const float n[3])
+{
+  float across = 0, all = 0;
+  for (int i = 0; i < around.Count; ++i)
+  {
+    const float height = around.X[i] * n[0] + around.Y[i] * n[1] + around.Z[i] * n[2];
+    across += height * height;
+    all += around.SquaredDistance[i];
+  }
+  return all > 0 ? across / all : 0;
+}
+}
+
+/**
+ * Vertex normals of meshes whose triangles are not oriented consistently cancel along seams,
+ * and point anywhere: a disk across such a normal would stand off the surface as a fin.
+ */
+void vtkPointSplatDisk::ChoosePlane(
   const vtkPointSplatNeighbors::Neighborhood& around, const float* normals)
 {
   const float* n = normals + std::size_t(3) * around.Center;
   std::copy(n, n + 3, this->Normal);
+  const float residual = Residual(around, n);
+  if (residual <= LargestResidual || around.Count < 4)
+  {
+    return;
+  }
+  float fitted[3];
+  vtkPointSplatNormals::FitPlane(around, fitted);
+  if (Residual(around, fitted) < ResidualRatio * residual)
+  {
+    const float side = n[0] * fitted[0] + n[1] * fitted[1] + n[2] * fitted[2] < 0 ? -1.0f : 1.0f;
+    for (int i = 0; i < 3; ++i)
+    {
+      this->Normal[i] = side * fitted[i];
+    }
+  }
+}
+
+void vtkPointSplatDisk::Project(
+  const vtkPointSplatNeighbors::Neighborhood& around, const float* normals)
+{
+  this->ChoosePlane(around, normals);
+  const float* n = this->Normal;
   // An orthonormal frame without branches (Duff et al. 2017, Building an orthonormal basis).
   const float sign = std::copysign(1.0f, n[2]);
   const float a = -1.0f / (sign + n[2]);
@@ -43,8 +94,10 @@ void vtkPointSplatDisk::Project(
     const float x = around.X[i], y = around.Y[i], z = around.Z[i];
     const float* m = normals + std::size_t(3) * around.Slots[i];
     const float height = x * n[0] + y * n[1] + z * n[2];
-    if (m[0] * n[0] + m[1] * n[1] + m[2] * n[2] < LeastNormalCosine ||
-      height * height > LargestElevation * LargestElevation * around.SquaredDistance[i])
+    const float cosine = m[0] * n[0] + m[1] * n[1] + m[2] * n[2];
+    const float elevation =
+      cosine < LeastNormalCosine ? LargestElevationAcross : LargestElevation;
+    if (height * height > elevation * elevation * around.SquaredDistance[i])
     {
       continue;
     }

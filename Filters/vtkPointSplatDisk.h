@@ -18,6 +18,9 @@ class vtkPointSplatDisk
 public:
   /// The disk: its two half axes, perpendicular to each other and to the normal.
   float Axis1[3], Axis2[3];
+  /// The normal of the disk's plane: the point's, or where the neighbours lie far off its
+  /// tangent plane the normal of the plane that fits them, turned to the side of the point's.
+  float Normal[3];
   /// The half axes' lengths, the first the longer; both the radius for a circle.
   float Length1 = 0, Length2 = 0;
 
@@ -42,6 +45,8 @@ private:
   static constexpr int Frame = -1; // the square that the clipping starts from
   static constexpr int Hull = -2;  // the border of the hull of the neighbours
 
+  void ChoosePlane(
+    const vtkPointSplatNeighbors::Neighborhood& around, const float* normals);
   void Project(const vtkPointSplatNeighbors::Neighborhood& around, const float* normals);
   void Whiten();
   void Clip(float nx, float ny, float offset, int edge);
@@ -49,7 +54,6 @@ private:
   void ClipByHull();
   float FarthestVertex() const;
 
-  float Normal[3];
   float Scale1, Scale2; // world units of the plane's two coordinates
   int Count;            // neighbours in use
   float U[vtkPointSplatNeighbors::MaximumNumberOfNeighbors];

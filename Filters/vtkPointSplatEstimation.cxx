@@ -105,6 +105,7 @@ struct Disks
     : Length(slots, 0.0f)
     , Witnesses(std::size_t(NumberOfWitnesses) * slots, vtkPointSplatNeighbors::None)
     , Axes(elliptical ? std::size_t(6) * slots : 0)
+    , Planes(elliptical ? 0 : std::size_t(3) * slots)
   {
   }
 
@@ -128,6 +129,7 @@ struct Disks
   std::vector<float> Length; // of the longer axis
   std::vector<Slot> Witnesses;
   std::vector<float> Axes; // both, unless circular
+  std::vector<float> Planes; // their normals, if circular
 };
 }
 
@@ -162,6 +164,11 @@ int vtkPointSplatEstimation::RequestData(
     sizes[a]->SetNumberOfComponents(elliptical ? 3 : 1);
     sizes[a]->SetNumberOfTuples(elliptical || a == 0 ? numberOfPoints : 0);
   }
+
+  vtkNew<vtkFloatArray> planes;
+  planes->SetName(vtkPointSplatArrays::PlaneNormal);
+  planes->SetNumberOfComponents(3);
+  planes->SetNumberOfTuples(elliptical ? 0 : numberOfPoints);
 
   if (numberOfPoints > 0)
   {
@@ -254,7 +261,11 @@ int vtkPointSplatEstimation::RequestData(
         disks.Witnesses[std::size_t(NumberOfWitnesses) * s + w] =
           around.Slots[(w + 1) * around.Count / NumberOfWitnesses - 1];
       }
-      if (elliptical)
+      if (!elliptical)
+      {
+        std::copy(disk.Normal, disk.Normal + 3, disks.Planes.data() + std::size_t(3) * s);
+      }
+      else
       {
         const float ratio = disk.Length1 > 0 ? disk.Length2 / disk.Length1 : 1.0f;
         for (int c = 0; c < 3; ++c)
@@ -282,6 +293,8 @@ int vtkPointSplatEstimation::RequestData(
         if (!elliptical)
         {
           sizes[0]->SetValue(id, length);
+          const float* plane = drawn ? disks.Planes.data() + std::size_t(3) * s : n + 3 * id;
+          std::copy(plane, plane + 3, planes->GetPointer(3 * id));
         }
         else
         {
@@ -304,17 +317,15 @@ int vtkPointSplatEstimation::RequestData(
   output->GetPointData()->PassData(input->GetPointData());
   output->GetFieldData()->PassData(input->GetFieldData());
   for (const char* name : { vtkPointSplatArrays::Radius, vtkPointSplatArrays::Axis1,
-         vtkPointSplatArrays::Axis2 })
+         vtkPointSplatArrays::Axis2, vtkPointSplatArrays::PlaneNormal })
   {
     // Of an earlier estimation, possibly of the other shape.
     output->GetPointData()->RemoveArray(name);
   }
   output->GetPointData()->SetNormals(normals);
   output->GetPointData()->AddArray(sizes[0]);
-  if (elliptical)
-  {
-    output->GetPointData()->AddArray(sizes[1]);
-  }
+  output->GetPointData()->AddArray(
+    elliptical ? sizes[1].GetPointer() : planes.GetPointer());
   this->UpdateProgress(1.0);
   return 1;
 }

@@ -14,7 +14,9 @@
  * data and field data, no cells, and
  * - the active normals (3 floats, unit length): those of the input, normalised and with their
  *   sign, where they are finite and not zero, otherwise estimated;
- * - `SplatRadius` (1 float, world units) if Shape is Circular, or
+ * - `SplatRadius` (1 float, world units) and `SplatPlaneNormal` (3 floats, unit length: the
+ *   normal of the disk's plane, the point's normal but for stage 4's exception) if Shape is
+ *   Circular, or
  * - `SplatAxis1`, `SplatAxis2` (3 floats each, world units) if it is Elliptical: the half axes,
  *   perpendicular to each other and to the normal, the first the longer.
  * A mapper's blending kernel reaches 1.5 to 2 times farther than these.
@@ -30,8 +32,10 @@
  *    it does not jump to another sheet. Given normals start the tree; a piece of surface
  *    without any is turned outward at its extreme point.
  * 4. *Disk.* The neighbours are projected to the tangent plane (Pajarola, Sainz, Guidotti
- *    2004, Confetti, section 4.3), but those of other sheets: whose normal differs by more than
- *    78 degrees or that lie more than 53 degrees off the plane. Bisectors cut the point's
+ *    2004, Confetti, section 4.3), but those of other sheets: that lie more than 53 degrees off
+ *    the plane, or more than 17 where their normal differs by more than 78. Where most of them
+ *    lie off the tangent plane, the normal cannot be the surface's (as at seams of meshes whose
+ *    triangles are not oriented consistently), and the plane that fits them takes its place. Bisectors cut the point's
  *    Voronoi cell out of the plane, and the disk reaches to the cell's farthest vertex. A vertex
  *    between two neighbours that are more than 150 degrees apart is left to their disks. Where
  *    the cell stays open, four times as many neighbours are looked at; if it is open still,

@@ -93,6 +93,34 @@ vtkPointSplatNormals::vtkPointSplatNormals(const vtkPointSplatNeighbors& neighbo
 {
 }
 
+void vtkPointSplatNormals::FitPlane(
+  const vtkPointSplatNeighbors::Neighborhood& around, float normal[3])
+{
+  // The centre, the origin of the offsets, is one of the points.
+  double sum[3] = { 0, 0, 0 }, m[6] = { 0, 0, 0, 0, 0, 0 };
+  for (int i = 0; i < around.Count; ++i)
+  {
+    const double x = around.X[i], y = around.Y[i], z = around.Z[i];
+    sum[0] += x;
+    sum[1] += y;
+    sum[2] += z;
+    m[0] += x * x;
+    m[1] += x * y;
+    m[2] += x * z;
+    m[3] += y * y;
+    m[4] += y * z;
+    m[5] += z * z;
+  }
+  const double n = around.Count + 1;
+  m[0] -= sum[0] * sum[0] / n;
+  m[1] -= sum[0] * sum[1] / n;
+  m[2] -= sum[0] * sum[2] / n;
+  m[3] -= sum[1] * sum[1] / n;
+  m[4] -= sum[1] * sum[2] / n;
+  m[5] -= sum[2] * sum[2] / n;
+  GetLeastAxis(m, normal);
+}
+
 bool vtkPointSplatNormals::Fit(vtkAlgorithm* self, double from, double to, int k, bool keepGraph)
 {
   if (keepGraph)
@@ -110,29 +138,8 @@ bool vtkPointSplatNormals::Fit(vtkAlgorithm* self, double from, double to, int k
     {
       return true;
     }
-    // The centre, the origin of the offsets, is one of the points.
-    double sum[3] = { 0, 0, 0 }, m[6] = { 0, 0, 0, 0, 0, 0 };
-    for (int i = 0; i < around.Count; ++i)
-    {
-      const double x = around.X[i], y = around.Y[i], z = around.Z[i];
-      sum[0] += x;
-      sum[1] += y;
-      sum[2] += z;
-      m[0] += x * x;
-      m[1] += x * y;
-      m[2] += x * z;
-      m[3] += y * y;
-      m[4] += y * z;
-      m[5] += z * z;
-    }
-    const double n = around.Count + 1;
-    m[0] -= sum[0] * sum[0] / n;
-    m[1] -= sum[0] * sum[1] / n;
-    m[2] -= sum[0] * sum[2] / n;
-    m[3] -= sum[1] * sum[1] / n;
-    m[4] -= sum[1] * sum[2] / n;
-    m[5] -= sum[2] * sum[2] / n;
-    GetLeastAxis(m, this->Normals.data() + std::size_t(3) * around.Center);
+    vtkPointSplatNormals::FitPlane(
+      around, this->Normals.data() + std::size_t(3) * around.Center);
     return true;
   };
   return this->Neighbors.Visit(self, from, to, k, fit);

@@ -21,6 +21,11 @@ public:
     const std::vector<unsigned char>& known);
 
   /**
+   * The normal of the plane that fits the centre and its neighbours best.
+   */
+  static void FitPlane(const vtkPointSplatNeighbors::Neighborhood& around, float normal[3]);
+
+  /**
    * Fits planes to the k nearest neighbours of each slot without normal, and keeps the
    * graph of the neighbours if it is to be oriented. Returns false if aborted.
    */

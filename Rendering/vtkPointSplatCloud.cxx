@@ -37,6 +37,27 @@ uint32_t Bits(double value)
   return bits;
 }
 
+/**
+ * A unit vector as two coordinates on an octahedron, 16 bits each; see
+ * decodeNormal() in vtkPointSplatProjection.glsl.
+ */
+uint32_t CodeNormal(const double n[3])
+{
+  const double sum = std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]);
+  double x = n[0] / sum;
+  double y = n[1] / sum;
+  if (n[2] < 0.0)
+  {
+    const double folded = std::copysign(1.0 - std::abs(y), x);
+    y = std::copysign(1.0 - std::abs(x), y);
+    x = folded;
+  }
+  const auto quantise = [](double v) {
+    return static_cast<uint32_t>(static_cast<uint16_t>(static_cast<int16_t>(std::lround(v * 32767.0))));
+  };
+  return quantise(x) | (quantise(y) << 16);
+}
+
 bool Finite(const double v[3])
 {
   return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
@@ -50,6 +71,7 @@ struct Arrays
   vtkSmartPointer<vtkDataArray> Points;
   vtkSmartPointer<vtkDataArray> Normals;
   vtkSmartPointer<vtkDataArray> Radius;
+  vtkSmartPointer<vtkDataArray> Plane; // or none
   vtkSmartPointer<vtkDataArray> Axis1;
   vtkSmartPointer<vtkDataArray> Axis2;
   vtkUnsignedCharArray* Ghosts = nullptr;
@@ -81,6 +103,7 @@ Arrays Collect(vtkPointSplatMapper* mapper, vtkPointSet* data)
     : nullptr;
   a.Normals = data->GetPointData()->GetNormals();
   a.Radius = Wanted(mapper, data, vtkPointSplatArrays::Radius, 1);
+  a.Plane = Wanted(mapper, data, vtkPointSplatArrays::PlaneNormal, 3);
   a.Axis1 = Wanted(mapper, data, vtkPointSplatArrays::Axis1, 3);
   a.Axis2 = Wanted(mapper, data, vtkPointSplatArrays::Axis2, 3);
   if (!a.Axis1 || !a.Axis2)
@@ -107,6 +130,7 @@ Arrays Collect(vtkPointSplatMapper* mapper, vtkPointSet* data)
     if (!a.Radius && !a.Axis1)
     {
       a.Radius = estimated->GetArray(vtkPointSplatArrays::Radius);
+      a.Plane = estimated->GetArray(vtkPointSplatArrays::PlaneNormal);
     }
   }
   return a;
@@ -182,12 +206,33 @@ struct PackWorker
           continue;
         }
         valid[i] = 1;
+        const double normal[3] = { n[0] / length, n[1] / length, n[2] / length };
+        double plane[3] = { normal[0], normal[1], normal[2] };
+        if (a.Axis1)
+        {
+          // Whatever side the axes' product has, the plane shows the normal's.
+          vtkMath::Cross(axis1, axis2, plane);
+        }
+        else if (a.Plane)
+        {
+          a.Plane->GetTuple(i, plane);
+        }
+        if (!(vtkMath::Normalize(plane) > 0.0) || !Finite(plane))
+        {
+          std::copy_n(normal, 3, plane);
+        }
+        else if (vtkMath::Dot(plane, normal) < 0.0)
+        {
+          vtkMath::MultiplyScalar(plane, -1.0);
+        }
         uint32_t* out = splats + words * i;
         for (int k = 0; k < 3; ++k)
         {
           out[k] = Bits(p[k]);
-          out[4 + k] = Bits(n[k] / length);
         }
+        out[4] = CodeNormal(plane);
+        out[5] = CodeNormal(normal);
+        out[6] = 0;
         out[3] = Bits(radius);
         out[7] = static_cast<uint32_t>(i);
         if (!circular)

@@ -13,7 +13,7 @@ namespace
 {
 // The least radius, in pixels, of a disk's image in the visibility pass: at half
 // a pixel's diagonal a disk wherever it lies meets a pixel's centre.
-constexpr float CoverageRadius = 0.71f;
+constexpr float CoverageRadius = 0.35f;
 // The prefilter's radius, in pixels, in the accumulation pass (Guennebaud,
 // section 4.1: the square root of two).
 constexpr float PrefilterRadius = 1.414f;
@@ -214,7 +214,7 @@ void vtkPointSplatStages::DrawQuads(
   glBindVertexArray(buffers.VertexArray);
   glBindBuffer(GL_ARRAY_BUFFER, buffers.Splats);
   glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, stride, at(0));
-  glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride, at(16));
+  glVertexAttribIPointer(1, 2, GL_UNSIGNED_INT, stride, at(16));
   glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, stride, at(28));
   const bool axes = !item.Cloud->IsCircular();
   if (axes)

@@ -24,7 +24,7 @@ void drawPixel(Splat q, uint index, ivec2 pixel)
   uint nearest = texelFetch(Depths, at).r;
   float r2;
   float depth;
-  if ((nearest & TagMask) != q.tag ||
+  if (((nearest ^ q.tag) & TagMask) > 1u ||
     !intersect(q, vec2(pixel) + 0.5, KernelSupport, r2, depth) || !sameLayer(q, depth, nearest))
   {
     return;

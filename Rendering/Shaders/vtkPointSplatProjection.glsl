@@ -116,13 +116,28 @@ bool boundingBox(Splat q, float r, out vec2 middle, out vec2 extent)
   return true;
 }
 
+// A unit vector from the octahedron's two coordinates, 16 bits each (Cigolle et al.
+// 2014, A survey of efficient representations for independent unit vectors).
+vec3 decodeNormal(uint code)
+{
+  vec2 f = vec2(ivec2(int(code << 16) >> 16, int(code) >> 16)) / 32767.0;
+  vec3 n = vec3(f, 1.0 - abs(f.x) - abs(f.y));
+  float fold = max(-n.z, 0.0);
+  n.x += n.x >= 0.0 ? -fold : fold;
+  n.y += n.y >= 0.0 ? -fold : fold;
+  return normalize(n);
+}
+
 // Projects a splat. False: nothing of it can be seen.
-// reach: how many radii are drawn; h: the prefilter's radius in pixels.
-bool project(vec3 positionMC, vec3 normalMC, vec3 axis1MC, vec3 axis2MC, float radius,
+// normals: coded, of the disk's plane and of the surface, which differ only where
+// the latter is wrong; reach: how many radii are drawn; h: the prefilter's radius
+// in pixels.
+bool project(vec3 positionMC, uvec2 normals, vec3 axis1MC, vec3 axis2MC, float radius,
   float reach, float h, out Splat q)
 {
   vec4 p = MCVC * vec4(positionMC, 1.0);
-  vec3 n = normalize(NormalMatrix * normalMC);
+  vec3 planeMC = decodeNormal(normals.x);
+  vec3 n = normalize(NormalMatrix * planeMC);
   q.positionVC = p.xyz;
   q.depth = -p.z - DepthRange.x;
   q.w = dot(PixelW, p);
@@ -136,16 +151,17 @@ bool project(vec3 positionMC, vec3 normalMC, vec3 axis1MC, vec3 axis2MC, float r
     return false;
   }
   q.tag = Tag | (back ? 1u : 0u);
-  q.normal = back ? -n : n;
+  vec3 normal = normals.x == normals.y ? n : normalize(NormalMatrix * decodeNormal(normals.y));
+  q.normal = back ? -normal : normal;
   q.facing = Parallel ? abs(n.z) : abs(dot(n, p.xyz)) / max(abs(p.z), 1e-30);
 
   if (Circular)
   {
     // Any two axes across the normal span the disk; in the cloud's coordinates,
     // so that an actor's uneven scale makes the ellipse that it should.
-    vec3 other = abs(normalMC.z) < 0.7 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
-    axis1MC = radius * normalize(cross(normalMC, other));
-    axis2MC = cross(normalize(normalMC), axis1MC);
+    vec3 other = abs(planeMC.z) < 0.7 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
+    axis1MC = radius * normalize(cross(planeMC, other));
+    axis2MC = cross(planeMC, axis1MC);
   }
   q.sVC = mat3(MCVC) * (RadiusScale * axis1MC);
   q.tVC = mat3(MCVC) * (RadiusScale * axis2MC);
@@ -234,12 +250,14 @@ float decodeDepth(uint code)
 }
 
 // Whether a splat's fragment belongs to the surface layer whose nearest depth is
-// coded in nearest: the same cloud, the same side (behind a silhouette lies the
-// far side of the same body, close by and lit otherwise), and no farther than
-// the least layer distance, measured along the normal. For splats seen edge-on
-// the bound along the ray stays finite.
+// coded in nearest: the same cloud, and no farther than the least layer distance,
+// measured along the normal. For splats seen edge-on the bound along the ray
+// stays finite; and they must show the same side, since behind a silhouette lies
+// the far side of the same body, close by and lit otherwise. Other splats need
+// not: normals that are not consistently oriented are lit all the same.
 bool sameLayer(Splat q, float depth, uint nearest)
 {
-  return (nearest & TagMask) == q.tag &&
+  uint different = (nearest ^ q.tag) & TagMask;
+  return (different == 0u || (different == 1u && q.facing > 0.35)) &&
     abs(depth - decodeDepth(nearest)) * max(q.facing, 0.2) <= q.layer;
 }

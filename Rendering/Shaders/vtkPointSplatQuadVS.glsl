@@ -9,7 +9,7 @@
 #include "vtkPointSplatProjection"
 
 layout(location = 0) in vec4 positionAndRadius;
-layout(location = 1) in vec3 normalMC;
+layout(location = 1) in uvec2 normals;
 layout(location = 2) in uint id;
 layout(location = 3) in vec4 colour;
 layout(location = 4) in vec3 axis1MC;
@@ -33,7 +33,7 @@ flat out vec3 tVC;
 void main()
 {
   Splat q;
-  if (!project(positionAndRadius.xyz, normalMC, axis1MC, axis2MC, positionAndRadius.w, Reach,
+  if (!project(positionAndRadius.xyz, normals, axis1MC, axis2MC, positionAndRadius.w, Reach,
         MinimumRadius, q))
   {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // off the screen

@@ -34,7 +34,7 @@ bool loadSplat(uint index, float reach, float h, out Splat q)
     axis1 = uintBitsToFloat(texelFetch(Splats, at + 2).xyz);
     axis2 = uintBitsToFloat(texelFetch(Splats, at + 3).xyz);
   }
-  return project(uintBitsToFloat(a.xyz), uintBitsToFloat(b.xyz), axis1, axis2,
+  return project(uintBitsToFloat(a.xyz), b.xy, axis1, axis2,
     uintBitsToFloat(a.w), reach, h, q);
 }
 
