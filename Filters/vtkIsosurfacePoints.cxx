@@ -1,24 +1,209 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfacePoints.h"
+
+#include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkContourValues.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkImageData.h"
+#include "vtkIsosurfaceEdges.h"
+#include "vtkIsosurfaceSamples.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPointSet.h"
+#include "vtkPointSplatArrays.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <memory>
+#include <numeric>
+#include <sstream>
 
 VTK_ABI_NAMESPACE_BEGIN
 
 vtkStandardNewMacro(vtkIsosurfacePoints);
 
-vtkIsosurfacePoints::vtkIsosurfacePoints() = default;
-vtkIsosurfacePoints::~vtkIsosurfacePoints() = default;
-
-void vtkIsosurfacePoints::PrintSelf(ostream& os, vtkIndent indent)
+namespace
 {
-  this->Superclass::PrintSelf(os, indent);
+/// What part of a voxel points must resolve at least.
+constexpr double Resolution = 1e-3;
+
+const unsigned char* GetGhosts(vtkDataSetAttributes* data, vtkIdType size)
+{
+  auto* ghosts =
+    vtkUnsignedCharArray::SafeDownCast(data->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  return ghosts && ghosts->GetNumberOfTuples() == size ? ghosts->GetPointer(0) : nullptr;
+}
+
+vtkIsosurfaceGrid DescribeGrid(vtkImageData* image, int numberOfComponents)
+{
+  vtkIsosurfaceGrid grid;
+  const int* extent = image->GetExtent();
+  const double* spacing = image->GetSpacing();
+  vtkMatrix4x4* toWorld = image->GetIndexToPhysicalMatrix();
+  vtkMatrix3x3* direction = image->GetDirectionMatrix();
+  // vtkFlyingEdges3D mirrors the normals of an image that is mirrored, and so do we.
+  const double sign = direction->Determinant() < 0 ? 1 : -1;
+  vtkIdType stride = numberOfComponents;
+  for (int c = 0; c < 3; ++c)
+  {
+    grid.Dimensions[c] = extent[2 * c + 1] - extent[2 * c] + 1;
+    grid.Strides[c] = stride;
+    stride *= grid.Dimensions[c];
+    grid.Spacing[c] = std::abs(spacing[c]);
+    grid.ToWorld[c][3] = toWorld->GetElement(c, 3);
+    for (int r = 0; r < 3; ++r)
+    {
+      grid.ToWorld[c][r] = toWorld->GetElement(c, r);
+      grid.ToWorld[c][3] += toWorld->GetElement(c, r) * extent[2 * r];
+      grid.ToNormal[c][r] = sign * direction->GetElement(c, r) / spacing[r];
+    }
+  }
+  grid.PointGhosts = GetGhosts(image->GetPointData(), image->GetNumberOfPoints());
+  grid.CellGhosts = GetGhosts(image->GetCellData(), image->GetNumberOfCells());
+  return grid;
+}
+
+/// The least point spacing for which voxels are divided far enough.
+double GetFinestSpacing(const vtkIsosurfaceGrid& grid)
+{
+  return *std::max_element(grid.Spacing, grid.Spacing + 3) *
+    vtkIsosurfaceSamples<float>::FinestSpacing;
+}
+
+/// Whether floats are too coarse for the volume's place.
+bool NeedsDouble(vtkImageData* image)
+{
+  double bounds[6], least = VTK_DOUBLE_MAX, largest = 0;
+  image->GetBounds(bounds);
+  for (int c = 0; c < 6; ++c)
+  {
+    largest = std::max(largest, std::abs(bounds[c]));
+    least = std::min(least, std::abs(image->GetSpacing()[c / 2]));
+  }
+  return largest * std::numeric_limits<float>::epsilon() > 2 * Resolution * least;
+}
+
+template <typename T>
+std::unique_ptr<vtkIsosurfaceExtraction> MakeExtraction(const vtkIsosurfaceGrid& grid,
+  const T* values, const std::vector<double>& isovalues, double spacing)
+{
+  if (spacing > 0)
+  {
+    return std::make_unique<vtkIsosurfaceSamples<T>>(
+      grid, values, isovalues, std::max(spacing, GetFinestSpacing(grid)));
+  }
+  return std::make_unique<vtkIsosurfaceEdges<T>>(grid, values, isovalues);
+}
+
+/// Points, normals and isovalues of one output data set.
+struct Surface
+{
+  vtkSmartPointer<vtkPoints> Points = vtkSmartPointer<vtkPoints>::New();
+  vtkSmartPointer<vtkFloatArray> Normals = vtkSmartPointer<vtkFloatArray>::New();
+  vtkSmartPointer<vtkDoubleArray> Isovalues = vtkSmartPointer<vtkDoubleArray>::New();
+
+  Surface(vtkIdType count, bool precise)
+  {
+    this->Points->SetDataType(precise ? VTK_DOUBLE : VTK_FLOAT);
+    this->Points->SetNumberOfPoints(count);
+    this->Normals->SetName("Normals");
+    this->Normals->SetNumberOfComponents(3);
+    this->Normals->SetNumberOfTuples(count);
+    this->Isovalues->SetName(vtkPointSplatArrays::Isovalue);
+    this->Isovalues->SetNumberOfTuples(count);
+  }
+
+  vtkIsosurfaceExtraction::Target GetTarget(vtkIdType first) const
+  {
+    vtkIsosurfaceExtraction::Target target;
+    target.Normals = this->Normals->GetPointer(0) + 3 * first;
+    void* points = this->Points->GetVoidPointer(0);
+    if (this->Points->GetDataType() == VTK_DOUBLE)
+    {
+      target.PrecisePoints = static_cast<double*>(points) + 3 * first;
+    }
+    else
+    {
+      target.Points = static_cast<float*>(points) + 3 * first;
+    }
+    return target;
+  }
+
+  void MoveTo(vtkPolyData* output) const
+  {
+    output->SetPoints(this->Points);
+    output->GetPointData()->SetNormals(this->Normals);
+    output->GetPointData()->AddArray(this->Isovalues);
+  }
+};
+}
+
+vtkIsosurfacePoints::vtkIsosurfacePoints()
+  : ContourValues(vtkContourValues::New())
+{
+  this->ContourValues->SetNumberOfContours(0);
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+}
+
+vtkIsosurfacePoints::~vtkIsosurfacePoints()
+{
+  this->ContourValues->Delete();
+}
+
+void vtkIsosurfacePoints::SetValue(int i, double value)
+{
+  this->ContourValues->SetValue(i, value);
+}
+
+double vtkIsosurfacePoints::GetValue(int i)
+{
+  return this->ContourValues->GetValue(i);
+}
+
+double* vtkIsosurfacePoints::GetValues()
+{
+  return this->ContourValues->GetValues();
+}
+
+void vtkIsosurfacePoints::GetValues(double* values)
+{
+  this->ContourValues->GetValues(values);
+}
+
+void vtkIsosurfacePoints::SetNumberOfContours(int number)
+{
+  this->ContourValues->SetNumberOfContours(number);
+}
+
+vtkIdType vtkIsosurfacePoints::GetNumberOfContours()
+{
+  return this->ContourValues->GetNumberOfContours();
+}
+
+void vtkIsosurfacePoints::GenerateValues(int number, double range[2])
+{
+  this->ContourValues->GenerateValues(number, range);
+}
+
+void vtkIsosurfacePoints::GenerateValues(int number, double rangeStart, double rangeEnd)
+{
+  this->ContourValues->GenerateValues(number, rangeStart, rangeEnd);
+}
+
+vtkMTimeType vtkIsosurfacePoints::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->ContourValues->GetMTime());
 }
 
 int vtkIsosurfacePoints::FillInputPortInformation(int, vtkInformation* info)
@@ -27,10 +212,244 @@ int vtkIsosurfacePoints::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-int vtkIsosurfacePoints::RequestData(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector*)
+int vtkIsosurfacePoints::FillOutputPortInformation(int, vtkInformation* info)
 {
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
   return 1;
+}
+
+vtkTypeBool vtkIsosurfacePoints::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    return this->RequestDataObject(request, inputs, outputs);
+  }
+  return this->Superclass::ProcessRequest(request, inputs, outputs);
+}
+
+int vtkIsosurfacePoints::RequestDataObject(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vtkInformation* info = outputs->GetInformationObject(0);
+  vtkDataObject* output = info->Get(vtkDataObject::DATA_OBJECT());
+  const char* type = this->BlockPerIsovalue ? "vtkMultiBlockDataSet" : "vtkPolyData";
+  if (!output || !output->IsA(type))
+  {
+    vtkSmartPointer<vtkDataObject> made;
+    if (this->BlockPerIsovalue)
+    {
+      made = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+    }
+    else
+    {
+      made = vtkSmartPointer<vtkPolyData>::New();
+    }
+    info->Set(vtkDataObject::DATA_OBJECT(), made);
+  }
+  return 1;
+}
+
+int vtkIsosurfacePoints::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  // One more level of ghosts, for the gradients.
+  const int levels = outputs->GetInformationObject(0)->Get(
+    vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS());
+  inputs[0]->GetInformationObject(0)->Set(
+    vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), levels + 1);
+  return 1;
+}
+
+/// The array to contour with contiguous values, or null after an error.
+vtkDataArray* vtkIsosurfacePoints::GetScalars(vtkInformationVector** inputs, vtkImageData* image)
+{
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* scalars = this->GetInputArrayToProcess(0, inputs, association);
+  if (!scalars)
+  {
+    const char* name =
+      this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+    vtkErrorMacro("There is no numeric point array "
+      << (name ? std::string("\"") + name + "\"" : std::string("of active scalars"))
+      << " in the input; choose one by SetInputArrayToProcess.");
+    return nullptr;
+  }
+  const std::string name = scalars->GetName() ? scalars->GetName() : "(without name)";
+  if (association != vtkDataObject::FIELD_ASSOCIATION_POINTS ||
+    scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
+  {
+    vtkErrorMacro("The array \"" << name << "\" has " << scalars->GetNumberOfTuples()
+                                 << " tuples for " << image->GetNumberOfPoints()
+                                 << " points; an array with one value a point is needed.");
+    return nullptr;
+  }
+  if (this->ArrayComponent >= scalars->GetNumberOfComponents())
+  {
+    vtkErrorMacro("The array \"" << name << "\" has no component " << this->ArrayComponent
+                                 << "; set ArrayComponent below "
+                                 << scalars->GetNumberOfComponents() << ".");
+    return nullptr;
+  }
+  return scalars;
+}
+
+int vtkIsosurfacePoints::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkImageData* image = vtkImageData::GetData(inputs[0]);
+  vtkDataObject* output = vtkDataObject::GetData(outputs);
+  output->Initialize();
+  const int* dimensions = image->GetDimensions();
+  if (dimensions[0] < 2 || dimensions[1] < 2 || dimensions[2] < 2)
+  {
+    vtkErrorMacro("The input has " << dimensions[0] << " x " << dimensions[1] << " x "
+                                   << dimensions[2]
+                                   << " samples; a volume with at least 2 along each axis is "
+                                      "needed.");
+    return 1;
+  }
+  vtkSmartPointer<vtkDataArray> scalars = this->GetScalars(inputs, image);
+  if (!scalars)
+  {
+    return 1;
+  }
+  if (!scalars->HasStandardMemoryLayout() || scalars->GetDataType() == VTK_BIT)
+  {
+    vtkNew<vtkDoubleArray> copy;
+    copy->DeepCopy(scalars);
+    scalars = copy;
+  }
+  if (this->GetNumberOfContours() == 0)
+  {
+    vtkWarningMacro("There is no isovalue; set one by SetValue.");
+  }
+  const vtkIsosurfaceGrid grid = DescribeGrid(image, scalars->GetNumberOfComponents());
+  const double finest = GetFinestSpacing(grid);
+  if (this->PointSpacing > 0 && this->PointSpacing < finest)
+  {
+    vtkWarningMacro("PointSpacing " << this->PointSpacing
+                                    << " is finer than a voxel can be divided; taking " << finest
+                                    << ".");
+  }
+  this->Extract(grid, scalars, NeedsDouble(image), output);
+  this->UpdateProgress(1.0);
+  return 1;
+}
+
+void vtkIsosurfacePoints::Extract(
+  const vtkIsosurfaceGrid& grid, vtkDataArray* scalars, bool precise, vtkDataObject* output)
+{
+  const int number = static_cast<int>(this->GetNumberOfContours());
+  std::vector<int> order;
+  for (int i = 0; i < number; ++i)
+  {
+    if (std::isfinite(this->GetValue(i)))
+    {
+      order.push_back(i);
+    }
+  }
+  if (order.size() < static_cast<std::size_t>(number))
+  {
+    vtkWarningMacro(
+      << number - order.size() << " of " << number << " isovalues are not finite; left out.");
+  }
+  std::stable_sort(order.begin(), order.end(),
+    [this](int a, int b) { return this->GetValue(a) < this->GetValue(b); });
+
+  // As many isovalues in one sweep as a class can count.
+  const std::size_t most = 254;
+  const std::size_t sweeps = (order.size() + most - 1) / most;
+  std::vector<std::unique_ptr<vtkIsosurfaceExtraction>> extractions;
+  std::vector<vtkIdType> counts(number, 0);
+  for (std::size_t s = 0; s < sweeps; ++s)
+  {
+    std::vector<double> isovalues;
+    for (std::size_t i = s * most; i < std::min((s + 1) * most, order.size()); ++i)
+    {
+      isovalues.push_back(this->GetValue(order[i]));
+    }
+    std::unique_ptr<vtkIsosurfaceExtraction> extraction;
+    switch (scalars->GetDataType())
+    {
+      vtkTemplateMacro(extraction = MakeExtraction(grid,
+                         static_cast<const VTK_TT*>(scalars->GetVoidPointer(0)) +
+                           this->ArrayComponent,
+                         isovalues, this->PointSpacing));
+    }
+    std::vector<vtkIdType> found;
+    if (!extraction->Find(this, 0.7 * s / sweeps, 0.7 * (s + 1) / sweeps, found))
+    {
+      return;
+    }
+    for (std::size_t i = 0; i < found.size(); ++i)
+    {
+      counts[order[s * most + i]] = found[i];
+    }
+    extractions.push_back(std::move(extraction));
+  }
+
+  // One surface for all isovalues, or for each.
+  std::vector<Surface> surfaces;
+  std::vector<vtkIsosurfaceExtraction::Target> targets(number);
+  if (!this->BlockPerIsovalue)
+  {
+    surfaces.emplace_back(std::accumulate(counts.begin(), counts.end(), vtkIdType(0)), precise);
+  }
+  vtkIdType first = 0;
+  for (int i = 0; i < number; ++i)
+  {
+    if (this->BlockPerIsovalue)
+    {
+      surfaces.emplace_back(counts[i], precise);
+      first = 0;
+    }
+    targets[i] = surfaces.back().GetTarget(first);
+    double* isovalue = surfaces.back().Isovalues->GetPointer(0) + first;
+    std::fill(isovalue, isovalue + counts[i], this->GetValue(i));
+    first += counts[i];
+  }
+  for (std::size_t s = 0; s < sweeps; ++s)
+  {
+    std::vector<vtkIsosurfaceExtraction::Target> sorted;
+    for (std::size_t i = s * most; i < std::min((s + 1) * most, order.size()); ++i)
+    {
+      sorted.push_back(targets[order[i]]);
+    }
+    if (!extractions[s]->Write(
+          this, 0.7 + 0.3 * s / sweeps, 0.7 + 0.3 * (s + 1) / sweeps, sorted))
+    {
+      return;
+    }
+  }
+
+  if (auto* polyData = vtkPolyData::SafeDownCast(output))
+  {
+    surfaces[0].MoveTo(polyData);
+    return;
+  }
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(output);
+  blocks->SetNumberOfBlocks(number);
+  for (int i = 0; i < number; ++i)
+  {
+    vtkNew<vtkPolyData> block;
+    surfaces[i].MoveTo(block);
+    blocks->SetBlock(i, block);
+    std::ostringstream name;
+    name << "Isovalue " << this->GetValue(i);
+    blocks->GetMetaData(static_cast<unsigned int>(i))
+      ->Set(vtkCompositeDataSet::NAME(), name.str().c_str());
+  }
+}
+
+void vtkIsosurfacePoints::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ContourValues:\n";
+  this->ContourValues->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "PointSpacing: " << this->PointSpacing << "\n";
+  os << indent << "BlockPerIsovalue: " << (this->BlockPerIsovalue ? "On" : "Off") << "\n";
+  os << indent << "ArrayComponent: " << this->ArrayComponent << "\n";
 }
 
 VTK_ABI_NAMESPACE_END

@@ -31,14 +31,16 @@ inline bool IsAborted(vtkAlgorithm* self)
 /**
  * Runs functor(begin, end) over [0, count) like vtkSMPTools::For, in batches between
  * which the calling thread moves self's progress from `from` to `to` and looks whether
- * it is to stop. Returns false when it was stopped. Batches do not change what the
- * functor is called for, so results stay the same for any number of threads.
+ * it is to stop. A batch is large enough to give each thread several times `grain`. Returns
+ * false when it was stopped.
  */
 template <typename Functor>
-bool For(vtkAlgorithm* self, vtkIdType count, double from, double to, Functor& functor)
+bool For(
+  vtkAlgorithm* self, vtkIdType count, vtkIdType grain, double from, double to, Functor& functor)
 {
   const vtkIdType numberOfBatches = 16;
-  const vtkIdType batch = std::max<vtkIdType>((count + numberOfBatches - 1) / numberOfBatches, 64);
+  const vtkIdType batch = std::max<vtkIdType>((count + numberOfBatches - 1) / numberOfBatches,
+    4 * grain * vtkSMPTools::GetEstimatedNumberOfThreads());
   for (vtkIdType begin = 0; begin < count; begin += batch)
   {
     self->UpdateProgress(from + (to - from) * begin / count);
@@ -46,7 +48,7 @@ bool For(vtkAlgorithm* self, vtkIdType count, double from, double to, Functor& f
     {
       return false;
     }
-    vtkSMPTools::For(begin, std::min(begin + batch, count), functor);
+    vtkSMPTools::For(begin, std::min(begin + batch, count), grain, functor);
   }
   self->UpdateProgress(to);
   return !IsAborted(self);

@@ -141,7 +141,7 @@ bool vtkPointSplatNeighbors::Visit(
     }
   };
   return vtkPointSplatBatches::For(
-    self, static_cast<vtkIdType>(this->Leaves.size()), from, to, functor);
+    self, static_cast<vtkIdType>(this->Leaves.size()), 64, from, to, functor);
 }
 
 VTK_ABI_NAMESPACE_END

@@ -1,0 +1,241 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkIsosurfaceField.h
+ * @brief a volume's samples as vtkIsosurfacePoints works on them
+ *
+ * Internal. A *class* of a sample is the number of isovalues that it reaches, so two samples
+ * of different class have an isosurface between them, and the sweep over a volume is a
+ * comparison of bytes whatever the scalar type and the number of isovalues.
+ */
+#ifndef vtkIsosurfaceField_h
+#define vtkIsosurfaceField_h
+
+#include "vtkDataSetAttributes.h"
+#include "vtkPointSplattingABI.h"
+#include "vtkType.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+/// What does not depend on the scalars' type.
+struct vtkIsosurfaceGrid
+{
+  vtkIdType Dimensions[3];
+  vtkIdType Strides[3]; // of points, in samples
+  double Spacing[3];    // lengths of a cell's sides
+  double ToWorld[3][4]; // from indices counted from 0
+  double ToNormal[3][3]; // from a gradient in index space, not normalised
+  const unsigned char* PointGhosts = nullptr;
+  const unsigned char* CellGhosts = nullptr;
+
+  bool IsHidden(vtkIdType i, vtkIdType j, vtkIdType k) const
+  {
+    return this->PointGhosts &&
+      (this->PointGhosts[i + this->Dimensions[0] * (j + this->Dimensions[1] * k)] &
+        vtkDataSetAttributes::HIDDENPOINT);
+  }
+
+  /// A cell that is there and this process' own.
+  bool HasCell(vtkIdType i, vtkIdType j, vtkIdType k) const
+  {
+    const vtkIdType* n = this->Dimensions;
+    return i >= 0 && j >= 0 && k >= 0 && i < n[0] - 1 && j < n[1] - 1 && k < n[2] - 1 &&
+      !(this->CellGhosts &&
+        (this->CellGhosts[i + (n[0] - 1) * (j + (n[1] - 1) * k)] &
+          (vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL)));
+  }
+
+  void GetWorld(const double index[3], double x[3]) const
+  {
+    for (int r = 0; r < 3; ++r)
+    {
+      const double* m = this->ToWorld[r];
+      x[r] = m[0] * index[0] + m[1] * index[1] + m[2] * index[2] + m[3];
+    }
+  }
+
+  /// The unit normal; false if the gradient is zero.
+  bool GetNormal(const double gradient[3], double normal[3]) const
+  {
+    double squared = 0;
+    for (int r = 0; r < 3; ++r)
+    {
+      const double* m = this->ToNormal[r];
+      normal[r] = m[0] * gradient[0] + m[1] * gradient[1] + m[2] * gradient[2];
+      squared += normal[r] * normal[r];
+    }
+    if (!(squared > 0) || !std::isfinite(squared))
+    {
+      return false;
+    }
+    const double inverse = 1 / std::sqrt(squared);
+    normal[0] *= inverse;
+    normal[1] *= inverse;
+    normal[2] *= inverse;
+    return true;
+  }
+};
+
+template <typename T>
+class vtkIsosurfaceField
+{
+public:
+  using Class = std::uint8_t;
+  /// What fits into Class.
+  static constexpr int MaximumNumberOfIsovalues = 254;
+
+  /// values: the first point's component; isovalues: finite, ascending.
+  vtkIsosurfaceField(
+    const vtkIsosurfaceGrid& grid, const T* values, const std::vector<double>& isovalues)
+    : Grid(grid)
+    , Isovalues(isovalues)
+    , Values(values)
+    , ReachedByAll(0)
+  {
+    for (double isovalue : isovalues)
+    {
+      T threshold;
+      const int always = GetThreshold(isovalue, threshold);
+      this->ReachedByAll += always > 0;
+      if (always == 0)
+      {
+        this->Thresholds.push_back(threshold);
+      }
+    }
+  }
+
+  const vtkIsosurfaceGrid& Grid;
+  const std::vector<double> Isovalues;
+
+  const T* GetPointer(vtkIdType i, vtkIdType j, vtkIdType k) const
+  {
+    return this->Values + i * this->Grid.Strides[0] + j * this->Grid.Strides[1] +
+      k * this->Grid.Strides[2];
+  }
+  double Get(vtkIdType i, vtkIdType j, vtkIdType k) const
+  {
+    return static_cast<double>(*this->GetPointer(i, j, k));
+  }
+  /// Whether a surface may be looked for beside this sample.
+  bool IsUsable(vtkIdType i, vtkIdType j, vtkIdType k) const
+  {
+    return std::isfinite(this->Get(i, j, k)) && !this->Grid.IsHidden(i, j, k);
+  }
+
+  /// Bytes from one row of classes to the next: rows are padded with their last class.
+  vtkIdType GetClassStride() const { return (this->Grid.Dimensions[0] + 16) / 8 * 8; }
+
+  /// The classes of slice k.
+  void Classify(vtkIdType k, std::vector<Class>& classes, std::vector<T>& row) const
+  {
+    const vtkIdType* n = this->Grid.Dimensions;
+    const vtkIdType stride = this->GetClassStride();
+    classes.resize(stride * n[1]);
+    for (vtkIdType j = 0; j < n[1]; ++j)
+    {
+      const T* values = this->GetPointer(0, j, k);
+      if (this->Grid.Strides[0] != 1)
+      {
+        row.resize(n[0]);
+        for (vtkIdType i = 0; i < n[0]; ++i)
+        {
+          row[i] = values[i * this->Grid.Strides[0]];
+        }
+        values = row.data();
+      }
+      Class* out = classes.data() + stride * j;
+      std::memset(out, this->ReachedByAll, n[0]);
+      for (const T threshold : this->Thresholds)
+      {
+        for (vtkIdType i = 0; i < n[0]; ++i)
+        {
+          out[i] = static_cast<Class>(out[i] + (values[i] >= threshold));
+        }
+      }
+      std::memset(out + n[0], out[n[0] - 1], stride - n[0]);
+    }
+  }
+
+  /**
+   * The gradient in index space: central differences, one-sided where the volume ends or the
+   * next sample is not to be used, zero where both are not.
+   */
+  void GetGradient(const vtkIdType ijk[3], double gradient[3]) const
+  {
+    const T* s = this->GetPointer(ijk[0], ijk[1], ijk[2]);
+    for (int c = 0; c < 3; ++c)
+    {
+      const vtkIdType stride = this->Grid.Strides[c];
+      vtkIdType before = ijk[c] > 0, after = ijk[c] < this->Grid.Dimensions[c] - 1;
+      gradient[c] = before + after > 0
+        ? (static_cast<double>(s[after * stride]) - static_cast<double>(s[-before * stride])) /
+          static_cast<double>(before + after)
+        : 0.0;
+      if (this->Grid.PointGhosts || !std::isfinite(gradient[c]))
+      {
+        vtkIdType other[3] = { ijk[0], ijk[1], ijk[2] };
+        other[c] = ijk[c] - before;
+        before = before && this->IsUsable(other[0], other[1], other[2]);
+        other[c] = ijk[c] + after;
+        after = after && this->IsUsable(other[0], other[1], other[2]);
+        gradient[c] = before + after > 0
+          ? (static_cast<double>(s[after * stride]) - static_cast<double>(s[-before * stride])) /
+            static_cast<double>(before + after)
+          : 0.0;
+      }
+    }
+  }
+
+private:
+  /// The least T that is not less than the isovalue, if some are (0); 1 if all are, -1 if none.
+  static int GetThreshold(double isovalue, T& threshold)
+  {
+    if constexpr (std::is_same<T, double>::value)
+    {
+      threshold = isovalue;
+    }
+    else if constexpr (std::is_floating_point<T>::value)
+    {
+      if (std::abs(isovalue) > std::numeric_limits<T>::max())
+      {
+        return isovalue > 0 ? -1 : 1;
+      }
+      threshold = static_cast<T>(isovalue);
+      if (static_cast<double>(threshold) < isovalue)
+      {
+        threshold = std::nextafter(threshold, std::numeric_limits<T>::max());
+      }
+    }
+    else
+    {
+      const double least = std::ceil(isovalue);
+      if (least <= static_cast<double>(std::numeric_limits<T>::lowest()))
+      {
+        return 1;
+      }
+      // The maximum of a 64 bit type is rounded up to a power of 2, out of its range.
+      if (least > static_cast<double>(std::numeric_limits<T>::max()) ||
+        least >= std::ldexp(1.0, std::numeric_limits<T>::digits))
+      {
+        return -1;
+      }
+      threshold = static_cast<T>(least);
+    }
+    return 0;
+  }
+
+  const T* Values;
+  std::vector<T> Thresholds;
+  int ReachedByAll;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
