@@ -27,6 +27,10 @@ constexpr float WidestAngleCosine = -0.8660254f;
 constexpr float Margin = 1.02f;
 /// The disk of a point for which neighbours give a distance only: half a square's diagonal.
 constexpr float RadiusPerDistance = 0.70710678f;
+/// The neighbour whose distance tells the spacing.
+constexpr int SpacingRank = 6;
+/// How far a disk on a border may reach, of the distance to the farthest of its nearby neighbours.
+constexpr float BorderReach = 0.7f;
 /// The longest ellipse, axis to axis.
 constexpr float LargestAspect = 8.0f;
 }
@@ -243,7 +247,7 @@ void vtkPointSplatDisk::ClipByHull()
   }
 }
 
-float vtkPointSplatDisk::FarthestVertex() const
+float vtkPointSplatDisk::FarthestVertex(float limit) const
 {
   float farthest = 0;
   for (int j = 0; j < this->Size; ++j)
@@ -252,7 +256,7 @@ float vtkPointSplatDisk::FarthestVertex() const
     const int a = this->Cell[j > 0 ? j - 1 : this->Size - 1].Edge;
     const int b = vertex.Edge;
     const float squared = vertex.X * vertex.X + vertex.Y * vertex.Y;
-    if (a == Frame || b == Frame || squared <= farthest)
+    if (a == Frame || b == Frame || squared <= farthest || squared > limit * limit)
     {
       continue;
     }
@@ -272,7 +276,7 @@ float vtkPointSplatDisk::FarthestVertex() const
 }
 
 bool vtkPointSplatDisk::Estimate(const vtkPointSplatNeighbors::Neighborhood& around,
-  const float* normals, bool elliptical, int nearby, bool last)
+  const float* normals, bool elliptical, int nearby, bool last, float limit)
 {
   this->Project(around, normals);
   if (elliptical)
@@ -287,6 +291,7 @@ bool vtkPointSplatDisk::Estimate(const vtkPointSplatNeighbors::Neighborhood& aro
     this->Reach = std::max(this->Reach, squared);
     nearest = std::min(nearest, squared);
     borderReach = i < nearby ? this->Reach : borderReach;
+    this->Spacing = i < SpacingRank ? std::sqrt(squared) : this->Spacing;
   }
   this->Reach = std::sqrt(this->Reach);
   const bool closed = this->Count > 2 && this->ClipByBisectors();
@@ -300,9 +305,9 @@ bool vtkPointSplatDisk::Estimate(const vtkPointSplatNeighbors::Neighborhood& aro
     if (!closed)
     {
       this->ClipByHull();
-      this->Reach = std::sqrt(borderReach);
+      this->Reach = BorderReach * std::sqrt(borderReach);
     }
-    radius = std::min(Margin * this->FarthestVertex(), this->Reach);
+    radius = std::min(Margin * this->FarthestVertex(limit * this->Spacing), this->Reach);
   }
   if (radius <= 0)
   {

@@ -28,10 +28,15 @@ public:
    * Finds the disk of the neighbourhood's centre. normals: 3 floats a slot, unit length.
    * Returns false when more neighbours are needed to know it; with `last` the answer
    * stands, whatever they are. A disk on a border reaches no farther than the `nearby`
-   * nearest of them. Lengths are 0 if there is no neighbour at all.
+   * nearest of them. Vertices of the cell farther than `limit` times the spacing are left
+   * out: there is a hole. Lengths are 0 if there is no neighbour at all.
    */
   bool Estimate(const vtkPointSplatNeighbors::Neighborhood& around, const float* normals,
-    bool elliptical, int nearby, bool last);
+    bool elliptical, int nearby, bool last, float limit);
+
+  /// The distance to the sixth neighbour, or the last if there are fewer, in the plane where
+  /// the disk is round.
+  float Spacing = 0;
 
 private:
   static constexpr int MaximumNumberOfVertices =
@@ -52,7 +57,7 @@ private:
   void Clip(float nx, float ny, float offset, int edge);
   bool ClipByBisectors();
   void ClipByHull();
-  float FarthestVertex() const;
+  float FarthestVertex(float limit) const;
 
   float Scale1, Scale2; // world units of the plane's two coordinates
   int Count;            // neighbours in use

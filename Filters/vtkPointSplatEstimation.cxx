@@ -34,6 +34,13 @@ constexpr float LoneRadius = 0.1f;
 constexpr float LargestRatio = 4.0f;
 /// Floats hold no more, and nothing real is farther out.
 constexpr double LargestCoordinate = 1e37;
+/// Where samplings are as regular as meshes' (the 95th percentile of the disks' sizes, in
+/// spacings, is below RegularSpread medians), a disk of more than HoleFactor such percentiles
+/// reaches over a hole; where they are random (IrregularSpread medians), over a gap to be closed.
+constexpr float RegularSpread = 1.25f;
+constexpr float IrregularSpread = 1.45f;
+constexpr float HoleFactor = 1.3f;
+constexpr float GapFactor = 3.0f;
 /// The neighbours, by rank, that bound a disk.
 constexpr int NumberOfWitnesses = 4;
 
@@ -103,10 +110,40 @@ struct Disks
 {
   explicit Disks(Slot slots, bool elliptical)
     : Length(slots, 0.0f)
+    , Size(slots, 0.0f)
     , Witnesses(std::size_t(NumberOfWitnesses) * slots, vtkPointSplatNeighbors::None)
     , Axes(elliptical ? std::size_t(6) * slots : 0)
     , Planes(elliptical ? 0 : std::size_t(3) * slots)
   {
+  }
+
+  /**
+   * The size, in spacings, past which a disk reaches over a hole in the surface.
+   */
+  float GetHoleLimit() const
+  {
+    std::vector<float> sizes;
+    sizes.reserve(this->Size.size());
+    for (const float size : this->Size)
+    {
+      if (size > 0 && std::isfinite(size))
+      {
+        sizes.push_back(size);
+      }
+    }
+    if (sizes.size() < 100)
+    {
+      return std::numeric_limits<float>::max();
+    }
+    auto quantile = [&sizes](double q) {
+      auto at = sizes.begin() + static_cast<std::ptrdiff_t>(q * (sizes.size() - 1));
+      std::nth_element(sizes.begin(), at, sizes.end());
+      return *at;
+    };
+    const float usual = quantile(0.5), large = quantile(0.95);
+    const float t = std::clamp(
+      (large / usual - RegularSpread) / (IrregularSpread - RegularSpread), 0.0f, 1.0f);
+    return large * (HoleFactor + t * (GapFactor - HoleFactor));
   }
 
   /// At most LargestRatio times the second smallest of some neighbours' lengths.
@@ -127,6 +164,7 @@ struct Disks
   }
 
   std::vector<float> Length; // of the longer axis
+  std::vector<float> Size;   // in spacings
   std::vector<Slot> Witnesses;
   std::vector<float> Axes; // both, unless circular
   std::vector<float> Planes; // their normals, if circular
@@ -248,14 +286,17 @@ int vtkPointSplatEstimation::RequestData(
 
     // 4. Disks
     Disks disks(slots, elliptical);
+    float limit = std::numeric_limits<float>::max();
     auto measure = [&](const vtkPointSplatNeighbors::Neighborhood& around, bool last) {
       vtkPointSplatDisk disk;
-      if (!disk.Estimate(around, slotNormals.data(), elliptical, this->NumberOfNeighbors, last))
+      if (!disk.Estimate(
+            around, slotNormals.data(), elliptical, this->NumberOfNeighbors, last, limit))
       {
         return false;
       }
       const Slot s = around.Center;
       disks.Length[s] = disk.Length1 > 0 ? disk.Length1 : LoneRadius;
+      disks.Size[s] = disk.Spacing > 0 ? std::sqrt(disk.Length1 * disk.Length2) / disk.Spacing : 0;
       for (int w = 0; w < NumberOfWitnesses && around.Count >= NumberOfWitnesses; ++w)
       {
         disks.Witnesses[std::size_t(NumberOfWitnesses) * s + w] =
@@ -276,7 +317,14 @@ int vtkPointSplatEstimation::RequestData(
       }
       return true;
     };
-    if (!neighbors.Visit(this, missing ? 0.5 : 0.1, 0.9, this->NumberOfNeighbors, measure))
+    if (!neighbors.Visit(this, missing ? 0.5 : 0.1, 0.8, this->NumberOfNeighbors, measure))
+    {
+      return 1;
+    }
+    limit = disks.GetHoleLimit();
+    const std::vector<float> firstSizes = disks.Size;
+    if (!neighbors.Visit(this, 0.8, 0.9, this->NumberOfNeighbors, measure,
+          [&](Slot s) { return firstSizes[s] > limit; }))
     {
       return 1;
     }

@@ -44,6 +44,9 @@
  *    the plane scaled along the principal axes of the neighbours' covariance (Confetti,
  *    section 4.2, equation 3) until it is round there; where Confetti scales the ellipse to
  *    bound the neighbours, here it bounds the cell.
+ *    Where the whole cloud is as regular as a mesh's vertices are, vertices much farther than
+ *    usual are left out: there is a hole in the surface. In random samplings such are gaps to
+ *    be closed.
  * 5. *Bound.* No disk is larger than the distance to the farthest neighbour looked at, nor than four
  *    times those of its neighbours, which keeps outliers small. With no neighbour at all, for a
  *    lone point, the radius is 0.1.

@@ -68,13 +68,19 @@ public:
   void GetPosition(Slot slot, double x[3]) const;
 
   /**
-   * Calls visit(neighborhood, last) for each slot with its k nearest neighbours, slots in
+   * Calls visit(neighborhood, last) for each slot that is wanted(slot) with its k nearest neighbours, slots in
    * parallel. Where it returns false and `last` is false, it is called once more, with
    * four times as many neighbours and `last` true. Moves self's progress from `from` to
    * `to`; returns false if aborted.
    */
+  template <typename Visitor, typename Predicate>
+  bool Visit(vtkAlgorithm* self, double from, double to, int k, const Visitor& visit,
+    const Predicate& wanted) const;
   template <typename Visitor>
-  bool Visit(vtkAlgorithm* self, double from, double to, int k, const Visitor& visit) const;
+  bool Visit(vtkAlgorithm* self, double from, double to, int k, const Visitor& visit) const
+  {
+    return this->Visit(self, from, to, k, visit, [](Slot) { return true; });
+  }
 
 private:
   struct Node
@@ -113,9 +119,9 @@ private:
   std::vector<Slot> SlotOfPoint;
 };
 
-template <typename Visitor>
-bool vtkPointSplatNeighbors::Visit(
-  vtkAlgorithm* self, double from, double to, int k, const Visitor& visit) const
+template <typename Visitor, typename Predicate>
+bool vtkPointSplatNeighbors::Visit(vtkAlgorithm* self, double from, double to, int k,
+  const Visitor& visit, const Predicate& wanted) const
 {
   vtkSMPThreadLocal<Scratch> scratches;
   const int more = std::min(4 * k, MaximumNumberOfNeighbors);
@@ -124,7 +130,11 @@ bool vtkPointSplatNeighbors::Visit(
     for (vtkIdType leaf = begin; leaf < end; ++leaf)
     {
       const std::uint32_t leafId = static_cast<std::uint32_t>(leaf);
-      unsigned int lanes = (1u << this->Leaves[leaf].Count) - 1;
+      unsigned int lanes = 0;
+      for (int lane = 0; lane < this->Leaves[leaf].Count; ++lane)
+      {
+        lanes |= wanted(leafId * LeafSize + lane) ? 1u << lane : 0u;
+      }
       for (int round = 0; round < 2 && lanes; ++round)
       {
         const int count = round ? more : k;
