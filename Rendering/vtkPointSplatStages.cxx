@@ -11,8 +11,12 @@
 
 namespace
 {
-// The least radius, in pixels, of a disk's image in the visibility pass: at half
-// a pixel's diagonal a disk wherever it lies meets a pixel's centre.
+// How far disks reach in the visibility pass, in radii. Disks that cover their
+// neighbours' Voronoi cells in the tangent plane leave cracks where the surface
+// bends and is seen at a flat angle.
+constexpr float DiskReach = 1.15f;
+// The least radius, in pixels, of a disk's image in the visibility pass. Disks
+// cover the surface together; widening each to a pixel would widen silhouettes.
 constexpr float CoverageRadius = 0.35f;
 // The prefilter's radius, in pixels, in the accumulation pass (Guennebaud,
 // section 4.1: the square root of two).
@@ -181,6 +185,7 @@ bool vtkPointSplatStages::ReconstructByCompute(vtkOpenGLRenderWindow* window,
   for (const vtkPointSplatItem& item : items)
   {
     this->SetItem(*program, view, item, images.GetSize());
+    program->Set("DiskReach", DiskReach);
     program->Set("CoverageRadius", CoverageRadius);
     this->Dispatch(*program, item, item.Cloud->Upload(window), true);
   }
@@ -289,7 +294,8 @@ bool vtkPointSplatStages::ReconstructByQuads(vtkOpenGLRenderWindow* window,
   for (const vtkPointSplatItem& item : items)
   {
     this->SetItem(*program, view, item, images.GetSize());
-    program->Set("Reach", 1.0f);
+    program->Set("Reach", DiskReach);
+    program->Set("DiskReach", DiskReach);
     program->Set("MinimumRadius", CoverageRadius);
     this->DrawQuads(item, item.Cloud->Upload(window), 0);
   }

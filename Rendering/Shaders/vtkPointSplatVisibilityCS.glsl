@@ -11,13 +11,14 @@
 
 layout(std430, binding = 0) buffer Depths { uint depths[]; };
 
+uniform float DiskReach;      // radii that are drawn
 uniform float CoverageRadius; // pixels: below, a disk might miss every pixel
 
 void drawPixel(Splat q, uint index, ivec2 pixel)
 {
   float r2;
   float depth;
-  if (intersect(q, vec2(pixel) + 0.5, 1.0, r2, depth))
+  if (intersect(q, vec2(pixel) + 0.5, DiskReach, r2, depth))
   {
     atomicMin(depths[pixelIndex(pixel)], encodeDepth(depth, q.tag));
   }
@@ -25,5 +26,5 @@ void drawPixel(Splat q, uint index, ivec2 pixel)
 
 void main()
 {
-  drawSplats(1.0, CoverageRadius);
+  drawSplats(DiskReach, CoverageRadius);
 }

@@ -7,6 +7,8 @@
 
 #include "vtkPointSplatQuadFS"
 
+uniform float DiskReach;
+
 layout(location = 0) out uint nearestDepth;
 
 void main()
@@ -14,7 +16,7 @@ void main()
   Splat q = fragmentSplat();
   float r2;
   float depth;
-  if (!intersect(q, gl_FragCoord.xy, 1.0, r2, depth))
+  if (!intersect(q, gl_FragCoord.xy, DiskReach, r2, depth))
   {
     discard;
   }
