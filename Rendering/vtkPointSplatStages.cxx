@@ -17,7 +17,7 @@ namespace
 constexpr float DiskReach = 1.15f;
 // The least radius, in pixels, of a disk's image in the visibility pass. Disks
 // cover the surface together; widening each to a pixel would widen silhouettes.
-constexpr float CoverageRadius = 0.35f;
+constexpr float CoverageRadius = 0.1f;
 // The prefilter's radius, in pixels, in the accumulation pass (Guennebaud,
 // section 4.1: the square root of two).
 constexpr float PrefilterRadius = 1.414f;
