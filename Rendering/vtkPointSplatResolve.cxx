@@ -207,6 +207,7 @@ bool vtkPointSplatResolve::Present(vtkRenderer* renderer, vtkActor* actor,
   program->SetUniformi("Slot", item.Slot);
   program->SetUniformf("DepthUnit", depthUnit);
   program->SetUniformf("NearDistance", static_cast<float>(view.Near));
+  program->SetUniformi("Parallel", view.Parallel ? 1 : 0);
   program->SetUniform4f("PixelX", &view.PixelX.x);
   program->SetUniform4f("PixelY", &view.PixelY.x);
   program->SetUniform4f("PixelW", &view.PixelW.x);

@@ -44,7 +44,7 @@ struct Splat
   float w;      // of the centre
   float depth;  // of the centre: distance from the near plane along the view axis
   vec2 slope;   // depth along s and t
-  vec3 normal;  // view coordinates, unit length, towards the viewer
+  vec3 normal;  // view coordinates, unit length
   float facing; // distance along the normal for a step of 1 in depth along the ray
   float layer;  // least layer distance, world units
   uint tag;     // slot and side
@@ -142,8 +142,7 @@ bool project(vec3 positionMC, uvec2 normals, vec3 axis1MC, vec3 axis2MC, float r
   q.depth = -p.z - DepthRange.x;
   q.w = dot(PixelW, p);
 
-  // Which side is seen, and the normal towards the viewer, as VTK's fragment
-  // shaders turn the normals of back faces.
+  // Which side is seen.
   float towards = Parallel ? n.z : -dot(n, p.xyz);
   bool back = towards < 0.0;
   if ((back && (Culling & 1) != 0) || (!back && (Culling & 2) != 0))
@@ -151,8 +150,7 @@ bool project(vec3 positionMC, uvec2 normals, vec3 axis1MC, vec3 axis2MC, float r
     return false;
   }
   q.tag = Tag | (back ? 1u : 0u);
-  vec3 normal = normals.x == normals.y ? n : normalize(NormalMatrix * decodeNormal(normals.y));
-  q.normal = back ? -normal : normal;
+  q.normal = normals.x == normals.y ? n : normalize(NormalMatrix * decodeNormal(normals.y));
   q.facing = Parallel ? abs(n.z) : abs(dot(n, p.xyz)) / max(abs(p.z), 1e-30);
 
   if (Circular)

@@ -27,6 +27,7 @@ uniform vec4 PixelY;
 uniform vec4 PixelW;
 uniform vec4 PixelZ;         // view coordinates to z w, as OpenGL clips it
 
+uniform bool Parallel;
 uniform bool HasColours;
 uniform float Opacity[2];    // of front and of back faces
 uniform vec3 Ambient[2];     // intensity times colour; the intensity alone with HasColours
@@ -39,6 +40,8 @@ uniform int SelectionShift;
 // The coded depth's low bits, as in vtkPointSplatProjection.
 const uint TagMask = 127u;
 const uint NoDepth = 0xffffffffu;
+// The mean of unit normals that stand 53 degrees off it: any crease keeps its light.
+const float FullAgreement = 0.6;
 
 void main()
 {
@@ -78,16 +81,23 @@ void main()
   id >>= uint(SelectionShift);
   gl_FragData[0] = vec4(uvec4(id, id >> 8, id >> 16, 255u) & 255u) / 255.0;
 #else
+  // The mean normal, turned to the viewer as VTK turns the normals of back faces.
+  // Its length tells whether the splats agree: where a patch of normals that point
+  // outward meets one that points inward they cancel, and a mesh of these points
+  // is dark.
   float l = length(normalVC);
+  float agreement = clamp(l / FullAgreement, 0.0, 1.0);
   normalVC = l > 0.0 ? normalVC / l : vec3(0.0, 0.0, 1.0);
-  int side = int(code & 1u);
+  bool back = Parallel ? normalVC.z < 0.0 : dot(normalVC, positionVC.xyz) > 0.0;
+  normalVC = back ? -normalVC : normalVC;
+  int side = back ? 1 : 0;
   Material m = Material(Ambient[side], Diffuse[side], Specular[side], SpecularPower[side]);
   if (HasColours)
   {
     m.ambient *= colour;
     m.diffuse *= colour;
   }
-  gl_FragData[0] = vec4(shade(m, positionVC.xyz, normalVC), Opacity[side]);
+  gl_FragData[0] = vec4(agreement * shade(m, positionVC.xyz, normalVC), Opacity[side]);
   //PointSplat::GeometryBuffer
 #endif
 
