@@ -18,9 +18,10 @@ constexpr float DiskReach = 1.15f;
 // The least radius, in pixels, of a disk's image in the visibility pass. Disks
 // cover the surface together; widening each to a pixel would widen silhouettes.
 constexpr float CoverageRadius = 0.1f;
-// The prefilter's radius, in pixels, in the accumulation pass (Guennebaud,
-// section 4.1: the square root of two).
-constexpr float PrefilterRadius = 1.414f;
+// The prefilter's radius, in pixels, in the accumulation pass. Guennebaud, section
+// 4.1, has the square root of two; the Gaussian of sigma 0.6 is then as wide as a
+// pixel is, which blurs more than the pixels of a supersampled picture do.
+constexpr float PrefilterRadius = 0.8f;
 
 constexpr GLuint GroupSize = 64;      // as in vtkPointSplatSplatsCS.glsl
 constexpr GLuint MostGroups = 32768;  // in one dimension; OpenGL promises 65535

@@ -19,26 +19,15 @@ uniform usamplerBuffer Depths; // R32UI
 uniform float PrefilterRadius; // pixels
 uniform bool HasColours;
 
-void drawPixel(Splat q, uint index, ivec2 pixel)
+void add(Splat q, uint index, int at, float r2, float behind)
 {
-  int at = pixelIndex(pixel);
-  uint nearest = texelFetch(Depths, at).r;
-  float r2;
-  float depth;
-  if (((nearest ^ q.tag) & TagMask) > 1u ||
-    !intersect(q, vec2(pixel) + 0.5, KernelSupport, r2, depth) || !sameLayer(q, depth, nearest))
-  {
-    return;
-  }
-  float weight = WeightScale * kernelWeight(r2, KernelSupport);
-  weight = max(floor(weight + 0.5), 1.0);
-  at *= 8;
   if (sums[at] > WeightLimit)
   {
     return; // so many splats share this pixel that no further one can be seen
   }
+  float weight = max(floor(WeightScale * kernelWeight(r2, KernelSupport) + 0.5), 1.0);
   ivec3 n = ivec3(round(weight * q.normal));
-  float behind = clamp((depth - decodeDepth(nearest)) / DepthUnit, -1.0, 1.0);
+  behind = clamp(behind / DepthUnit, -1.0, 1.0);
   atomicAdd(sums[at], int(weight));
   atomicAdd(sums[at + 1], n.x);
   atomicAdd(sums[at + 2], n.y);
@@ -50,6 +39,22 @@ void drawPixel(Splat q, uint index, ivec2 pixel)
     atomicAdd(sums[at + 5], colour.r);
     atomicAdd(sums[at + 6], colour.g);
     atomicAdd(sums[at + 7], colour.b);
+  }
+}
+
+void drawPixel(Splat q, uint index, ivec2 pixel)
+{
+  int at = pixelIndex(pixel);
+  uint nearest = texelFetch(Depths, at).r;
+  if (((nearest ^ q.tag) & TagMask) > 1u)
+  {
+    return;
+  }
+  float r2;
+  float depth;
+  if (intersect(q, vec2(pixel) + 0.5, KernelSupport, r2, depth) && sameLayer(q, depth, nearest))
+  {
+    add(q, index, 8 * at, r2, depth - decodeDepth(nearest));
   }
 }
 

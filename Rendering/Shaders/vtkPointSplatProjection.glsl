@@ -36,6 +36,10 @@ const uint TagBits = 7u;
 const uint TagMask = 127u;
 const uint NoDepth = 0xffffffffu;
 
+// Splats seen at a flatter angle than this count as seen at this one when depths
+// along the ray are turned to distances along the normal.
+const float LeastFacing = 0.2;
+
 struct Splat
 {
   vec2 centre;  // pixels
@@ -257,5 +261,5 @@ bool sameLayer(Splat q, float depth, uint nearest)
 {
   uint different = (nearest ^ q.tag) & TagMask;
   return (different == 0u || (different == 1u && q.facing > 0.35)) &&
-    abs(depth - decodeDepth(nearest)) * max(q.facing, 0.2) <= q.layer;
+    abs(depth - decodeDepth(nearest)) * max(q.facing, LeastFacing) <= q.layer;
 }
