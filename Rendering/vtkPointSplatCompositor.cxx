@@ -88,11 +88,13 @@ bool vtkPointSplatCompositor::Build(vtkRenderer* renderer, const vtkPointSplatVi
   std::vector<vtkMTimeType> times;
   int slot = 0;
   double layer = 0.0;
+  bool colours = false;
   for (Entry& entry : entries)
   {
     entry.Item.Slot = slot++;
     entry.Mapper->FillItem(entry.Actor, view, entry.Item);
     layer = std::max(layer, entry.Item.LargestLayer);
+    colours = colours || entry.Item.Cloud->HasColours();
     items.push_back(entry.Item);
     times.push_back(entry.Item.Cloud->GetMTime());
   }
@@ -105,7 +107,7 @@ bool vtkPointSplatCompositor::Build(vtkRenderer* renderer, const vtkPointSplatVi
 
   this->Built = false;
   this->IdentifiedKind = -1;
-  this->Images.Allocate(compute, view.Size);
+  this->Images.Allocate(compute, view.Size, colours);
   if (compute)
   {
     // Only the rows that something can cover are emptied, and read.

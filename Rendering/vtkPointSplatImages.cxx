@@ -13,7 +13,7 @@ namespace
 {
 // Bytes a pixel, compute.
 constexpr GLsizeiptr DepthBytes = 4;
-constexpr GLsizeiptr SumBytes = 32;
+constexpr GLsizeiptr LargestSumBytes = 32;
 constexpr GLsizeiptr IdBytes = 8;
 
 void MakeTexture(GLuint& texture, const glm::ivec2& size, GLenum internal, GLenum format, GLenum type)
@@ -61,24 +61,26 @@ bool vtkPointSplatImages::FitCompute(const glm::ivec2& size)
   glGetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &block);
   glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
   const GLint64 pixels = static_cast<GLint64>(size.x) * size.y;
-  return pixels * SumBytes <= block && pixels * 2 <= texels;
+  return pixels * LargestSumBytes <= block && pixels * 2 <= texels;
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatImages::Allocate(bool compute, const glm::ivec2& size)
+void vtkPointSplatImages::Allocate(bool compute, const glm::ivec2& size, bool colours)
 {
-  if (this->Depths && this->Compute == compute && this->Size == size)
+  if (this->Depths && this->Compute == compute && this->Size == size &&
+    (this->Colours == colours || !compute))
   {
     return;
   }
   this->Release();
   this->Compute = compute;
+  this->Colours = colours;
   this->Size = size;
   if (compute)
   {
     const GLsizeiptr pixels = static_cast<GLsizeiptr>(size.x) * size.y;
     MakeBuffer(this->Depths, this->BufferTextures[0], DepthBytes * pixels, GL_R32UI);
-    MakeBuffer(this->Sums[0], this->BufferTextures[1], SumBytes * pixels, GL_RGBA32I);
+    MakeBuffer(this->Sums[0], this->BufferTextures[1], 4 * this->GetSumStride() * pixels, GL_RGBA32I);
     return;
   }
   MakeTexture(this->Depths, size, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT);
@@ -98,7 +100,7 @@ void vtkPointSplatImages::ClearBuffers(const glm::ivec4& window)
   ClearRows(this->Depths, DepthBytes, this->Size.x, window, GL_R32UI, GL_RED_INTEGER,
     GL_UNSIGNED_INT, &none);
   ClearRows(
-    this->Sums[0], SumBytes, this->Size.x, window, GL_RGBA32I, GL_RGBA_INTEGER, GL_INT, zero);
+    this->Sums[0], 4 * this->GetSumStride(), this->Size.x, window, GL_RGBA32I, GL_RGBA_INTEGER, GL_INT, zero);
 }
 
 //------------------------------------------------------------------------------
@@ -119,7 +121,7 @@ vtkIdType vtkPointSplatImages::GetMemorySize() const
 {
   const vtkIdType pixels = static_cast<vtkIdType>(this->Size.x) * this->Size.y;
   const vtkIdType ids = this->Ids ? IdBytes : 0;
-  return this->Compute ? pixels * (DepthBytes + SumBytes + ids) : pixels * (4 + 32 + 4 + 4);
+  return this->Compute ? pixels * (DepthBytes + 4 * this->GetSumStride() + ids) : pixels * (4 + 32 + 4 + 4);
 }
 
 //------------------------------------------------------------------------------
@@ -138,6 +140,7 @@ void vtkPointSplatImages::Bind(
   {
     bind(1, this->BufferTextures[1], "Sums");
     program->SetUniformi("ImageWidth", this->Size.x);
+    program->SetUniformi("TexelsPerPixel", this->GetSumStride() / 4);
   }
   else
   {

@@ -4,7 +4,7 @@
 //   depths  the nearest disk's coded depth, a uint a pixel (vtkPointSplatProjection.glsl)
 //   sums    of weights, and of weighted normals, depths and colours
 //   ids     the splat of the greatest weight, made for hardware selection only
-// Compute shaders write buffers (uint; 8 ints; 2 uints a pixel), which the
+// Compute shaders write buffers (uint; 4 ints, or 8 with colours; 2 uints a pixel), which the
 // resolve stage reads as buffer textures. Quads write textures (R32UI; two
 // RGBA32F; R32UI) through a framebuffer object.
 #ifndef vtkPointSplatImages_h
@@ -39,7 +39,7 @@ public:
   /**
    * Makes the images of this size and kind, or keeps them if they are.
    */
-  void Allocate(bool compute, const glm::ivec2& size);
+  void Allocate(bool compute, const glm::ivec2& size, bool colours);
 
   /**
    * Empties the rows of a rectangle (first x, y, last x, y).
@@ -49,6 +49,7 @@ public:
 
   bool IsCompute() const { return this->Compute; }
   const glm::ivec2& GetSize() const { return this->Size; }
+  int GetSumStride() const { return this->Colours ? 8 : 4; } // ints a pixel, compute
   vtkIdType GetMemorySize() const; // bytes
 
   ///@{
@@ -74,6 +75,7 @@ public:
 
 private:
   bool Compute = false;
+  bool Colours = false;
   glm::ivec2 Size{ 0, 0 };
   GLuint Depths = 0;
   GLuint Sums[2] = { 0, 0 };

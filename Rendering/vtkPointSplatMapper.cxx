@@ -182,7 +182,11 @@ void vtkPointSplatMapper::FillItem(
   stretch = std::sqrt(stretch);
   const double largest = stretch * this->RadiusScale * cloud.GetMaximumRadius();
   item.LayerDistance = this->LayerDistance > 0.0 ? this->LayerDistance : -LayerFraction;
-  item.LargestLayer = this->LayerDistance > 0.0 ? this->LayerDistance : LayerFraction * largest;
+  // The unit of depths in the sums; a few splats that are much larger than the
+  // others must not coarsen it for all.
+  const double common =
+    std::min(largest, 4.0 * stretch * this->RadiusScale * cloud.GetMedianRadius());
+  item.LargestLayer = this->LayerDistance > 0.0 ? this->LayerDistance : LayerFraction * common;
   item.KernelType = this->Kernel;
   item.KernelShape = this->Kernel == GAUSSIAN
     ? glm::vec2(0.5 / (this->KernelSigma * this->KernelSigma), 0.0)

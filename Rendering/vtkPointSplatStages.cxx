@@ -204,6 +204,7 @@ bool vtkPointSplatStages::ReconstructByCompute(vtkOpenGLRenderWindow* window,
     this->SetItem(*program, view, item, images.GetSize());
     program->Set("PrefilterRadius", PrefilterRadius);
     program->Set("DepthUnit", depthUnit);
+    program->Set("SumStride", images.GetSumStride());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, buffers.Colours);
     this->Dispatch(*program, item, buffers, true);
   }

@@ -5,8 +5,8 @@
 // Attribute accumulation, by compute: weighted normals, depths and colours of
 // all splats in each pixel's nearest layer. Sums are of integers, so that they
 // are the same in whatever order the splats come.
-// Reads: Depths. Writes: Sums, eight ints a pixel: weight, normal x, y, z,
-// depth behind the nearest, red, green, blue; each times the weight.
+// Reads: Depths. Writes: Sums, four ints a pixel or eight with colours: see
+// vtkPointSplatFixedPoint.
 
 #include "vtkPointSplatSplatsCS"
 #include "vtkPointSplatKernel"
@@ -18,6 +18,7 @@ layout(std430, binding = 2) readonly buffer Colours { uint colours[]; };
 uniform usamplerBuffer Depths; // R32UI
 uniform float PrefilterRadius; // pixels
 uniform bool HasColours;
+uniform int SumStride;         // ints a pixel
 
 void add(Splat q, uint index, int at, float r2, float behind)
 {
@@ -27,18 +28,15 @@ void add(Splat q, uint index, int at, float r2, float behind)
   }
   float weight = max(floor(WeightScale * kernelWeight(r2, KernelSupport) + 0.5), 1.0);
   ivec3 n = ivec3(round(weight * q.normal));
-  behind = clamp(behind / DepthUnit, -1.0, 1.0);
+  int depth = int(round(weight * clamp(behind / DepthUnit, -1.0, 1.0)));
   atomicAdd(sums[at], int(weight));
-  atomicAdd(sums[at + 1], n.x);
-  atomicAdd(sums[at + 2], n.y);
-  atomicAdd(sums[at + 3], n.z);
-  atomicAdd(sums[at + 4], int(round(DepthScale * weight * behind)));
+  atomicAdd(sums[at + 1], packSums(n.x, n.y));
+  atomicAdd(sums[at + 2], packSums(n.z, depth));
   if (HasColours)
   {
     ivec3 colour = ivec3(round(weight * unpackUnorm4x8(colours[index]).rgb));
-    atomicAdd(sums[at + 5], colour.r);
-    atomicAdd(sums[at + 6], colour.g);
-    atomicAdd(sums[at + 7], colour.b);
+    atomicAdd(sums[at + 3], packSums(colour.r, colour.g));
+    atomicAdd(sums[at + 4], colour.b);
   }
 }
 
@@ -54,7 +52,7 @@ void drawPixel(Splat q, uint index, ivec2 pixel)
   float depth;
   if (intersect(q, vec2(pixel) + 0.5, KernelSupport, r2, depth) && sameLayer(q, depth, nearest))
   {
-    add(q, index, 8 * at, r2, depth - decodeDepth(nearest));
+    add(q, index, SumStride * at, r2, depth - decodeDepth(nearest));
   }
 }
 

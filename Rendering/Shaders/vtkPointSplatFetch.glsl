@@ -9,9 +9,10 @@
 #include "vtkPointSplatFixedPoint"
 
 uniform usamplerBuffer Depths; // R32UI, one a pixel
-uniform isamplerBuffer Sums;   // RGBA32I, two a pixel
+uniform isamplerBuffer Sums;   // RGBA32I, see vtkPointSplatFixedPoint
 uniform usamplerBuffer Ids;    // RG32UI, one a pixel
 uniform int ImageWidth;
+uniform int TexelsPerPixel;    // of Sums: 1, or 2 with colours
 
 uint fetchDepth(ivec2 pixel)
 {
@@ -23,17 +24,23 @@ uint fetchId(ivec2 pixel)
   return texelFetch(Ids, pixel.y * ImageWidth + pixel.x).g;
 }
 
-// False: nothing was accumulated here.
+// False: nothing was accumulated here, or more than can be told.
 bool fetchSums(ivec2 pixel, out vec3 normal, out float behind, out vec3 colour)
 {
-  int at = 2 * (pixel.y * ImageWidth + pixel.x);
+  int at = (pixel.y * ImageWidth + pixel.x) * TexelsPerPixel;
   ivec4 a = texelFetch(Sums, at);
-  ivec4 b = texelFetch(Sums, at + 1);
   float w = float(a.x);
-  normal = vec3(a.yzw) / w;
-  behind = DepthUnit / DepthScale * float(b.x) / w;
-  colour = vec3(b.yzw) / w;
-  return a.x > 0;
+  ivec2 nxy = unpackSums(a.y);
+  ivec2 nzDepth = unpackSums(a.z);
+  normal = vec3(nxy, nzDepth.x) / w;
+  behind = DepthUnit * float(nzDepth.y) / w;
+  colour = vec3(1.0);
+  if (TexelsPerPixel > 1)
+  {
+    ivec2 rg = unpackSums(a.w);
+    colour = vec3(rg, texelFetch(Sums, at + 1).r) / w;
+  }
+  return a.x > 0 && a.x < WeightOverflow;
 }
 
 #else

@@ -1,14 +1,34 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The units of the integer sums.
+// The integer sums of compute shaders. What counts is how many words are added
+// to, so two values share one: the upper one is shifted by 16 bits and the lower
+// one, which may be negative, is added to the whole.
+//   word 0  weight
+//   word 1  normal x, normal y
+//   word 2  normal z, depth behind the nearest
+//   word 3  red, green        (words 3 and 4 only with colours)
+//   word 4  blue
+// each times the weight.
 
-// A weight of 1. Even a weight at a Gaussian's end, about 0.03, keeps seven bits.
-const float WeightScale = 4096.0;
-// Past this sum of weights, some thousand splats, a pixel takes no more: 31 bits
-// hold the sums and what is in flight at the same time.
-const int WeightLimit = 1 << 24;
-// Depths behind the nearest one are counted in this unit, world units, and finer
-// than the weights, since the largest splat sets it for all.
+// A weight of 1. Sums of 127 such fit into 16 bits.
+const float WeightScale = 256.0;
+// Past this sum of weights a pixel takes no more; what else is in flight at the
+// same time has room for as much again ...
+const int WeightLimit = 64 * 256;
+// ... and where that was not enough, as with hundreds of splats at one place, the
+// weight's own word tells that the others cannot be relied on.
+const int WeightOverflow = 126 * 256;
+// Depths behind the nearest one are counted in this unit, world units.
 uniform float DepthUnit;
-const float DepthScale = 32.0;
+
+int packSums(int upper, int lower)
+{
+  return (upper << 16) + lower;
+}
+
+ivec2 unpackSums(int both)
+{
+  int lower = (both << 16) >> 16;
+  return ivec2((both - lower) >> 16, lower);
+}

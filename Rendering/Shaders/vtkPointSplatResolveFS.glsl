@@ -54,10 +54,8 @@ void main()
   vec3 normalVC;
   float behind;
   vec3 colour;
-  if (!fetchSums(at, normalVC, behind, colour))
-  {
-    discard;
-  }
+  bool summed = fetchSums(at, normalVC, behind, colour);
+  behind = summed ? behind : 0.0;
 
   // The surface point: at this depth on the ray through the pixel's centre.
   float z = -(NearDistance + uintBitsToFloat(code & ~TagMask) + behind);
@@ -67,6 +65,12 @@ void main()
   vec4 positionVC = vec4(vec2(PixelY.y * xy.x - PixelX.y * xy.y,
                            PixelX.x * xy.y - PixelY.x * xy.x) / det, z, 1.0);
   gl_FragDepth = clamp(0.5 * dot(PixelZ, positionVC) / w + 0.5, 0.0, 1.0);
+
+  // Where so many splats share a pixel that their sum is lost, the nearest disks
+  // still tell how the surface lies.
+  vec3 facet = cross(dFdx(positionVC.xyz), dFdy(positionVC.xyz));
+  normalVC = summed ? normalVC : normalize(facet + vec3(0.0, 0.0, 1e-30));
+  colour = summed ? colour : vec3(1.0);
 
   //VTK::DepthPeeling::PreColor
 
