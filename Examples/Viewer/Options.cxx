@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Options.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <map>
+#include <sstream>
+
+namespace
+{
+std::vector<std::string> Split(const std::string& text, char separator)
+{
+  std::vector<std::string> parts;
+  std::istringstream in(text);
+  std::string part;
+  while (std::getline(in, part, separator))
+  {
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+double Number(const std::string& option, const std::string& text)
+{
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end || !std::isfinite(value))
+  {
+    throw UserError(option + ": '" + text + "' is not a number");
+  }
+  return value;
+}
+
+std::vector<double> Numbers(const std::string& option, const std::string& text)
+{
+  std::vector<double> values;
+  for (const std::string& part : Split(text, ','))
+  {
+    values.push_back(Number(option, part));
+  }
+  if (values.empty())
+  {
+    throw UserError(option + ": needs at least one number");
+  }
+  return values;
+}
+
+int Whole(const std::string& option, const std::string& text, int low, int high)
+{
+  const double value = Number(option, text);
+  if (value != std::floor(value) || value < low || value > high)
+  {
+    throw UserError(option + ": '" + text + "' is not a whole number from " +
+      std::to_string(low) + " to " + std::to_string(high));
+  }
+  return static_cast<int>(value);
+}
+
+std::array<double, 3> Colour(const std::string& option, const std::string& text)
+{
+  static const std::map<std::string, std::array<double, 3>> names = { { "white", { { 1, 1, 1 } } },
+    { "black", { { 0, 0, 0 } } }, { "grey", { { 0.5, 0.5, 0.5 } } },
+    { "red", { { 0.9, 0.2, 0.2 } } }, { "green", { { 0.35, 0.8, 0.4 } } },
+    { "blue", { { 0.35, 0.55, 0.95 } } }, { "orange", { { 0.85, 0.55, 0.3 } } },
+    { "yellow", { { 0.95, 0.85, 0.3 } } } };
+  auto named = names.find(text);
+  if (named != names.end())
+  {
+    return named->second;
+  }
+  if (text.size() == 7 && text[0] == '#' &&
+    text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos)
+  {
+    const long code = std::strtol(text.c_str() + 1, nullptr, 16);
+    return { { ((code >> 16) & 255) / 255.0, ((code >> 8) & 255) / 255.0, (code & 255) / 255.0 } };
+  }
+  const std::vector<double> values = Numbers(option, text);
+  if (values.size() != 3 || *std::min_element(values.begin(), values.end()) < 0.0 ||
+    *std::max_element(values.begin(), values.end()) > 1.0)
+  {
+    throw UserError(option + ": '" + text + "' is no colour: r,g,b from 0 to 1, #rrggbb or a name");
+  }
+  return { { values[0], values[1], values[2] } };
+}
+
+std::string OneOf(
+  const std::string& option, const std::string& text, const std::vector<std::string>& choices)
+{
+  if (std::find(choices.begin(), choices.end(), text) == choices.end())
+  {
+    std::string all;
+    for (const std::string& choice : choices)
+    {
+      all += (all.empty() ? "" : ", ") + choice;
+    }
+    throw UserError(option + ": '" + text + "' is none of " + all);
+  }
+  return text;
+}
+}
+
+//------------------------------------------------------------------------------
+Options Options::Parse(int argc, char* argv[])
+{
+  Options o;
+  using Setter = std::function<void(const std::string&, const std::string&)>;
+  const std::map<std::string, Setter> withValue = {
+    { "--iso", [&o](auto& n, auto& v) { o.Isovalues = Numbers(n, v); } },
+    { "--opacity",
+      [&o](auto& n, auto& v) {
+        o.Opacities = Numbers(n, v);
+        for (double opacity : o.Opacities)
+        {
+          if (opacity < 0.0 || opacity > 1.0)
+          {
+            throw UserError(n + ": opacities are from 0 to 1");
+          }
+        }
+      } },
+    { "--color",
+      [&o](auto& n, auto& v) {
+        for (const std::string& part : Split(v, ';'))
+        {
+          o.Colours.push_back(Colour(n, part));
+        }
+      } },
+    { "--spacing",
+      [&o](auto& n, auto& v) {
+        o.Spacing = Number(n, v);
+        if (o.Spacing <= 0.0)
+        {
+          throw UserError(n + ": the spacing must be greater than 0");
+        }
+      } },
+    { "--magnify", [&o](auto& n, auto& v) { o.Magnify = Whole(n, v, 1, 16); } },
+    { "--size",
+      [&o](auto& n, auto& v) {
+        const std::vector<std::string> parts = Split(v, 'x');
+        if (parts.size() != 2)
+        {
+          throw UserError(n + ": '" + v + "' is not WIDTHxHEIGHT");
+        }
+        o.Size = { { Whole(n, parts[0], 1, 16384), Whole(n, parts[1], 1, 16384) } };
+      } },
+    { "--camera",
+      [&o](auto& n, auto& v) {
+        o.Camera = Numbers(n, v);
+        const size_t count = o.Camera.size();
+        if (count != 2 && count != 3 && count != 9 && count != 10)
+        {
+          throw UserError(n + ": takes azimuth,elevation[,zoom] or nine numbers and an angle");
+        }
+      } },
+    { "--background", [&o](auto& n, auto& v) { o.Background = Colour(n, v); } },
+    { "--array", [&o](auto&, auto& v) { o.Array = v; } },
+    { "--method",
+      [&o](auto& n, auto& v) { o.Method = OneOf(n, v, { "automatic", "two-pass" }); } },
+    { "--projection",
+      [&o](auto& n, auto& v) {
+        o.Projection = OneOf(n, v, { "automatic", "compute", "quads" });
+      } },
+    { "--normals", [&o](auto& n, auto& v) { o.Normals = OneOf(n, v, { "keep", "estimate" }); } },
+    { "--radius-scale",
+      [&o](auto& n, auto& v) {
+        o.RadiusScale = Number(n, v);
+        if (o.RadiusScale <= 0.0)
+        {
+          throw UserError(n + ": must be greater than 0");
+        }
+      } },
+    { "--frames", [&o](auto& n, auto& v) { o.Frames = Whole(n, v, 1, 10000); } },
+    { "--output", [&o](auto&, auto& v) { o.Output = v; } },
+    { "--json", [&o](auto&, auto& v) { o.Json = v; } },
+  };
+  const std::map<std::string, bool Options::*> flags = { { "--scalar-bar", &Options::ScalarBar },
+    { "--quiet", &Options::Quiet }, { "--help", &Options::Help }, { "-h", &Options::Help },
+    { "--version", &Options::Version } };
+
+  for (int i = 1; i < argc; ++i)
+  {
+    std::string name = argv[i];
+    std::string value;
+    const size_t equals = name.find('=');
+    const bool attached = name.compare(0, 2, "--") == 0 && equals != std::string::npos;
+    if (attached)
+    {
+      value = name.substr(equals + 1);
+      name = name.substr(0, equals);
+    }
+    auto flag = flags.find(name);
+    auto setter = withValue.find(name);
+    if (flag != flags.end() && !attached)
+    {
+      o.*(flag->second) = true;
+    }
+    else if (setter != withValue.end())
+    {
+      if (!attached)
+      {
+        if (i + 1 >= argc)
+        {
+          throw UserError(name + ": needs a value");
+        }
+        value = argv[++i];
+      }
+      setter->second(name, value);
+    }
+    else if (name.size() > 1 && name[0] == '-')
+    {
+      throw UserError("unknown option " + std::string(argv[i]) + "; --help lists all");
+    }
+    else
+    {
+      o.Files.push_back(argv[i]);
+    }
+  }
+  return o;
+}
+
+//------------------------------------------------------------------------------
+std::string Options::HelpText()
+{
+  return R"(splatview: draws point clouds, and isosurfaces of volumes as point clouds, as smooth surfaces
+
+  splatview [FILES] [options]
+
+FILES  points: .vtp .ply .obj .stl .xyz .pts .vtu .vtk    volumes: .vti .mhd .mha .nrrd .vtk
+       Without files splatview makes a hydrogen orbital of its own, cut open to show three
+       nested isosurfaces, and writes hydrogen.png.
+       Text points: a line a point, x y z [nx ny nz] [r g b].
+
+What is drawn
+  --iso V[,V...]       isovalues of a volume; default: a quarter, half and three quarters of its range
+  --spacing S          wanted distance between isosurface points, world units; default: the grid's
+  --magnify N          resample a volume N times finer first, cubically (1 to 16)
+  --array NAME         point array to contour, or to colour points by
+  --normals WHICH      keep (default; missing ones are estimated) or estimate
+  --radius-scale F     multiplies all splats' radii
+
+How it looks
+  --color C[;C...]     a colour for each surface: r,g,b (0 to 1), #rrggbb, or a name
+  --opacity A[,A...]   an opacity for each surface, 0 to 1
+  --background C       default 0.1,0.2,0.4
+  --camera A,E[,Z]     azimuth and elevation in degrees from the default view, and a zoom; or
+  --camera PX,PY,PZ,FX,FY,FZ,UX,UY,UZ[,ANGLE]   position, focal point, view up, view angle
+  --size WxH           default 1024x768
+  --scalar-bar         show the colour scale of --array
+
+How it is drawn
+  --method M           automatic, two-pass
+  --projection P       automatic, compute, quads
+
+What comes out
+  --output F.png       write a picture and end; without it a window opens where there is a display,
+                       and splatview.png is written where there is none
+  --json F.json        write points, method, automatic choices and frame times
+  --frames N           frames to time (5)
+  --quiet              no progress bars and no summary
+  --help, --version
+
+Examples
+  splatview bunny.ply --output bunny.png
+  splatview head.vti --iso 500,1150 --opacity .4,1 --color orange;white --output head.png
+  splatview scan.xyz --normals estimate --camera 30,20,1.5 --json report.json --output scan.png
+
+Exit codes: 0 done, 1 OpenGL or VTK failed, 2 a bad option or file.
+)";
+}

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// splatview's command line.
+#ifndef Options_h
+#define Options_h
+
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+/**
+ * What a user did wrong, in one line: exit code 2.
+ */
+struct UserError : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+struct Options
+{
+  std::vector<std::string> Files;
+  std::vector<double> Isovalues;
+  std::vector<double> Opacities;
+  std::vector<std::array<double, 3>> Colours;
+  double Spacing = 0.0;
+  int Magnify = 1;
+  std::array<int, 2> Size{ { 1024, 768 } };
+  std::vector<double> Camera;
+  std::array<double, 3> Background{ { 0.1, 0.2, 0.4 } };
+  std::string Array;
+  std::string Method = "automatic";
+  std::string Projection = "automatic";
+  std::string Normals = "keep";
+  double RadiusScale = 1.0;
+  int Frames = 5;
+  bool ScalarBar = false;
+  bool Quiet = false;
+  bool Help = false;
+  bool Version = false;
+  std::string Output;
+  std::string Json;
+
+  /**
+   * Throws UserError.
+   */
+  static Options Parse(int argc, char* argv[]);
+  static std::string HelpText();
+};
+
+#endif

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Report.h"
+
+#include "vtkRenderWindow.h"
+#include "vtkVersion.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+namespace
+{
+std::string Quoted(const std::string& text)
+{
+  std::string out = "\"";
+  for (const char c : text)
+  {
+    if (c == '"' || c == '\\')
+    {
+      out += '\\';
+      out += c;
+    }
+    else if (static_cast<unsigned char>(c) < 0x20)
+    {
+      char code[8];
+      std::snprintf(code, sizeof(code), "\\u%04x", static_cast<unsigned char>(c));
+      out += code;
+    }
+    else
+    {
+      out += c;
+    }
+  }
+  return out + "\"";
+}
+
+/**
+ * The value of one line of vtkRenderWindow::ReportCapabilities().
+ */
+std::string Capability(vtkRenderWindow* window, const std::string& name)
+{
+  std::istringstream lines(window->ReportCapabilities());
+  std::string line;
+  while (std::getline(lines, line))
+  {
+    if (line.compare(0, name.size(), name) == 0)
+    {
+      const size_t start = line.find_first_not_of(" :", name.size());
+      return start == std::string::npos ? "" : line.substr(start);
+    }
+  }
+  return "";
+}
+}
+
+//------------------------------------------------------------------------------
+double Median(std::vector<double> values)
+{
+  if (values.empty())
+  {
+    return 0.0;
+  }
+  std::sort(values.begin(), values.end());
+  const size_t n = values.size();
+  return n % 2 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
+}
+
+//------------------------------------------------------------------------------
+void WriteReport(const std::string& file, const Scene& scene, vtkRenderWindow* window,
+  const std::vector<double>& milliseconds)
+{
+  std::ofstream out(file);
+  out << "{\n  \"surfaces\": [";
+  vtkIdType total = 0;
+  const char* separator = "\n";
+  for (const Surface& surface : scene.Surfaces)
+  {
+    vtkPointSplatMapper* mapper = surface.Mapper;
+    total += mapper->GetNumberOfSplats();
+    out << separator << "    {\"name\": " << Quoted(surface.Name)
+        << ", \"points\": " << mapper->GetNumberOfSplats()
+        << ", \"skipped\": " << mapper->GetNumberOfSkippedPoints()
+        << ", \"method\": " << Quoted(mapper->GetMethodUsed())
+        << ", \"projection\": " << Quoted(mapper->GetProjectionUsed())
+        << ", \"layer_distance\": " << mapper->GetLayerDistanceUsed() << "}";
+    separator = ",\n";
+  }
+  const int* size = window->GetSize();
+  out << "\n  ],\n  \"points\": " << total << ",\n  \"image_bytes\": "
+      << (scene.Surfaces.empty() ? 0 : scene.Surfaces[0].Mapper->GetImageMemorySize())
+      << ",\n  \"size\": [" << size[0] << ", " << size[1]
+      << "],\n  \"median_frame_ms\": " << Median(milliseconds) << ",\n  \"frames_ms\": [";
+  separator = "";
+  for (double ms : milliseconds)
+  {
+    out << separator << ms;
+    separator = ", ";
+  }
+  out << "],\n  \"vtk\": " << Quoted(vtkVersion::GetVTKVersion())
+      << ",\n  \"opengl_renderer\": " << Quoted(Capability(window, "OpenGL renderer string"))
+      << ",\n  \"opengl_version\": " << Quoted(Capability(window, "OpenGL version string"))
+      << "\n}\n";
+  out.flush();
+  if (!out)
+  {
+    throw UserError(file + ": cannot be written");
+  }
+}

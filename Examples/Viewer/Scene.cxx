@@ -1,0 +1,260 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene.h"
+
+#include "HydrogenVolume.h"
+#include "Readers.h"
+
+#include "vtkCamera.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkImageData.h"
+#include "vtkImageResample.h"
+#include "vtkIsosurfacePoints.h"
+#include "vtkLookupTable.h"
+#include "vtkNew.h"
+#include "vtkPlane.h"
+#include "vtkPointData.h"
+#include "vtkPointSplatEstimation.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkScalarBarActor.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace
+{
+const std::array<double, 3> palette[] = { { { 0.35, 0.55, 0.95 } }, { { 0.35, 0.80, 0.40 } },
+  { { 0.85, 0.55, 0.30 } }, { { 0.8, 0.8, 0.8 } } };
+
+std::string BaseName(const std::string& file)
+{
+  return file.substr(file.find_last_of("/\\") + 1);
+}
+
+/**
+ * An actor for a cloud, in the next colour.
+ */
+void AddSurface(Scene& scene, const Options& options, const std::string& name, vtkDataObject* data)
+{
+  Surface surface;
+  surface.Name = name;
+  surface.Mapper = vtkSmartPointer<vtkPointSplatMapper>::New();
+  surface.Mapper->SetInputDataObject(data);
+  surface.Mapper->ScalarVisibilityOff();
+  surface.Mapper->SetRadiusScale(options.RadiusScale);
+  if (options.Method == "two-pass")
+  {
+    surface.Mapper->SetMethodToTwoPass();
+  }
+  if (options.Projection != "automatic")
+  {
+    surface.Mapper->SetProjection(options.Projection == "quads" ? vtkPointSplatMapper::QUADS
+                                                                : vtkPointSplatMapper::COMPUTE);
+  }
+  surface.Actor = vtkSmartPointer<vtkActor>::New();
+  surface.Actor->SetMapper(surface.Mapper);
+  const size_t number = scene.Surfaces.size();
+  const std::array<double, 3>& colour = options.Colours.empty()
+    ? palette[number % 4]
+    : options.Colours[number % options.Colours.size()];
+  surface.Actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+  surface.Actor->GetProperty()->SetSpecular(0.3);
+  surface.Actor->GetProperty()->SetSpecularPower(20);
+  if (!options.Opacities.empty())
+  {
+    surface.Actor->GetProperty()->SetOpacity(options.Opacities[number % options.Opacities.size()]);
+  }
+  scene.Renderer->AddActor(surface.Actor);
+  scene.Surfaces.push_back(surface);
+}
+
+void AddVolume(Scene& scene, const Options& options, const std::string& name, vtkImageData* volume)
+{
+  vtkSmartPointer<vtkImageData> image = volume;
+  const int* size = image->GetDimensions();
+  if (size[0] < 2 || size[1] < 2 || size[2] < 2)
+  {
+    throw UserError(name + ": is no volume but an image");
+  }
+  if (!options.Array.empty() && !image->GetPointData()->HasArray(options.Array.c_str()))
+  {
+    throw UserError(name + ": has no point array '" + options.Array + "'");
+  }
+  if (!options.Array.empty())
+  {
+    image->GetPointData()->SetActiveScalars(options.Array.c_str());
+  }
+  if (!image->GetPointData()->GetScalars())
+  {
+    throw UserError(name + ": has no scalars; name an array by --array");
+  }
+  if (options.Magnify > 1)
+  {
+    vtkNew<vtkImageResample> resample;
+    resample->SetInputData(image);
+    resample->SetInterpolationModeToCubic();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      resample->SetAxisMagnificationFactor(axis, options.Magnify);
+    }
+    ShowProgress(resample, "magnifying", options.Quiet);
+    resample->Update();
+    image = resample->GetOutput();
+  }
+  double range[2];
+  image->GetPointData()->GetScalars()->GetFiniteRange(range);
+  std::vector<double> isovalues = options.Isovalues;
+  for (int quarter = 1; options.Isovalues.empty() && quarter < 4; ++quarter)
+  {
+    isovalues.push_back(range[0] + 0.25 * quarter * (range[1] - range[0]));
+  }
+  for (double isovalue : isovalues)
+  {
+    std::ostringstream label;
+    label << name << " at " << isovalue;
+    vtkNew<vtkIsosurfacePoints> points;
+    points->SetInputData(image);
+    points->SetValue(0, isovalue);
+    points->SetPointSpacing(options.Spacing);
+    ShowProgress(points, "isosurface", options.Quiet);
+    points->Update();
+    if (points->GetOutput()->GetNumberOfPoints() == 0)
+    {
+      std::ostringstream text;
+      text << name << ": isovalue " << isovalue << " gives no points; the values are from "
+           << range[0] << " to " << range[1];
+      throw UserError(text.str());
+    }
+    AddSurface(scene, options, label.str(), points->GetOutput());
+  }
+}
+
+void AddPoints(Scene& scene, const Options& options, const std::string& name, vtkDataSet* data)
+{
+  if (!options.Isovalues.empty())
+  {
+    throw UserError(name + ": --iso is for volumes, and this file has none");
+  }
+  vtkDataArray* named =
+    options.Array.empty() ? nullptr : data->GetPointData()->GetArray(options.Array.c_str());
+  if (!options.Array.empty() && !named)
+  {
+    throw UserError(name + ": has no point array '" + options.Array + "'");
+  }
+  if (options.Normals == "estimate")
+  {
+    data->GetPointData()->SetNormals(nullptr);
+  }
+  // Here and not in the mapper, so that there is a progress bar.
+  vtkNew<vtkPointSplatEstimation> estimation;
+  estimation->SetInputData(data);
+  ShowProgress(estimation, "normals and splat sizes", options.Quiet);
+  estimation->Update();
+  AddSurface(scene, options, name, estimation->GetOutput());
+  vtkPointSplatMapper* mapper = scene.Surfaces.back().Mapper;
+  vtkDataArray* scalars = data->GetPointData()->GetScalars();
+  if (named)
+  {
+    mapper->ScalarVisibilityOn();
+    mapper->SetScalarModeToUsePointFieldData();
+    mapper->SelectColorArray(options.Array.c_str());
+    mapper->SetScalarRange(named->GetFiniteRange());
+    mapper->GetLookupTable()->Build();
+    if (options.ScalarBar)
+    {
+      vtkNew<vtkScalarBarActor> bar;
+      bar->SetLookupTable(mapper->GetLookupTable());
+      bar->SetTitle(options.Array.c_str());
+      scene.Renderer->AddActor2D(bar);
+    }
+  }
+  else if (vtkUnsignedCharArray::SafeDownCast(scalars) && scalars->GetNumberOfComponents() >= 3 &&
+    options.Colours.empty())
+  {
+    mapper->ScalarVisibilityOn();
+  }
+}
+
+void PlaceCamera(vtkRenderer* renderer, const std::vector<double>& c)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  if (c.size() >= 9)
+  {
+    camera->SetPosition(c[0], c[1], c[2]);
+    camera->SetFocalPoint(c[3], c[4], c[5]);
+    camera->SetViewUp(c[6], c[7], c[8]);
+    if (c.size() > 9)
+    {
+      camera->SetViewAngle(c[9]);
+    }
+    renderer->ResetCameraClippingRange();
+    return;
+  }
+  renderer->ResetCamera();
+  if (c.size() >= 2)
+  {
+    camera->Azimuth(c[0]);
+    camera->Elevation(c[1]);
+    camera->OrthogonalizeViewUp();
+    camera->Dolly(c.size() > 2 && c[2] > 0.0 ? c[2] : 1.0);
+  }
+  renderer->ResetCameraClippingRange();
+}
+}
+
+//------------------------------------------------------------------------------
+Scene Scene::Make(const Options& options)
+{
+  Scene scene;
+  scene.Renderer = vtkSmartPointer<vtkRenderer>::New();
+  scene.Renderer->SetBackground(
+    options.Background[0], options.Background[1], options.Background[2]);
+  Options own = options;
+  if (options.Files.empty())
+  {
+    if (own.Isovalues.empty())
+    {
+      own.Isovalues = { 4.0, 18.0, 50.0 };
+    }
+    if (own.Spacing <= 0.0)
+    {
+      own.Spacing = 0.07;
+    }
+    AddVolume(scene, own, "hydrogen orbital", MakeHydrogenVolume(128));
+    if (options.Opacities.empty())
+    {
+      // Opaque shells hide one another: the outer ones are cut open.
+      for (size_t i = 0; i + 1 < scene.Surfaces.size(); ++i)
+      {
+        vtkNew<vtkPlane> plane;
+        plane->SetOrigin(0.0, i == 0 ? -0.6 : 0.0, 0.0);
+        plane->SetNormal(0.0, 1.0, 0.0);
+        scene.Surfaces[i].Mapper->AddClippingPlane(plane);
+      }
+    }
+    if (own.Camera.empty())
+    {
+      // From the side that is cut away, z up.
+      scene.Renderer->GetActiveCamera()->SetPosition(0.0, -1.0, 0.0);
+      scene.Renderer->GetActiveCamera()->SetViewUp(0.0, 0.0, 1.0);
+      own.Camera = { 25.0, 20.0, 1.3 };
+    }
+  }
+  for (const std::string& file : options.Files)
+  {
+    vtkSmartPointer<vtkDataObject> data = ReadFile(file, options.Quiet);
+    if (vtkImageData* volume = vtkImageData::SafeDownCast(data))
+    {
+      AddVolume(scene, options, BaseName(file), volume);
+    }
+    else
+    {
+      AddPoints(scene, options, BaseName(file), vtkDataSet::SafeDownCast(data));
+    }
+  }
+  PlaceCamera(scene.Renderer, own.Camera);
+  return scene;
+}

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Surfaces, their actors, and the camera.
+#ifndef Scene_h
+#define Scene_h
+
+#include "Options.h"
+
+#include "vtkActor.h"
+#include "vtkPointSplatMapper.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+struct Surface
+{
+  std::string Name;
+  vtkSmartPointer<vtkActor> Actor;
+  vtkSmartPointer<vtkPointSplatMapper> Mapper;
+};
+
+struct Scene
+{
+  vtkSmartPointer<vtkRenderer> Renderer;
+  std::vector<Surface> Surfaces;
+
+  /**
+   * Reads and extracts what the options ask for. Throws UserError.
+   */
+  static Scene Make(const Options& options);
+};
+
+#endif
