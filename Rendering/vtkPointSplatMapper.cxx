@@ -32,8 +32,9 @@ vtkStandardNewMacro(vtkPointSplatMapper);
 namespace
 {
 // The automatic layer distance, as a fraction of each splat's radius. Disks that
-// cover a surface stay much nearer to it than this unless it bends within a splat.
-constexpr double LayerFraction = 0.7;
+// cover a smooth surface stay much nearer to it than this; on rough ones they do not,
+// and a narrower distance leaves neighbours out of the mean.
+constexpr double LayerFraction = 1.0;
 
 // As many as the shaders take; VTK's own mappers take six.
 constexpr int MaximumClipPlanes = 6;
