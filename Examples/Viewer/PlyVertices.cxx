@@ -3,7 +3,10 @@
 #include "PlyVertices.h"
 
 #include "Options.h"
+#include "PointColors.h"
+#include "Progress.h"
 
+#include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -13,6 +16,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <map>
@@ -21,11 +25,24 @@
 
 namespace
 {
+enum class Type
+{
+  Int8,
+  UInt8,
+  Int16,
+  UInt16,
+  Int32,
+  UInt32,
+  Float32,
+  Float64
+};
+
 struct Property
 {
   std::string Name;
-  std::string Type;
-  std::string CountType; // of a list; empty otherwise
+  Type ValueType;
+  bool IsList = false;
+  Type CountType = Type::UInt8;
 };
 
 struct Element
@@ -35,80 +52,121 @@ struct Element
   std::vector<Property> Properties;
 };
 
-size_t SizeOf(const std::string& type)
+Type ParseType(const std::string& file, const std::string& name)
 {
-  static const std::map<std::string, size_t> sizes = { { "char", 1 }, { "int8", 1 },
-    { "uchar", 1 }, { "uint8", 1 }, { "short", 2 }, { "int16", 2 }, { "ushort", 2 },
-    { "uint16", 2 }, { "int", 4 }, { "int32", 4 }, { "uint", 4 }, { "uint32", 4 },
-    { "float", 4 }, { "float32", 4 }, { "double", 8 }, { "float64", 8 } };
-  auto found = sizes.find(type);
-  return found == sizes.end() ? 0 : found->second;
-}
-
-template <typename T>
-double As(const unsigned char* bytes)
-{
-  T value;
-  std::memcpy(&value, bytes, sizeof(T));
-  return static_cast<double>(value);
+  static const std::map<std::string, Type> types = { { "char", Type::Int8 },
+    { "int8", Type::Int8 }, { "uchar", Type::UInt8 }, { "uint8", Type::UInt8 },
+    { "short", Type::Int16 }, { "int16", Type::Int16 }, { "ushort", Type::UInt16 },
+    { "uint16", Type::UInt16 }, { "int", Type::Int32 }, { "int32", Type::Int32 },
+    { "uint", Type::UInt32 }, { "uint32", Type::UInt32 }, { "float", Type::Float32 },
+    { "float32", Type::Float32 }, { "double", Type::Float64 }, { "float64", Type::Float64 } };
+  const auto found = types.find(name);
+  if (found == types.end())
+  {
+    throw UserError(file + ": unknown PLY type '" + name + "'");
+  }
+  return found->second;
 }
 
 /**
- * Reads values one after the other, in whichever format.
+ * Gives one value after the other, from whichever format.
  */
-class Source
+class ValueReader
 {
 public:
-  Source(std::istream& in, const std::string& format)
+  ValueReader(std::istream& in, const std::string& format)
     : In(in)
     , Ascii(format == "ascii")
-    , Swap(format == "binary_big_endian")
   {
+    const uint16_t one = 1;
+    const bool bigHere = *reinterpret_cast<const unsigned char*>(&one) == 0;
+    this->Swap = (format == "binary_big_endian") != bigHere;
   }
-  double Read(const std::string& type)
+
+  /**
+   * False at the end of the file, and where there is no number.
+   */
+  bool Next(Type type, double& value)
   {
     if (this->Ascii)
     {
-      double value = 0.0;
-      this->In >> value;
-      return value;
+      if (!(this->In >> this->Word))
+      {
+        return false;
+      }
+      char* end = nullptr;
+      value = std::strtod(this->Word.c_str(), &end); // takes nan and inf, unlike streams
+      return *end == '\0';
     }
-    unsigned char bytes[8] = { 0 };
-    const size_t size = SizeOf(type);
-    this->In.read(reinterpret_cast<char*>(bytes), static_cast<std::streamsize>(size));
-    if (this->Swap)
+    switch (type)
     {
-      std::reverse(bytes, bytes + size);
-    }
-    const bool isUnsigned = type[0] == 'u';
-    if (type.compare(0, 5, "float") == 0 && size == 4)
-    {
-      return As<float>(bytes);
-    }
-    switch (size)
-    {
-      case 1:
-        return isUnsigned ? As<uint8_t>(bytes) : As<int8_t>(bytes);
-      case 2:
-        return isUnsigned ? As<uint16_t>(bytes) : As<int16_t>(bytes);
-      case 4:
-        return isUnsigned ? As<uint32_t>(bytes) : As<int32_t>(bytes);
+      case Type::Int8:
+        return this->NextBinary<int8_t>(value);
+      case Type::UInt8:
+        return this->NextBinary<uint8_t>(value);
+      case Type::Int16:
+        return this->NextBinary<int16_t>(value);
+      case Type::UInt16:
+        return this->NextBinary<uint16_t>(value);
+      case Type::Int32:
+        return this->NextBinary<int32_t>(value);
+      case Type::UInt32:
+        return this->NextBinary<uint32_t>(value);
+      case Type::Float32:
+        return this->NextBinary<float>(value);
       default:
-        return As<double>(bytes);
+        return this->NextBinary<double>(value);
     }
   }
 
+  /**
+   * The value, or how many a list has, which is passed over.
+   */
+  bool Next(const Property& property, double& value)
+  {
+    if (!property.IsList)
+    {
+      return this->Next(property.ValueType, value);
+    }
+    bool good = this->Next(property.CountType, value);
+    double ignored = 0.0;
+    for (double i = 0.0; good && i < value; ++i)
+    {
+      good = this->Next(property.ValueType, ignored);
+    }
+    return good;
+  }
+
 private:
+  template <typename T>
+  bool NextBinary(double& value)
+  {
+    char bytes[sizeof(T)];
+    if (this->In.rdbuf()->sgetn(bytes, sizeof(T)) != static_cast<std::streamsize>(sizeof(T)))
+    {
+      return false;
+    }
+    if (this->Swap)
+    {
+      std::reverse(bytes, bytes + sizeof(T));
+    }
+    T number;
+    std::memcpy(&number, bytes, sizeof(T));
+    value = static_cast<double>(number);
+    return true;
+  }
+
   std::istream& In;
   bool Ascii;
   bool Swap;
+  std::string Word;
 };
 
 std::vector<Element> ReadHeader(std::istream& in, const std::string& file, std::string& format)
 {
   std::vector<Element> elements;
   std::string line;
-  if (!std::getline(in, line) || line.compare(0, 3, "ply") != 0)
+  if (!std::getline(in, line) || line.substr(0, line.find_last_not_of(" \r\t") + 1) != "ply")
   {
     throw UserError(file + ": is not a PLY file");
   }
@@ -125,37 +183,171 @@ std::vector<Element> ReadHeader(std::istream& in, const std::string& file, std::
     {
       elements.emplace_back();
       words >> elements.back().Name >> elements.back().Count;
+      if (!words || elements.back().Count < 0)
+      {
+        throw UserError(file + ": '" + elements.back().Name + "' has no valid count");
+      }
     }
     else if (word == "property" && !elements.empty())
     {
       Property property;
-      words >> property.Type;
-      if (property.Type == "list")
+      std::string type;
+      words >> type;
+      property.IsList = type == "list";
+      if (property.IsList)
       {
-        words >> property.CountType >> property.Type;
+        words >> type;
+        property.CountType = ParseType(file, type);
+        words >> type;
       }
+      property.ValueType = ParseType(file, type);
       words >> property.Name;
-      if (!SizeOf(property.Type))
-      {
-        throw UserError(file + ": unknown PLY type '" + property.Type + "'");
-      }
       elements.back().Properties.push_back(property);
     }
     else if (word == "end_header")
     {
-      if (format != "ascii" && format.compare(0, 7, "binary_") != 0)
+      if (format != "ascii" && format != "binary_little_endian" && format != "binary_big_endian")
       {
-        break;
+        throw UserError(file + ": unknown PLY format '" + format + "'");
       }
       return elements;
     }
   }
-  throw UserError(file + ": the PLY header is broken off or of an unknown format");
+  throw UserError(file + ": the PLY header has no end");
+}
+
+/**
+ * Where each of three properties is, if all are there.
+ */
+struct Triple
+{
+  Triple(const Element& element, const std::array<const char*, 3>& names)
+  {
+    for (size_t i = 0; i < 3; ++i)
+    {
+      const auto found = std::find_if(element.Properties.begin(), element.Properties.end(),
+        [&](const Property& property) { return property.Name == names[i] && !property.IsList; });
+      this->Found = this->Found && found != element.Properties.end();
+      this->At[i] = static_cast<size_t>(found - element.Properties.begin());
+    }
+  }
+  bool Has(size_t property) const
+  {
+    return this->Found && std::find(this->At.begin(), this->At.end(), property) != this->At.end();
+  }
+  bool Found = true;
+  std::array<size_t, 3> At;
+};
+
+/**
+ * What red, green and blue of white are.
+ */
+double White(Type type)
+{
+  switch (type)
+  {
+    case Type::Float32:
+    case Type::Float64:
+      return 1.0;
+    case Type::Int16:
+    case Type::UInt16:
+      return 65535.0;
+    default:
+      return 255.0;
+  }
+}
+
+vtkSmartPointer<vtkPolyData> ReadVertices(
+  ValueReader& reader, const Element& element, const std::string& file, ProgressBar& progress)
+{
+  const Triple position(element, { { "x", "y", "z" } });
+  const Triple normal(element, { { "nx", "ny", "nz" } });
+  Triple colour(element, { { "red", "green", "blue" } });
+  if (!colour.Found)
+  {
+    colour = Triple(element, { { "diffuse_red", "diffuse_green", "diffuse_blue" } });
+  }
+  if (!position.Found)
+  {
+    throw UserError(file + ": the PLY vertices have no x, y, z");
+  }
+  const bool precise = std::any_of(position.At.begin(), position.At.end(), [&](size_t i) {
+    const Type type = element.Properties[i].ValueType;
+    return type == Type::Float64 || type == Type::Int32 || type == Type::UInt32;
+  });
+
+  vtkNew<vtkPoints> points;
+  points->SetDataType(precise ? VTK_DOUBLE : VTK_FLOAT);
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  std::vector<float> colours;
+  std::vector<std::pair<size_t, vtkSmartPointer<vtkDataArray>>> others;
+  for (size_t i = 0; i < element.Properties.size(); ++i)
+  {
+    const Property& property = element.Properties[i];
+    if (!property.IsList && !position.Has(i) && !normal.Has(i) && !colour.Has(i))
+    {
+      const bool wide = property.ValueType == Type::Float64 ||
+        property.ValueType == Type::Int32 || property.ValueType == Type::UInt32;
+      others.emplace_back(i, vtkSmartPointer<vtkDataArray>::Take(
+        vtkDataArray::CreateDataArray(wide ? VTK_DOUBLE : VTK_FLOAT)));
+      others.back().second->SetName(property.Name.c_str());
+    }
+  }
+
+  std::vector<double> row(element.Properties.size());
+  for (long long vertex = 0; vertex < element.Count; ++vertex)
+  {
+    for (size_t i = 0; i < row.size(); ++i)
+    {
+      if (!reader.Next(element.Properties[i], row[i]))
+      {
+        throw UserError(file + ": ends, or has no number, at vertex " + std::to_string(vertex) +
+          " of " + std::to_string(element.Count));
+      }
+    }
+    points->InsertNextPoint(row[position.At[0]], row[position.At[1]], row[position.At[2]]);
+    if (normal.Found)
+    {
+      normals->InsertNextTuple3(row[normal.At[0]], row[normal.At[1]], row[normal.At[2]]);
+    }
+    for (size_t i = 0; colour.Found && i < 3; ++i)
+    {
+      colours.push_back(static_cast<float>(row[colour.At[i]]));
+    }
+    for (auto& other : others)
+    {
+      other.second->InsertNextTuple1(row[other.first]);
+    }
+    if (vertex % 4096 == 0)
+    {
+      progress.Update(static_cast<double>(vertex) / static_cast<double>(element.Count));
+    }
+  }
+
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  for (auto& other : others)
+  {
+    data->GetPointData()->AddArray(other.second);
+  }
+  if (normal.Found)
+  {
+    data->GetPointData()->SetNormals(normals);
+  }
+  if (colour.Found)
+  {
+    data->GetPointData()->SetScalars(
+      MakeColors(colours, White(element.Properties[colour.At[0]].ValueType)));
+  }
+  return data;
 }
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> ReadPlyVertices(const std::string& file, bool& hasFaces)
+vtkSmartPointer<vtkPolyData> ReadPlyVertices(
+  const std::string& file, bool& hasFaces, ProgressBar& progress)
 {
   std::ifstream in(file, std::ios::binary);
   if (!in)
@@ -164,80 +356,27 @@ vtkSmartPointer<vtkPolyData> ReadPlyVertices(const std::string& file, bool& hasF
   }
   std::string format;
   const std::vector<Element> elements = ReadHeader(in, file, format);
-  Source source(in, format);
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  data->SetPoints(points);
-  hasFaces = false;
+  hasFaces = std::any_of(elements.begin(), elements.end(), [](const Element& element) {
+    return (element.Name == "face" || element.Name == "tristrips") && element.Count > 0;
+  });
+  ValueReader reader(in, format);
   for (const Element& element : elements)
   {
-    hasFaces = hasFaces || (element.Name == "face" && element.Count > 0);
-  }
-  for (const Element& element : elements)
-  {
-    const bool vertices = element.Name == "vertex";
-    std::map<std::string, size_t> at;
-    for (size_t i = 0; i < element.Properties.size(); ++i)
+    if (element.Name == "vertex")
     {
-      at[element.Properties[i].Name] = i;
+      return ReadVertices(reader, element, file, progress);
     }
-    if (vertices && !(at.count("x") && at.count("y") && at.count("z")))
+    for (long long i = 0; i < element.Count; ++i)
     {
-      throw UserError(file + ": the PLY vertices have no x, y, z");
-    }
-    const bool normals = at.count("nx") && at.count("ny") && at.count("nz");
-    const bool colours = at.count("red") && at.count("green") && at.count("blue");
-    vtkNew<vtkFloatArray> normalArray;
-    normalArray->SetName("Normals");
-    normalArray->SetNumberOfComponents(3);
-    vtkNew<vtkUnsignedCharArray> colourArray;
-    colourArray->SetName("RGB");
-    colourArray->SetNumberOfComponents(3);
-    std::vector<double> row(element.Properties.size());
-    for (long long v = 0; v < element.Count; ++v)
-    {
-      for (size_t i = 0; i < row.size(); ++i)
+      double ignored = 0.0;
+      for (const Property& property : element.Properties)
       {
-        const Property& property = element.Properties[i];
-        row[i] = source.Read(property.CountType.empty() ? property.Type : property.CountType);
-        for (double k = 0; !property.CountType.empty() && k < row[i]; ++k)
+        if (!reader.Next(property, ignored))
         {
-          source.Read(property.Type);
+          throw UserError(file + ": ends in its list of " + element.Name);
         }
       }
-      if (!in)
-      {
-        throw UserError(file + ": ends in the middle of its " + element.Name + " list");
-      }
-      if (vertices)
-      {
-        points->InsertNextPoint(row[at["x"]], row[at["y"]], row[at["z"]]);
-        if (normals)
-        {
-          normalArray->InsertNextTuple3(row[at["nx"]], row[at["ny"]], row[at["nz"]]);
-        }
-        if (colours)
-        {
-          // Floating-point colours are from 0 to 1.
-          const double unit =
-            element.Properties[at["red"]].Type.find_first_of("fd") == 0 ? 255.0 : 1.0;
-          colourArray->InsertNextTuple3(
-            unit * row[at["red"]], unit * row[at["green"]], unit * row[at["blue"]]);
-        }
-      }
-    }
-    if (vertices)
-    {
-      if (normals)
-      {
-        data->GetPointData()->SetNormals(normalArray);
-      }
-      if (colours)
-      {
-        data->GetPointData()->SetScalars(colourArray);
-      }
-      break; // faces and what else follows is not wanted
     }
   }
-  return data;
+  throw UserError(file + ": has no vertices");
 }

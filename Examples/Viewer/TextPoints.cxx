@@ -3,6 +3,8 @@
 #include "TextPoints.h"
 
 #include "Options.h"
+#include "PointColors.h"
+#include "Progress.h"
 
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
@@ -12,22 +14,88 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <vector>
 
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> ReadTextPoints(const std::string& file)
+namespace
 {
-  std::ifstream in(file);
+/**
+ * All lines' numbers, one line after the other.
+ */
+struct Table
+{
+  std::vector<double> Values;
+  size_t Columns = 0;
+
+  size_t GetNumberOfRows() const { return this->Values.size() / this->Columns; }
+  const double* Row(size_t row) const { return &this->Values[row * this->Columns]; }
+
+  /**
+   * Whether three columns hold unit vectors. Unknown normals are often zero or NaN.
+   */
+  bool HasNormalsAt(size_t column) const
+  {
+    if (column + 3 > this->Columns)
+    {
+      return false;
+    }
+    bool any = false;
+    for (size_t i = 0; i < this->GetNumberOfRows(); ++i)
+    {
+      const double* n = this->Row(i) + column;
+      const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+      if (std::abs(length - 1.0) <= 0.01)
+      {
+        any = true;
+      }
+      else if (length > 0.0) // false for NaN too
+      {
+        return false;
+      }
+    }
+    return any;
+  }
+};
+
+/**
+ * The numbers of one line; false where something else is there.
+ */
+bool ParseLine(const std::string& line, std::vector<double>& numbers)
+{
+  numbers.clear();
+  const char* at = line.c_str();
+  while (*at)
+  {
+    char* end = nullptr;
+    const double value = std::strtod(at, &end);
+    if (end == at || (*end && !std::isspace(static_cast<unsigned char>(*end))))
+    {
+      return false;
+    }
+    numbers.push_back(value);
+    at = end + std::strspn(end, " \t");
+  }
+  return true;
+}
+
+Table ReadTable(const std::string& file, ProgressBar& progress)
+{
+  std::ifstream in(file, std::ios::binary);
   if (!in)
   {
     throw UserError(file + ": cannot be opened");
   }
-  std::vector<double> values;
-  size_t columns = 0;
+  in.seekg(0, std::ios::end);
+  const double size = static_cast<double>(in.tellg());
+  in.seekg(0);
+
+  Table table;
+  std::vector<double> row;
   std::string line;
+  bool first = true;
   for (long number = 1; std::getline(in, line); ++number)
   {
     std::replace_if(
@@ -37,91 +105,121 @@ vtkSmartPointer<vtkPolyData> ReadTextPoints(const std::string& file)
     {
       continue;
     }
-    std::vector<double> row;
-    const char* at = line.c_str() + start;
-    while (*at)
+    const bool numbers = ParseLine(line.substr(start), row);
+    const bool header = first && (!numbers || row.size() == 1);
+    first = false;
+    if (header && (numbers || std::isalpha(static_cast<unsigned char>(line[start])) ||
+                    line[start] == '"'))
     {
-      char* end = nullptr;
-      const double value = std::strtod(at, &end);
-      if (end == at)
-      {
-        throw UserError(file + ": line " + std::to_string(number) + " is not numbers");
-      }
-      row.push_back(value);
-      at = end;
-      while (*at == ' ' || *at == '\t')
-      {
-        ++at;
-      }
+      // The count may still follow names, or names the count.
+      first = !numbers;
+      continue;
     }
-    if (row.size() == 1 && values.empty())
+    if (!numbers)
     {
-      continue; // the count
+      throw UserError(file + ": line " + std::to_string(number) + " is not numbers");
     }
-    if (columns == 0)
+    if (table.Columns == 0)
     {
-      columns = row.size();
+      table.Columns = row.size();
     }
-    if (row.size() != columns || columns < 3)
+    if (row.size() != table.Columns || table.Columns < 3)
     {
       throw UserError(file + ": line " + std::to_string(number) + " has " +
-        std::to_string(row.size()) + " columns, not " + std::to_string(std::max<size_t>(columns, 3)));
+        std::to_string(row.size()) + " columns, not " +
+        (table.Columns < 3 ? "at least 3" : std::to_string(table.Columns)));
     }
-    values.insert(values.end(), row.begin(), row.end());
+    table.Values.insert(table.Values.end(), row.begin(), row.end());
+    if (number % 4096 == 0)
+    {
+      progress.Update(static_cast<double>(in.tellg()) / size);
+    }
   }
-  if (values.empty())
+  if (table.Values.empty())
   {
     throw UserError(file + ": has no points");
   }
+  return table;
+}
+}
 
-  const size_t count = values.size() / columns;
-  // With an intensity the further columns begin one later.
-  const size_t extra = columns == 4 || columns == 7 ? 4 : 3;
-  const size_t further = columns - extra;
-  bool unit = further >= 3;
-  for (size_t i = 0; unit && i < count; ++i)
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> ReadTextPoints(const std::string& file, ProgressBar& progress)
+{
+  const Table table = ReadTable(file, progress);
+  const size_t rows = table.GetNumberOfRows();
+
+  // Which columns are what; 0 is nowhere, since x is there.
+  size_t normalAt = 0;
+  for (const size_t column : { 3, 4, 6, 7 })
   {
-    const double* v = &values[i * columns + extra];
-    unit = std::abs(v[0] * v[0] + v[1] * v[1] + v[2] * v[2] - 1.0) < 0.02;
+    if (!normalAt && table.HasNormalsAt(column))
+    {
+      normalAt = column;
+    }
   }
-  const bool normals = further >= 6 || unit;
-  const size_t colourAt = normals ? extra + 3 : extra;
-  const bool colours = columns >= colourAt + 3;
+  size_t colourAt = 0;
+  for (size_t column = 3; column + 3 <= table.Columns; ++column)
+  {
+    const bool isFree = !normalAt || column + 3 <= normalAt || column >= normalAt + 3;
+    const size_t left = (column - 3) % 3 + (table.Columns - column) % 3;
+    if (!colourAt && isFree && (left == 0 || table.Columns % 3 == 1))
+    {
+      colourAt = column;
+    }
+  }
+  // x y z intensity r g b is the common order, not r g b intensity.
+  if (colourAt == 3 && !normalAt && table.Columns == 7)
+  {
+    colourAt = 4;
+  }
+  size_t scalarAt = 0;
+  if (table.Columns % 3 == 1)
+  {
+    scalarAt = normalAt == 4 || colourAt == 4 || table.Columns == 4 ? 3 : table.Columns - 1;
+  }
 
-  auto data = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  vtkNew<vtkFloatArray> normalArray;
-  normalArray->SetName("Normals");
-  normalArray->SetNumberOfComponents(3);
-  vtkNew<vtkUnsignedCharArray> colourArray;
-  colourArray->SetName("RGB");
-  colourArray->SetNumberOfComponents(3);
-  for (size_t i = 0; i < count; ++i)
+  points->SetNumberOfPoints(static_cast<vtkIdType>(rows));
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  vtkNew<vtkFloatArray> scalars;
+  scalars->SetName("Intensity");
+  std::vector<float> colours;
+  for (size_t i = 0; i < rows; ++i)
   {
-    const double* v = &values[i * columns];
-    points->InsertNextPoint(v);
-    if (normals)
+    const double* row = table.Row(i);
+    points->SetPoint(static_cast<vtkIdType>(i), row);
+    if (normalAt)
     {
-      normalArray->InsertNextTuple(v + extra);
+      normals->InsertNextTuple(row + normalAt);
     }
-    if (colours)
+    if (colourAt)
     {
-      for (size_t k = 0; k < 3; ++k)
-      {
-        const double c = std::clamp(v[colourAt + k], 0.0, 255.0);
-        colourArray->InsertNextValue(static_cast<unsigned char>(c));
-      }
+      colours.insert(colours.end(), row + colourAt, row + colourAt + 3);
+    }
+    if (scalarAt)
+    {
+      scalars->InsertNextTuple(row + scalarAt);
     }
   }
+
+  auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
-  if (normals)
+  if (normalAt)
   {
-    data->GetPointData()->SetNormals(normalArray);
+    data->GetPointData()->SetNormals(normals);
   }
-  if (colours)
+  if (scalarAt)
   {
-    data->GetPointData()->SetScalars(colourArray);
+    data->GetPointData()->AddArray(scalars);
+  }
+  if (colourAt)
+  {
+    const float greatest = *std::max_element(colours.begin(), colours.end());
+    data->GetPointData()->SetScalars(MakeColors(colours, greatest <= 1.0f ? 1.0 : 255.0));
   }
   return data;
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Points in text, a line each: x y z, then nx ny nz, or r g b, or both.
+// Points in text, a line each.
 #ifndef TextPoints_h
 #define TextPoints_h
 
@@ -8,15 +8,19 @@
 
 #include <string>
 
+class ProgressBar;
 class vtkPolyData;
 
 /**
- * Separators are blanks, tabs, commas and semicolons. Lines that begin with # or //
- * and a leading line with the count are passed over. Three further columns are
- * normals if each is a unit vector within 1 %, else colours of 0 to 255; six are
- * normals and colours; one or four have an intensity first, which is passed over.
+ * Columns are x y z, then normals, colours, both in either order, or neither, with
+ * one scalar before or behind those: three columns are normals if they are unit
+ * vectors within 1 % (or zero), else colours, from 0 to 1 or from 0 to 255. The
+ * scalar becomes the array "Intensity".
+ *
+ * Separators are blanks, tabs, commas and semicolons. Empty lines, lines that begin
+ * with # or //, a first line of names, and one with the count are passed over.
  * Throws UserError.
  */
-vtkSmartPointer<vtkPolyData> ReadTextPoints(const std::string& file);
+vtkSmartPointer<vtkPolyData> ReadTextPoints(const std::string& file, ProgressBar& progress);
 
 #endif
