@@ -40,7 +40,7 @@ endif ()
 
 # By name, since all of a packaged VTK's components want Qt and much else.
 set(_components
-  CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
+  CommonColor CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
   FiltersCore FiltersGeneral FiltersGeometry FiltersSources
   IOGeometry IOImage IOLegacy IOPLY IOXML ImagingCore InteractionStyle
   RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI

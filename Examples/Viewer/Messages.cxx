@@ -38,7 +38,18 @@ public:
       MessageKeeper::ShowWarnings();
     }
   }
-  void DisplayGenericWarningText(const char* text) override { this->DisplayWarningText(text); }
+  // By these some readers tell that a file is broken off, and go on with what was in memory.
+  void DisplayGenericWarningText(const char* text) override
+  {
+    if (showWarnings)
+    {
+      this->DisplayWarningText(text);
+    }
+    else
+    {
+      this->DisplayErrorText(text);
+    }
+  }
   void DisplayText(const char*) override {}
   void DisplayDebugText(const char*) override {}
 
@@ -47,8 +58,13 @@ private:
   static std::string OneLine(const std::string& text)
   {
     std::string line = text;
+    const size_t place = line.find('\n');
+    if (place != std::string::npos && line.substr(0, place).find(", line ") != std::string::npos)
+    {
+      line = line.substr(place + 1);
+    }
     const size_t address = line.find("): ");
-    if (address != std::string::npos)
+    if (address != std::string::npos && line.compare(0, 3, "vtk") == 0)
     {
       line = line.substr(address + 3);
     }

@@ -11,7 +11,8 @@
 /**
  * While it lives, VTK and the libraries that it reads files by write nothing to
  * stderr. Errors are kept until asked for; warnings until ShowWarnings(), since
- * those that come before an error say nothing that the error does not.
+ * those that come before an error say nothing that the error does not. Until then,
+ * VTK's generic warnings count as errors.
  */
 class MessageKeeper
 {

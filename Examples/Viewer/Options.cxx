@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options.h"
 
+#include "vtkMath.h"
+#include "vtkNamedColors.h"
+#include "vtkNew.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -14,12 +18,14 @@ namespace
 std::vector<std::string> Split(const std::string& text, char separator)
 {
   std::vector<std::string> parts;
-  std::istringstream in(text);
-  std::string part;
-  while (std::getline(in, part, separator))
+  size_t start = 0;
+  for (size_t end = text.find(separator); end != std::string::npos;
+       end = text.find(separator, start))
   {
-    parts.push_back(part);
+    parts.push_back(text.substr(start, end - start));
+    start = end + 1;
   }
+  parts.push_back(text.substr(start));
   return parts;
 }
 
@@ -41,11 +47,25 @@ std::vector<double> Numbers(const std::string& option, const std::string& text)
   {
     values.push_back(Number(option, part));
   }
-  if (values.empty())
-  {
-    throw UserError(option + ": needs at least one number");
-  }
   return values;
+}
+
+double Positive(const std::string& option, const std::string& text)
+{
+  const double value = Number(option, text);
+  if (value <= 0.0)
+  {
+    throw UserError(option + ": '" + text + "' is not greater than 0");
+  }
+  return value;
+}
+
+/**
+ * Appends, so that a repeated option goes on with the next surface.
+ */
+void Append(std::vector<double>& values, const std::vector<double>& more)
+{
+  values.insert(values.end(), more.begin(), more.end());
 }
 
 int Whole(const std::string& option, const std::string& text, int low, int high)
@@ -61,15 +81,12 @@ int Whole(const std::string& option, const std::string& text, int low, int high)
 
 std::array<double, 3> Colour(const std::string& option, const std::string& text)
 {
-  static const std::map<std::string, std::array<double, 3>> names = { { "white", { { 1, 1, 1 } } },
-    { "black", { { 0, 0, 0 } } }, { "grey", { { 0.5, 0.5, 0.5 } } },
-    { "red", { { 0.9, 0.2, 0.2 } } }, { "green", { { 0.35, 0.8, 0.4 } } },
-    { "blue", { { 0.35, 0.55, 0.95 } } }, { "orange", { { 0.85, 0.55, 0.3 } } },
-    { "yellow", { { 0.95, 0.85, 0.3 } } } };
-  auto named = names.find(text);
-  if (named != names.end())
+  vtkNew<vtkNamedColors> named;
+  if (named->ColorExists(text))
   {
-    return named->second;
+    std::array<double, 3> colour;
+    named->GetColorRGB(text, colour.data());
+    return colour;
   }
   if (text.size() == 7 && text[0] == '#' &&
     text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos)
@@ -77,13 +94,49 @@ std::array<double, 3> Colour(const std::string& option, const std::string& text)
     const long code = std::strtol(text.c_str() + 1, nullptr, 16);
     return { { ((code >> 16) & 255) / 255.0, ((code >> 8) & 255) / 255.0, (code & 255) / 255.0 } };
   }
-  const std::vector<double> values = Numbers(option, text);
+  std::vector<double> values;
+  if (text.find_first_not_of("0123456789.,eE+-") == std::string::npos)
+  {
+    values = Numbers(option, text);
+  }
   if (values.size() != 3 || *std::min_element(values.begin(), values.end()) < 0.0 ||
     *std::max_element(values.begin(), values.end()) > 1.0)
   {
-    throw UserError(option + ": '" + text + "' is no colour: r,g,b from 0 to 1, #rrggbb or a name");
+    throw UserError(
+      option + ": '" + text + "' is no colour; it takes r,g,b from 0 to 1, #rrggbb or a name");
   }
   return { { values[0], values[1], values[2] } };
+}
+
+std::vector<double> CameraNumbers(const std::string& option, const std::string& text)
+{
+  const std::vector<double> c = Numbers(option, text);
+  if (c.size() != 2 && c.size() != 3 && c.size() != 9 && c.size() != 10)
+  {
+    throw UserError(option +
+      ": takes azimuth,elevation[,zoom] or the nine numbers of position, focal point and view "
+      "up[,angle]");
+  }
+  if (c.size() == 3 && c[2] <= 0.0)
+  {
+    throw UserError(option + ": the zoom must be greater than 0");
+  }
+  if (c.size() == 10 && (c[9] <= 0.0 || c[9] >= 180.0))
+  {
+    throw UserError(option + ": the angle must be between 0 and 180");
+  }
+  if (c.size() >= 9)
+  {
+    const double view[3] = { c[3] - c[0], c[4] - c[1], c[5] - c[2] };
+    const double up[3] = { c[6], c[7], c[8] };
+    double side[3];
+    vtkMath::Cross(view, up, side);
+    if (vtkMath::Norm(side) <= 1e-9 * vtkMath::Norm(view) * vtkMath::Norm(up))
+    {
+      throw UserError(option + ": the view up lies along the view, or one of both is zero");
+    }
+  }
+  return c;
 }
 
 std::string OneOf(
@@ -108,16 +161,16 @@ Options Options::Parse(int argc, char* argv[])
   Options o;
   using Setter = std::function<void(const std::string&, const std::string&)>;
   const std::map<std::string, Setter> withValue = {
-    { "--iso", [&o](auto& n, auto& v) { o.Isovalues = Numbers(n, v); } },
+    { "--iso", [&o](auto& n, auto& v) { Append(o.Isovalues, Numbers(n, v)); } },
     { "--opacity",
       [&o](auto& n, auto& v) {
-        o.Opacities = Numbers(n, v);
-        for (double opacity : o.Opacities)
+        for (double opacity : Numbers(n, v))
         {
           if (opacity < 0.0 || opacity > 1.0)
           {
             throw UserError(n + ": opacities are from 0 to 1");
           }
+          o.Opacities.push_back(opacity);
         }
       } },
     { "--color",
@@ -127,14 +180,7 @@ Options Options::Parse(int argc, char* argv[])
           o.Colours.push_back(Colour(n, part));
         }
       } },
-    { "--spacing",
-      [&o](auto& n, auto& v) {
-        o.Spacing = Number(n, v);
-        if (o.Spacing <= 0.0)
-        {
-          throw UserError(n + ": the spacing must be greater than 0");
-        }
-      } },
+    { "--spacing", [&o](auto& n, auto& v) { o.Spacing = Positive(n, v); } },
     { "--magnify", [&o](auto& n, auto& v) { o.Magnify = Whole(n, v, 1, 16); } },
     { "--size",
       [&o](auto& n, auto& v) {
@@ -145,15 +191,7 @@ Options Options::Parse(int argc, char* argv[])
         }
         o.Size = { { Whole(n, parts[0], 1, 16384), Whole(n, parts[1], 1, 16384) } };
       } },
-    { "--camera",
-      [&o](auto& n, auto& v) {
-        o.Camera = Numbers(n, v);
-        const size_t count = o.Camera.size();
-        if (count != 2 && count != 3 && count != 9 && count != 10)
-        {
-          throw UserError(n + ": takes azimuth,elevation[,zoom] or nine numbers and an angle");
-        }
-      } },
+    { "--camera", [&o](auto& n, auto& v) { o.Camera = CameraNumbers(n, v); } },
     { "--background", [&o](auto& n, auto& v) { o.Background = Colour(n, v); } },
     { "--array", [&o](auto&, auto& v) { o.Array = v; } },
     { "--method",
@@ -163,16 +201,16 @@ Options Options::Parse(int argc, char* argv[])
         o.Projection = OneOf(n, v, { "automatic", "compute", "quads" });
       } },
     { "--normals", [&o](auto& n, auto& v) { o.Normals = OneOf(n, v, { "keep", "estimate" }); } },
-    { "--radius-scale",
-      [&o](auto& n, auto& v) {
-        o.RadiusScale = Number(n, v);
-        if (o.RadiusScale <= 0.0)
-        {
-          throw UserError(n + ": must be greater than 0");
-        }
-      } },
+    { "--radius-scale", [&o](auto& n, auto& v) { o.RadiusScale = Positive(n, v); } },
     { "--frames", [&o](auto& n, auto& v) { o.Frames = Whole(n, v, 1, 10000); } },
-    { "--output", [&o](auto&, auto& v) { o.Output = v; } },
+    { "--output",
+      [&o](auto& n, auto& v) {
+        if (v.size() < 5 || v.substr(v.size() - 4) != ".png")
+        {
+          throw UserError(n + ": '" + v + "' does not end in .png");
+        }
+        o.Output = v;
+      } },
     { "--json", [&o](auto&, auto& v) { o.Json = v; } },
   };
   const std::map<std::string, bool Options::*> flags = { { "--scalar-bar", &Options::ScalarBar },
@@ -192,8 +230,12 @@ Options Options::Parse(int argc, char* argv[])
     }
     auto flag = flags.find(name);
     auto setter = withValue.find(name);
-    if (flag != flags.end() && !attached)
+    if (flag != flags.end())
     {
+      if (attached)
+      {
+        throw UserError(name + ": takes no value");
+      }
       o.*(flag->second) = true;
     }
     else if (setter != withValue.end())
@@ -210,12 +252,16 @@ Options Options::Parse(int argc, char* argv[])
     }
     else if (name.size() > 1 && name[0] == '-')
     {
-      throw UserError("unknown option " + std::string(argv[i]) + "; --help lists all");
+      throw UserError("unknown option " + name + "; --help lists all");
     }
     else
     {
       o.Files.push_back(argv[i]);
     }
+  }
+  if (o.ScalarBar && o.Array.empty())
+  {
+    throw UserError("--scalar-bar: needs --array");
   }
   return o;
 }
@@ -227,44 +273,54 @@ std::string Options::HelpText()
 
   splatview [FILES] [options]
 
-FILES  points: .vtp .ply .obj .stl .xyz .pts .vtu .vtk    volumes: .vti .mhd .mha .nrrd .vtk
+FILES  points: .vtp .ply .obj .stl .xyz .pts .txt .csv .vtu .vts .vtk .vtm
+       volumes: .vti .mhd .mha .nrrd .nhdr .vtk .vtm
        Without files splatview makes a hydrogen orbital of its own, cut open to show three
        nested isosurfaces, and writes hydrogen.png.
-       Text points: a line a point, x y z [nx ny nz] [r g b].
+       Text points: a line a point, x y z [nx ny nz] [r g b]; an intensity, other orders,
+       # comments, a line of names and one with the count are understood.
+       Missing normals are taken from a mesh's triangles, or estimated.
 
 What is drawn
-  --iso V[,V...]       isovalues of a volume; default: a quarter, half and three quarters of its range
-  --spacing S          wanted distance between isosurface points, world units; default: the grid's
-  --magnify N          resample a volume N times finer first, cubically (1 to 16)
+  --iso V[,V...]       isovalues of volumes; default: a quarter, half and three quarters of
+                       the range
+  --spacing S          wanted distance between isosurface points, world units; default: the
+                       grid's
+  --magnify N          resample volumes N times finer first, cubically (1 to 16)
   --array NAME         point array to contour, or to colour points by
-  --normals WHICH      keep (default; missing ones are estimated) or estimate
+  --normals WHICH      keep (default) or estimate
   --radius-scale F     multiplies all splats' radii
 
 How it looks
-  --color C[;C...]     a colour for each surface: r,g,b (0 to 1), #rrggbb, or a name
+  --color C[;C...]     a colour for each surface: r,g,b (0 to 1), #rrggbb, or a name as in
+                       HTML; repeated options and lists go on with the next surface
   --opacity A[,A...]   an opacity for each surface, 0 to 1
   --background C       default 0.1,0.2,0.4
   --camera A,E[,Z]     azimuth and elevation in degrees from the default view, and a zoom; or
-  --camera PX,PY,PZ,FX,FY,FZ,UX,UY,UZ[,ANGLE]   position, focal point, view up, view angle
+  --camera PX,PY,PZ,FX,FY,FZ,UX,UY,UZ[,ANGLE]
+                       position, focal point, view up, and view angle in degrees
   --size WxH           default 1024x768
   --scalar-bar         show the colour scale of --array
 
 How it is drawn
-  --method M           automatic, two-pass
-  --projection P       automatic, compute, quads
+  --method M           automatic (default), two-pass
+  --projection P       automatic (default), compute, quads
 
 What comes out
-  --output F.png       write a picture and end; without it a window opens where there is a display,
-                       and splatview.png is written where there is none
+  --output F.png       write a picture and end; without it a window opens where there is a
+                       display, and splatview.png is written where there is none
   --json F.json        write points, method, automatic choices and frame times
   --frames N           frames to time (5)
   --quiet              no progress bars and no summary
   --help, --version
 
 Examples
+  splatview
   splatview bunny.ply --output bunny.png
-  splatview head.vti --iso 500,1150 --opacity .4,1 --color orange;white --output head.png
+  splatview head.vti --iso 500,1150 --opacity .4,1 --color 'orange;white' --output head.png
   splatview scan.xyz --normals estimate --camera 30,20,1.5 --json report.json --output scan.png
+  splatview flow.vtp --array pressure --scalar-bar
+  splatview before.ply after.ply --color '#5588ee;1,.6,.2'
 
 Exit codes: 0 done, 1 OpenGL or VTK failed, 2 a bad option or file.
 )";

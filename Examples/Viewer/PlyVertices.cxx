@@ -6,7 +6,7 @@
 #include "PointColors.h"
 #include "Progress.h"
 
-#include "vtkDoubleArray.h"
+#include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -15,12 +15,14 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <map>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace
@@ -257,6 +259,11 @@ double White(Type type)
   }
 }
 
+bool NeedsDouble(Type type)
+{
+  return type == Type::Float64 || type == Type::Int32 || type == Type::UInt32;
+}
+
 vtkSmartPointer<vtkPolyData> ReadVertices(
   ValueReader& reader, const Element& element, const std::string& file, ProgressBar& progress)
 {
@@ -271,10 +278,8 @@ vtkSmartPointer<vtkPolyData> ReadVertices(
   {
     throw UserError(file + ": the PLY vertices have no x, y, z");
   }
-  const bool precise = std::any_of(position.At.begin(), position.At.end(), [&](size_t i) {
-    const Type type = element.Properties[i].ValueType;
-    return type == Type::Float64 || type == Type::Int32 || type == Type::UInt32;
-  });
+  const bool precise = std::any_of(position.At.begin(), position.At.end(),
+    [&](size_t i) { return NeedsDouble(element.Properties[i].ValueType); });
 
   vtkNew<vtkPoints> points;
   points->SetDataType(precise ? VTK_DOUBLE : VTK_FLOAT);
@@ -288,10 +293,9 @@ vtkSmartPointer<vtkPolyData> ReadVertices(
     const Property& property = element.Properties[i];
     if (!property.IsList && !position.Has(i) && !normal.Has(i) && !colour.Has(i))
     {
-      const bool wide = property.ValueType == Type::Float64 ||
-        property.ValueType == Type::Int32 || property.ValueType == Type::UInt32;
-      others.emplace_back(i, vtkSmartPointer<vtkDataArray>::Take(
-        vtkDataArray::CreateDataArray(wide ? VTK_DOUBLE : VTK_FLOAT)));
+      const int type = NeedsDouble(property.ValueType) ? VTK_DOUBLE : VTK_FLOAT;
+      others.emplace_back(
+        i, vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type)));
       others.back().second->SetName(property.Name.c_str());
     }
   }

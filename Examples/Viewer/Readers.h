@@ -7,35 +7,16 @@
 #include "vtkSmartPointer.h"
 
 #include <string>
+#include <utility>
+#include <vector>
 
-class vtkAlgorithm;
-class vtkDataObject;
-
-/**
- * A vtkImageData, or a vtkPointSet with its normals if it has any. Throws UserError.
- */
-vtkSmartPointer<vtkDataObject> ReadFile(const std::string& file, bool quiet);
+class vtkDataSet;
 
 /**
- * Draws the filter's progress on the terminal, if there is one, while it runs.
+ * What lies in the file, each a vtkImageData or a vtkPointSet with at least one
+ * point, and its name: the file's, and of more than one the block's. Throws UserError.
  */
-void ShowProgress(vtkAlgorithm* algorithm, const std::string& label, bool quiet);
-
-/**
- * Keeps VTK's errors and warnings, so that what a user sees is one line.
- */
-class MessageKeeper
-{
-public:
-  MessageKeeper();
-  ~MessageKeeper();
-  MessageKeeper(const MessageKeeper&) = delete;
-  void operator=(const MessageKeeper&) = delete;
-
-  /**
-   * The first error since the last call, in one line, or an empty string.
-   */
-  static std::string TakeError();
-};
+std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> ReadFile(
+  const std::string& file, bool quiet);
 
 #endif

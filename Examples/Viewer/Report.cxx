@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Report.h"
 
+#include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkVersion.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <sstream>
@@ -34,6 +36,27 @@ std::string Quoted(const std::string& text)
     }
   }
   return out + "\"";
+}
+
+/**
+ * With all digits. JSON has no infinity and no NaN.
+ */
+std::string Number(double value)
+{
+  std::ostringstream out;
+  out.precision(17);
+  out << value;
+  return std::isfinite(value) ? out.str() : "null";
+}
+
+std::string List(const double* begin, const double* end)
+{
+  std::string out = "[";
+  for (const double* value = begin; value != end; ++value)
+  {
+    out += (value == begin ? "" : ", ") + Number(*value);
+  }
+  return out + "]";
 }
 
 /**
@@ -79,26 +102,29 @@ void WriteReport(const std::string& file, const Scene& scene, vtkRenderWindow* w
   {
     vtkPointSplatMapper* mapper = surface.Mapper;
     total += mapper->GetNumberOfSplats();
-    out << separator << "    {\"name\": " << Quoted(surface.Name)
+    const double* bounds = mapper->GetBounds();
+    const double* colour = surface.Actor->GetProperty()->GetColor();
+    out << separator << "    {\"name\": " << Quoted(surface.Name) << ", \"isovalue\": "
+        << (surface.Isovalue ? Number(*surface.Isovalue) : "null")
         << ", \"points\": " << mapper->GetNumberOfSplats()
         << ", \"skipped\": " << mapper->GetNumberOfSkippedPoints()
         << ", \"method\": " << Quoted(mapper->GetMethodUsed())
         << ", \"projection\": " << Quoted(mapper->GetProjectionUsed())
-        << ", \"layer_distance\": " << mapper->GetLayerDistanceUsed() << "}";
+        << ", \"layer_distance\": " << Number(mapper->GetLayerDistanceUsed())
+        << ", \"normals\": " << Quoted(surface.Normals)
+        << ", \"coloured_by\": " << Quoted(surface.Colours) << ", \"color\": "
+        << List(colour, colour + 3)
+        << ", \"opacity\": " << Number(surface.Actor->GetProperty()->GetOpacity())
+        << ", \"bounds\": " << List(bounds, bounds + 6) << "}";
     separator = ",\n";
   }
   const int* size = window->GetSize();
   out << "\n  ],\n  \"points\": " << total << ",\n  \"image_bytes\": "
-      << (scene.Surfaces.empty() ? 0 : scene.Surfaces[0].Mapper->GetImageMemorySize())
+      << scene.Surfaces[0].Mapper->GetImageMemorySize()
       << ",\n  \"size\": [" << size[0] << ", " << size[1]
-      << "],\n  \"median_frame_ms\": " << Median(milliseconds) << ",\n  \"frames_ms\": [";
-  separator = "";
-  for (double ms : milliseconds)
-  {
-    out << separator << ms;
-    separator = ", ";
-  }
-  out << "],\n  \"vtk\": " << Quoted(vtkVersion::GetVTKVersion())
+      << "],\n  \"median_frame_ms\": " << Number(Median(milliseconds)) << ",\n  \"frames_ms\": "
+      << List(milliseconds.data(), milliseconds.data() + milliseconds.size())
+      << ",\n  \"vtk\": " << Quoted(vtkVersion::GetVTKVersion())
       << ",\n  \"opengl_renderer\": " << Quoted(Capability(window, "OpenGL renderer string"))
       << ",\n  \"opengl_version\": " << Quoted(Capability(window, "OpenGL version string"))
       << "\n}\n";

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene.h"
 
+#include "Camera.h"
 #include "HydrogenVolume.h"
+#include "Progress.h"
 #include "Readers.h"
 
 #include "vtkCamera.h"
+#include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkImageData.h"
@@ -17,6 +20,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSplatEstimation.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
 #include "vtkScalarBarActor.h"
 #include "vtkUnsignedCharArray.h"
@@ -29,17 +33,28 @@ namespace
 const std::array<double, 3> palette[] = { { { 0.35, 0.55, 0.95 } }, { { 0.35, 0.80, 0.40 } },
   { { 0.85, 0.55, 0.30 } }, { { 0.8, 0.8, 0.8 } } };
 
-std::string BaseName(const std::string& file)
+/**
+ * The error that says which arrays there are.
+ */
+UserError NoSuchArray(const std::string& name, const std::string& array, vtkDataSet* data)
 {
-  return file.substr(file.find_last_of("/\\") + 1);
+  std::string all;
+  for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    const char* one = data->GetPointData()->GetArrayName(i);
+    all += (all.empty() ? "; it has " : ", ") + std::string(one ? one : "one without a name");
+  }
+  return UserError(name + ": has no point array '" + array + "'" + all);
 }
 
 /**
  * An actor for a cloud, in the next colour.
  */
-void AddSurface(Scene& scene, const Options& options, const std::string& name, vtkDataObject* data)
+Surface& AddSurface(
+  Scene& scene, const Options& options, const std::string& name, vtkDataObject* data)
 {
   Surface surface;
+  surface.Colours = "actor";
   surface.Name = name;
   surface.Mapper = vtkSmartPointer<vtkPointSplatMapper>::New();
   surface.Mapper->SetInputDataObject(data);
@@ -69,6 +84,7 @@ void AddSurface(Scene& scene, const Options& options, const std::string& name, v
   }
   scene.Renderer->AddActor(surface.Actor);
   scene.Surfaces.push_back(surface);
+  return scene.Surfaces.back();
 }
 
 void AddVolume(Scene& scene, const Options& options, const std::string& name, vtkImageData* volume)
@@ -79,13 +95,10 @@ void AddVolume(Scene& scene, const Options& options, const std::string& name, vt
   {
     throw UserError(name + ": is no volume but an image");
   }
-  if (!options.Array.empty() && !image->GetPointData()->HasArray(options.Array.c_str()))
+  if (!options.Array.empty() &&
+    image->GetPointData()->SetActiveScalars(options.Array.c_str()) < 0)
   {
-    throw UserError(name + ": has no point array '" + options.Array + "'");
-  }
-  if (!options.Array.empty())
-  {
-    image->GetPointData()->SetActiveScalars(options.Array.c_str());
+    throw NoSuchArray(name, options.Array, image);
   }
   if (!image->GetPointData()->GetScalars())
   {
@@ -113,8 +126,6 @@ void AddVolume(Scene& scene, const Options& options, const std::string& name, vt
   }
   for (double isovalue : isovalues)
   {
-    std::ostringstream label;
-    label << name << " at " << isovalue;
     vtkNew<vtkIsosurfacePoints> points;
     points->SetInputData(image);
     points->SetValue(0, isovalue);
@@ -128,7 +139,9 @@ void AddVolume(Scene& scene, const Options& options, const std::string& name, vt
            << range[0] << " to " << range[1];
       throw UserError(text.str());
     }
-    AddSurface(scene, options, label.str(), points->GetOutput());
+    Surface& surface = AddSurface(scene, options, name, points->GetOutput());
+    surface.Isovalue = isovalue;
+    surface.Normals = "gradient";
   }
 }
 
@@ -142,31 +155,53 @@ void AddPoints(Scene& scene, const Options& options, const std::string& name, vt
     options.Array.empty() ? nullptr : data->GetPointData()->GetArray(options.Array.c_str());
   if (!options.Array.empty() && !named)
   {
-    throw UserError(name + ": has no point array '" + options.Array + "'");
+    throw NoSuchArray(name, options.Array, data);
   }
+
+  std::string normals = "file";
+  vtkSmartPointer<vtkDataSet> points = data;
+  vtkPolyData* mesh = vtkPolyData::SafeDownCast(data);
   if (options.Normals == "estimate")
   {
     data->GetPointData()->SetNormals(nullptr);
+    normals = "estimated";
+  }
+  else if (!data->GetPointData()->GetNormals() && mesh &&
+    mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0)
+  {
+    vtkNew<vtkPolyDataNormals> fromTriangles;
+    fromTriangles->SetInputData(mesh);
+    fromTriangles->SplittingOff();
+    ShowProgress(fromTriangles, "normals", options.Quiet);
+    fromTriangles->Update();
+    points = fromTriangles->GetOutput();
+    normals = "triangles";
+  }
+  else if (!data->GetPointData()->GetNormals())
+  {
+    normals = "estimated";
   }
   // Here and not in the mapper, so that there is a progress bar.
   vtkNew<vtkPointSplatEstimation> estimation;
-  estimation->SetInputData(data);
+  estimation->SetInputData(points);
   ShowProgress(estimation, "normals and splat sizes", options.Quiet);
   estimation->Update();
-  AddSurface(scene, options, name, estimation->GetOutput());
-  vtkPointSplatMapper* mapper = scene.Surfaces.back().Mapper;
-  vtkDataArray* scalars = data->GetPointData()->GetScalars();
+  Surface& surface = AddSurface(scene, options, name, estimation->GetOutput());
+  surface.Normals = normals;
+
+  vtkDataArray* scalars = points->GetPointData()->GetScalars();
   if (named)
   {
-    mapper->ScalarVisibilityOn();
-    mapper->SetScalarModeToUsePointFieldData();
-    mapper->SelectColorArray(options.Array.c_str());
-    mapper->SetScalarRange(named->GetFiniteRange());
-    mapper->GetLookupTable()->Build();
+    surface.Colours = options.Array;
+    surface.Mapper->ScalarVisibilityOn();
+    surface.Mapper->SetScalarModeToUsePointFieldData();
+    surface.Mapper->SelectColorArray(options.Array.c_str());
+    surface.Mapper->SetScalarRange(named->GetFiniteRange());
+    surface.Mapper->GetLookupTable()->Build();
     if (options.ScalarBar)
     {
       vtkNew<vtkScalarBarActor> bar;
-      bar->SetLookupTable(mapper->GetLookupTable());
+      bar->SetLookupTable(surface.Mapper->GetLookupTable());
       bar->SetTitle(options.Array.c_str());
       scene.Renderer->AddActor2D(bar);
     }
@@ -174,34 +209,9 @@ void AddPoints(Scene& scene, const Options& options, const std::string& name, vt
   else if (vtkUnsignedCharArray::SafeDownCast(scalars) && scalars->GetNumberOfComponents() >= 3 &&
     options.Colours.empty())
   {
-    mapper->ScalarVisibilityOn();
+    surface.Colours = scalars->GetName() ? scalars->GetName() : "RGB";
+    surface.Mapper->ScalarVisibilityOn();
   }
-}
-
-void PlaceCamera(vtkRenderer* renderer, const std::vector<double>& c)
-{
-  vtkCamera* camera = renderer->GetActiveCamera();
-  if (c.size() >= 9)
-  {
-    camera->SetPosition(c[0], c[1], c[2]);
-    camera->SetFocalPoint(c[3], c[4], c[5]);
-    camera->SetViewUp(c[6], c[7], c[8]);
-    if (c.size() > 9)
-    {
-      camera->SetViewAngle(c[9]);
-    }
-    renderer->ResetCameraClippingRange();
-    return;
-  }
-  renderer->ResetCamera();
-  if (c.size() >= 2)
-  {
-    camera->Azimuth(c[0]);
-    camera->Elevation(c[1]);
-    camera->OrthogonalizeViewUp();
-    camera->Dolly(c.size() > 2 && c[2] > 0.0 ? c[2] : 1.0);
-  }
-  renderer->ResetCameraClippingRange();
 }
 }
 
@@ -221,7 +231,7 @@ Scene Scene::Make(const Options& options)
     }
     if (own.Spacing <= 0.0)
     {
-      own.Spacing = 0.07;
+      own.Spacing = 0.1;
     }
     AddVolume(scene, own, "hydrogen orbital", MakeHydrogenVolume(128));
     if (options.Opacities.empty())
@@ -245,14 +255,16 @@ Scene Scene::Make(const Options& options)
   }
   for (const std::string& file : options.Files)
   {
-    vtkSmartPointer<vtkDataObject> data = ReadFile(file, options.Quiet);
-    if (vtkImageData* volume = vtkImageData::SafeDownCast(data))
+    for (const auto& [name, data] : ReadFile(file, options.Quiet))
     {
-      AddVolume(scene, options, BaseName(file), volume);
-    }
-    else
-    {
-      AddPoints(scene, options, BaseName(file), vtkDataSet::SafeDownCast(data));
+      if (vtkImageData* volume = vtkImageData::SafeDownCast(data))
+      {
+        AddVolume(scene, options, name, volume);
+      }
+      else
+      {
+        AddPoints(scene, options, name, data);
+      }
     }
   }
   PlaceCamera(scene.Renderer, own.Camera);

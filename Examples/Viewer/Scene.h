@@ -11,12 +11,18 @@
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 struct Surface
 {
   std::string Name;
+  std::optional<double> Isovalue;
+  /// Where the normals are from: "gradient", "file", "triangles" or "estimated".
+  std::string Normals;
+  /// Where the colours are from: "actor", "RGB", or an array's name.
+  std::string Colours;
   vtkSmartPointer<vtkActor> Actor;
   vtkSmartPointer<vtkPointSplatMapper> Mapper;
 };

@@ -17,7 +17,9 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
+#include <string>
 #include <vector>
 
 namespace
@@ -81,6 +83,37 @@ bool ParseLine(const std::string& line, std::vector<double>& numbers)
   return true;
 }
 
+/**
+ * Which columns are what; 0 is nowhere, since x is there.
+ */
+void FindColumns(const Table& table, size_t& normalAt, size_t& colourAt, size_t& scalarAt)
+{
+  // What may follow x y z: (n)ormal, (c)olour, (s)calar; the first that fits is taken.
+  // Columns behind are passed over, but not where a scalar would then be guessed.
+  for (const std::string layout :
+    { "snc", "scn", "ncs", "cns", "nc", "cn", "sn", "ns", "sc", "n", "c", "s" })
+  {
+    normalAt = colourAt = scalarAt = 0;
+    size_t column = 3;
+    for (const char kind : layout)
+    {
+      (kind == 'n' ? normalAt : kind == 'c' ? colourAt : scalarAt) = column;
+      column += kind == 's' ? 1 : 3;
+    }
+    if ((scalarAt ? column == table.Columns : column <= table.Columns) &&
+      (!normalAt || table.HasNormalsAt(normalAt)))
+    {
+      return;
+    }
+  }
+  normalAt = colourAt = scalarAt = 0;
+}
+
+bool IsName(char c)
+{
+  return std::isalpha(static_cast<unsigned char>(c)) || c == '"';
+}
+
 Table ReadTable(const std::string& file, ProgressBar& progress)
 {
   std::ifstream in(file, std::ios::binary);
@@ -95,7 +128,8 @@ Table ReadTable(const std::string& file, ProgressBar& progress)
   Table table;
   std::vector<double> row;
   std::string line;
-  bool first = true;
+  bool names = false;
+  bool count = false;
   for (long number = 1; std::getline(in, line); ++number)
   {
     std::replace_if(
@@ -106,13 +140,15 @@ Table ReadTable(const std::string& file, ProgressBar& progress)
       continue;
     }
     const bool numbers = ParseLine(line.substr(start), row);
-    const bool header = first && (!numbers || row.size() == 1);
-    first = false;
-    if (header && (numbers || std::isalpha(static_cast<unsigned char>(line[start])) ||
-                    line[start] == '"'))
+    const bool atTop = table.Columns == 0;
+    if (atTop && !names && !numbers && IsName(line[start]))
     {
-      // The count may still follow names, or names the count.
-      first = !numbers;
+      names = true;
+      continue;
+    }
+    if (atTop && !count && numbers && row.size() == 1)
+    {
+      count = true;
       continue;
     }
     if (!numbers)
@@ -149,35 +185,10 @@ vtkSmartPointer<vtkPolyData> ReadTextPoints(const std::string& file, ProgressBar
   const Table table = ReadTable(file, progress);
   const size_t rows = table.GetNumberOfRows();
 
-  // Which columns are what; 0 is nowhere, since x is there.
   size_t normalAt = 0;
-  for (const size_t column : { 3, 4, 6, 7 })
-  {
-    if (!normalAt && table.HasNormalsAt(column))
-    {
-      normalAt = column;
-    }
-  }
   size_t colourAt = 0;
-  for (size_t column = 3; column + 3 <= table.Columns; ++column)
-  {
-    const bool isFree = !normalAt || column + 3 <= normalAt || column >= normalAt + 3;
-    const size_t left = (column - 3) % 3 + (table.Columns - column) % 3;
-    if (!colourAt && isFree && (left == 0 || table.Columns % 3 == 1))
-    {
-      colourAt = column;
-    }
-  }
-  // x y z intensity r g b is the common order, not r g b intensity.
-  if (colourAt == 3 && !normalAt && table.Columns == 7)
-  {
-    colourAt = 4;
-  }
   size_t scalarAt = 0;
-  if (table.Columns % 3 == 1)
-  {
-    scalarAt = normalAt == 4 || colourAt == 4 || table.Columns == 4 ? 3 : table.Columns - 1;
-  }
+  FindColumns(table, normalAt, colourAt, scalarAt);
 
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();

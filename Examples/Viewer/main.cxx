@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 // splatview: point clouds, and volumes by way of them, drawn as smooth surfaces.
+#include "Display.h"
+#include "Messages.h"
 #include "Options.h"
-#include "Readers.h"
 #include "Report.h"
 #include "Scene.h"
 
@@ -18,22 +19,12 @@
 
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <new>
 
 namespace
 {
-bool HasDisplay()
-{
-#if defined(__unix__) && !defined(__APPLE__)
-  const char* display = std::getenv("DISPLAY");
-  return display && *display;
-#else
-  return true;
-#endif
-}
-
 /**
  * Frame times of a small turn about the scene and back.
  */
@@ -57,12 +48,24 @@ std::vector<double> TimeFrames(vtkRenderWindow* window, vtkRenderer* renderer, i
   return milliseconds;
 }
 
-void WritePicture(vtkRenderWindow* window, const std::string& file)
+/**
+ * Before the work and not after it.
+ */
+void CheckWritable(const std::string& file)
 {
+  const bool existed = static_cast<bool>(std::ifstream(file));
   if (!std::ofstream(file, std::ios::app))
   {
     throw UserError(file + ": cannot be written");
   }
+  if (!existed)
+  {
+    std::remove(file.c_str());
+  }
+}
+
+void WritePicture(vtkRenderWindow* window, const std::string& file)
+{
   vtkNew<vtkWindowToImageFilter> image;
   image->SetInput(window);
   image->ReadFrontBufferOff();
@@ -72,12 +75,35 @@ void WritePicture(vtkRenderWindow* window, const std::string& file)
   writer->Write();
 }
 
+/**
+ * What VTK said is wrong, if anything; the exit code.
+ */
+int ShowMessages()
+{
+  const std::string error = MessageKeeper::TakeError();
+  if (!error.empty())
+  {
+    std::fprintf(stderr, "splatview: %s\n", error.c_str());
+    return 1;
+  }
+  MessageKeeper::ShowWarnings();
+  return 0;
+}
+
 int Run(const Options& options)
 {
   const bool interactive = options.Output.empty() && !options.Files.empty() && HasDisplay();
   const std::string output = !options.Output.empty() ? options.Output
     : options.Files.empty()                          ? "hydrogen.png"
                                                      : "splatview.png";
+  if (!interactive)
+  {
+    CheckWritable(output);
+  }
+  if (!options.Json.empty())
+  {
+    CheckWritable(options.Json);
+  }
   Scene scene = Scene::Make(options);
 
   vtkSmartPointer<vtkRenderWindow> window;
@@ -94,10 +120,8 @@ int Run(const Options& options)
   window->SetWindowName("splatview");
   window->AddRenderer(scene.Renderer);
   window->Render();
-  const std::string error = MessageKeeper::TakeError();
-  if (!error.empty())
+  if (ShowMessages() != 0)
   {
-    std::fprintf(stderr, "splatview: %s\n", error.c_str());
     return 1;
   }
 
@@ -115,8 +139,9 @@ int Run(const Options& options)
       {
         points += surface.Mapper->GetNumberOfSplats();
       }
-      std::printf("%lld points in %zu surfaces, %s by %s, %.1f ms a frame%s%s\n",
+      std::printf("%lld points in %zu surface%s, %s by %s, %.1f ms a frame%s%s\n",
         static_cast<long long>(points), scene.Surfaces.size(),
+        scene.Surfaces.size() == 1 ? "" : "s",
         scene.Surfaces[0].Mapper->GetMethodUsed(), scene.Surfaces[0].Mapper->GetProjectionUsed(),
         Median(times), interactive ? "" : ", written to ", interactive ? "" : output.c_str());
       std::fflush(stdout);
@@ -125,7 +150,7 @@ int Run(const Options& options)
   if (!interactive)
   {
     WritePicture(window, output);
-    return 0;
+    return ShowMessages();
   }
   vtkNew<vtkRenderWindowInteractor> interactor;
   vtkNew<vtkInteractorStyleTrackballCamera> style;
@@ -159,5 +184,10 @@ int main(int argc, char* argv[])
   {
     std::fprintf(stderr, "splatview: %s\n", error.what());
     return 2;
+  }
+  catch (const std::bad_alloc&)
+  {
+    std::fprintf(stderr, "splatview: there is not enough memory\n");
+    return 1;
   }
 }
