@@ -276,7 +276,7 @@ float vtkPointSplatDisk::FarthestVertex(float limit) const
 }
 
 bool vtkPointSplatDisk::Estimate(const vtkPointSplatNeighbors::Neighborhood& around,
-  const float* normals, bool elliptical, int nearby, bool last, float limit)
+  const float* normals, bool elliptical, int nearby, bool border, float limit)
 {
   this->Project(around, normals);
   if (elliptical)
@@ -295,7 +295,7 @@ bool vtkPointSplatDisk::Estimate(const vtkPointSplatNeighbors::Neighborhood& aro
   }
   this->Reach = std::sqrt(this->Reach);
   const bool closed = this->Count > 2 && this->ClipByBisectors();
-  if (!closed && !last)
+  if (!closed && !border)
   {
     return false;
   }
@@ -318,7 +318,7 @@ bool vtkPointSplatDisk::Estimate(const vtkPointSplatNeighbors::Neighborhood& aro
   }
   this->Length1 = radius * this->Scale1;
   this->Length2 = radius * this->Scale2;
-  return true;
+  return closed;
 }
 
 VTK_ABI_NAMESPACE_END

@@ -26,13 +26,13 @@ public:
 
   /**
    * Finds the disk of the neighbourhood's centre. normals: 3 floats a slot, unit length.
-   * Returns false when more neighbours are needed to know it; with `last` the answer
-   * stands, whatever they are. A disk on a border reaches no farther than the `nearby`
-   * nearest of them. Vertices of the cell farther than `limit` times the spacing are left
-   * out: there is a hole. Lengths are 0 if there is no neighbour at all.
+   * Returns whether the neighbours close the cell all around. Where they do not, nothing is
+   * found unless `border` is set: then the disk is that of a point on a border, and reaches
+   * no farther than the `nearby` nearest of them. Vertices of the cell farther than `limit`
+   * times the spacing are left out: there is a hole. Lengths are 0 if there is no neighbour.
    */
   bool Estimate(const vtkPointSplatNeighbors::Neighborhood& around, const float* normals,
-    bool elliptical, int nearby, bool last, float limit);
+    bool elliptical, int nearby, bool border, float limit);
 
   /// The distance to the sixth neighbour, or the last if there are fewer, in the plane where
   /// the disk is round.

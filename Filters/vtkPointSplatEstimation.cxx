@@ -287,12 +287,14 @@ int vtkPointSplatEstimation::RequestData(
     // 4. Disks
     Disks disks(slots, elliptical);
     float limit = std::numeric_limits<float>::max();
-    auto measure = [&](const vtkPointSplatNeighbors::Neighborhood& around, bool last) {
+    auto measure = [&](const vtkPointSplatNeighbors::Neighborhood& around, int round) {
       vtkPointSplatDisk disk;
-      if (!disk.Estimate(
-            around, slotNormals.data(), elliptical, this->NumberOfNeighbors, last, limit))
+      const bool closed = disk.Estimate(
+        around, slotNormals.data(), elliptical, this->NumberOfNeighbors, round == 1, limit);
+      if (!closed && round != 1)
       {
-        return false;
+        // More neighbours may tell; in the last round, the border's disk of the one before stands.
+        return round == 2;
       }
       const Slot s = around.Center;
       disks.Length[s] = disk.Length1 > 0 ? disk.Length1 : LoneRadius;
@@ -315,7 +317,7 @@ int vtkPointSplatEstimation::RequestData(
           disks.Axes[std::size_t(6) * s + 3 + c] = ratio * disk.Axis2[c];
         }
       }
-      return true;
+      return closed;
     };
     if (!neighbors.Visit(this, missing ? 0.5 : 0.1, 0.8, this->NumberOfNeighbors, measure))
     {

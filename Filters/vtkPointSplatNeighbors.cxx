@@ -307,7 +307,7 @@ void vtkPointSplatNeighbors::GetPosition(Slot slot, double x[3]) const
 }
 
 void vtkPointSplatNeighbors::Scan(const Leaf& from, std::uint32_t other, unsigned int lanes, int k,
-  bool self, Scratch& scratch) const
+  bool self, bool spread, Scratch& scratch) const
 {
   const Leaf& leaf = this->Leaves[other];
   const float sx = static_cast<float>(leaf.Origin[0] - from.Origin[0]);
@@ -336,6 +336,23 @@ void vtkPointSplatNeighbors::Scan(const Leaf& from, std::uint32_t other, unsigne
       squared[i] = dx * dx + dy * dy + dz * dz;
     }
     Slot* slots = scratch.Slots.data() + lane * k;
+    if (spread)
+    {
+      // What is not the nearest is as far as can be.
+      int nearest = -1;
+      for (int i = 0; i < leaf.Count; ++i)
+      {
+        if (squared[i] > 0 && !(self && i == lane) &&
+          (nearest < 0 || squared[i] < squared[nearest]))
+        {
+          nearest = i;
+        }
+      }
+      for (int i = 0; i < leaf.Count; ++i)
+      {
+        squared[i] = i == nearest ? squared[i] : std::numeric_limits<float>::infinity();
+      }
+    }
     for (int i = 0; i < leaf.Count; ++i)
     {
       // Distinct points whose distance underflows are as good as the same point.
@@ -358,7 +375,7 @@ void vtkPointSplatNeighbors::Scan(const Leaf& from, std::uint32_t other, unsigne
 }
 
 void vtkPointSplatNeighbors::SearchLeaf(
-  std::uint32_t leafId, unsigned int lanes, int k, Scratch& scratch) const
+  std::uint32_t leafId, unsigned int lanes, int k, bool spread, Scratch& scratch) const
 {
   const Leaf& leaf = this->Leaves[leafId];
   scratch.Distances.assign(
@@ -366,16 +383,16 @@ void vtkPointSplatNeighbors::SearchLeaf(
   scratch.Slots.resize(static_cast<std::size_t>(k) * LeafSize);
 
   // The leaves around in the tree's order give a first bound.
-  const std::uint32_t window = 1 + k / 16;
+  const std::uint32_t window = spread ? k : 1 + k / 16;
   const std::uint32_t first = leafId > window ? leafId - window : 0;
   const std::uint32_t last =
     std::min<std::uint32_t>(leafId + window, static_cast<std::uint32_t>(this->Leaves.size()) - 1);
-  this->Scan(leaf, leafId, lanes, k, true, scratch);
+  this->Scan(leaf, leafId, lanes, k, true, spread, scratch);
   for (std::uint32_t other = first; other <= last; ++other)
   {
     if (other != leafId)
     {
-      this->Scan(leaf, other, lanes, k, false, scratch);
+      this->Scan(leaf, other, lanes, k, false, spread, scratch);
     }
   }
   float worst = 0;
@@ -416,7 +433,7 @@ void vtkPointSplatNeighbors::SearchLeaf(
   }
   for (std::uint32_t other : scratch.Leaves)
   {
-    this->Scan(leaf, other, lanes, k, false, scratch);
+    this->Scan(leaf, other, lanes, k, false, spread, scratch);
   }
 }
 

@@ -40,6 +40,7 @@ public:
   using Slot = std::uint32_t;
   static constexpr int LeafSize = 16;
   static constexpr int MaximumNumberOfNeighbors = 128;
+  static constexpr int NumberOfSpreadNeighbors = 64;
   static constexpr Slot None = std::numeric_limits<Slot>::max();
 
   /// The neighbours of one slot, nearest first, none at the same position.
@@ -68,10 +69,11 @@ public:
   void GetPosition(Slot slot, double x[3]) const;
 
   /**
-   * Calls visit(neighborhood, last) for each slot that is wanted(slot) with its k nearest neighbours, slots in
-   * parallel. Where it returns false and `last` is false, it is called once more, with
-   * four times as many neighbours and `last` true. Moves self's progress from `from` to
-   * `to`; returns false if aborted.
+   * Calls visit(neighborhood, round) for each slot that is wanted(slot), slots in parallel:
+   * in round 0 with its k nearest neighbours; where it returns false, in round 1 with four
+   * times as many; where it returns false again, in round 2 with the nearest point of each of
+   * the leaves around, which reach farther than a dense row of points does. Moves self's
+   * progress from `from` to `to`; returns false if aborted.
    */
   template <typename Visitor, typename Predicate>
   bool Visit(vtkAlgorithm* self, double from, double to, int k, const Visitor& visit,
@@ -108,9 +110,11 @@ private:
 
   static constexpr unsigned int AllLanes = (1u << LeafSize) - 1;
 
-  void SearchLeaf(std::uint32_t leaf, unsigned int lanes, int k, Scratch& scratch) const;
+  // spread: at most one neighbour a leaf.
+  void SearchLeaf(
+    std::uint32_t leaf, unsigned int lanes, int k, bool spread, Scratch& scratch) const;
   void Scan(const Leaf& from, std::uint32_t other, unsigned int lanes, int k, bool self,
-    Scratch& scratch) const;
+    bool spread, Scratch& scratch) const;
   Neighborhood Describe(std::uint32_t leaf, int lane, int k, Scratch& scratch) const;
 
   std::vector<Node> Nodes;
@@ -135,14 +139,14 @@ bool vtkPointSplatNeighbors::Visit(vtkAlgorithm* self, double from, double to, i
       {
         lanes |= wanted(leafId * LeafSize + lane) ? 1u << lane : 0u;
       }
-      for (int round = 0; round < 2 && lanes; ++round)
+      for (int round = 0; round < 3 && lanes; ++round)
       {
-        const int count = round ? more : k;
-        this->SearchLeaf(leafId, lanes, count, scratch);
+        const int count = round == 0 ? k : round == 1 ? more : NumberOfSpreadNeighbors;
+        this->SearchLeaf(leafId, lanes, count, round == 2, scratch);
         for (int lane = 0; lane < LeafSize; ++lane)
         {
           if ((lanes >> lane & 1u) &&
-            visit(this->Describe(leafId, lane, count, scratch), round == 1))
+            visit(this->Describe(leafId, lane, count, scratch), round))
           {
             lanes &= ~(1u << lane);
           }

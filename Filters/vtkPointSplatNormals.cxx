@@ -128,7 +128,7 @@ bool vtkPointSplatNormals::Fit(vtkAlgorithm* self, double from, double to, int k
     this->Graph.assign(
       std::size_t(NumberOfEdges) * this->Neighbors.GetNumberOfSlots(), vtkPointSplatNeighbors::None);
   }
-  auto fit = [this, keepGraph](const vtkPointSplatNeighbors::Neighborhood& around, bool) {
+  auto fit = [this, keepGraph](const vtkPointSplatNeighbors::Neighborhood& around, int) {
     if (keepGraph)
     {
       std::copy(around.Slots, around.Slots + std::min(around.Count, +NumberOfEdges),

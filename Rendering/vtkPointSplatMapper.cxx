@@ -186,7 +186,7 @@ void vtkPointSplatMapper::FillItem(
   // The unit of depths in the sums; a few splats that are much larger than the
   // others must not coarsen it for all.
   const double common =
-    std::min(largest, 4.0 * stretch * this->RadiusScale * cloud.GetMedianRadius());
+    std::min(largest, 1.5 * stretch * this->RadiusScale * cloud.GetMedianRadius());
   item.LargestLayer = this->LayerDistance > 0.0 ? this->LayerDistance : LayerFraction * common;
   item.KernelType = this->Kernel;
   item.KernelShape = this->Kernel == GAUSSIAN

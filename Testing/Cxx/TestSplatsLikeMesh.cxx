@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A sphere's vertices and normals drawn as splats must look like the sphere's mesh
+// drawn by stock VTK, under every kind of light and property.
+#include "SplatScene.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkLight.h"
+#include "vtkLookupTable.h"
+
+namespace
+{
+using namespace SplatScene;
+
+// What the pictures must reach, dB; the shading formulas agree to far more, so
+// that a term left out shows.
+constexpr double LeastPsnr = 40.0;
+
+using Change = std::function<void(vtkRenderer*, vtkActor*)>;
+
+void Compare(Checks& checks, const std::string& name, const Change& change, bool inward = false,
+  double least = LeastPsnr)
+{
+  vtkSmartPointer<vtkPolyData> mesh = MakeSphereMesh();
+  if (inward)
+  {
+    vtkDataArray* normals = mesh->GetPointData()->GetNormals();
+    for (vtkIdType i = 0; i < normals->GetNumberOfTuples(); ++i)
+    {
+      double n[3];
+      normals->GetTuple(i, n);
+      normals->SetTuple3(i, -n[0], -n[1], -n[2]);
+    }
+  }
+  vtkNew<vtkDoubleArray> height;
+  height->SetName("height");
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    height->InsertNextValue(mesh->GetPoint(i)[2]);
+  }
+  mesh->GetPointData()->SetScalars(height);
+  vtkSmartPointer<vtkPolyData> cloud = Cloud(mesh);
+  cloud->GetPointData()->SetScalars(height);
+
+  Picture pictures[3];
+  for (int kind = 0; kind < 3; ++kind)
+  {
+    Window window;
+    vtkSmartPointer<vtkPolyDataMapper> mapper;
+    if (kind == 0)
+    {
+      mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+      mapper->SetInputData(mesh);
+    }
+    else
+    {
+      auto splats = vtkSmartPointer<vtkPointSplatMapper>::New();
+      splats->SetInputData(cloud);
+      splats->SetProjection(
+        kind == 1 ? vtkPointSplatMapper::AUTOMATIC_PROJECTION : vtkPointSplatMapper::QUADS);
+      mapper = splats;
+    }
+    mapper->ScalarVisibilityOff();
+    mapper->SetScalarRange(-0.5, 0.5);
+    vtkActor* actor = window.Add(mapper);
+    window.Renderer->ResetCamera();
+    change(window.Renderer, actor);
+    window.Renderer->ResetCameraClippingRange();
+    pictures[kind] = window.Draw();
+  }
+  const int drawn = pictures[0].CountDrawn();
+  for (int kind = 1; kind < 3; ++kind)
+  {
+    const std::string label = name + (kind == 1 ? ", automatic" : ", quads");
+    checks.AtLeast(Psnr(pictures[0], pictures[kind]), least, label + ": psnr");
+    checks.AtMost(CountDifferentCoverage(pictures[0], pictures[kind]),
+      std::max(60, drawn / 50), label + ": pixels of the outline");
+  }
+}
+
+vtkLight* AddLight(vtkRenderer* renderer)
+{
+  vtkNew<vtkLight> light;
+  renderer->AddLight(light);
+  return light;
+}
+}
+
+int TestSplatsLikeMesh(int, char*[])
+{
+  Checks checks;
+  Compare(checks, "headlight", [](vtkRenderer*, vtkActor*) {});
+  Compare(checks, "parallel projection", [](vtkRenderer* r, vtkActor*) {
+    r->GetActiveCamera()->ParallelProjectionOn();
+  });
+  Compare(checks, "three lights", [](vtkRenderer* r, vtkActor*) {
+    vtkLight* a = AddLight(r);
+    a->SetLightTypeToSceneLight();
+    a->SetPosition(2, 1, 3);
+    a->SetColor(1, 0.5, 0.2);
+    vtkLight* b = AddLight(r);
+    b->SetLightTypeToCameraLight();
+    b->SetPosition(-1, 1, 1);
+    b->SetColor(0.2, 0.4, 1);
+    b->SetIntensity(0.7);
+    vtkLight* off = AddLight(r);
+    off->SwitchOff();
+    AddLight(r)->SetLightTypeToHeadlight();
+  });
+  Compare(checks, "positional and spot", [](vtkRenderer* r, vtkActor*) {
+    vtkLight* a = AddLight(r);
+    a->SetLightTypeToSceneLight();
+    a->PositionalOn();
+    a->SetPosition(0.6, 0.4, 1.4);
+    a->SetFocalPoint(0, 0, 0);
+    a->SetConeAngle(20);
+    a->SetExponent(3);
+    vtkLight* b = AddLight(r);
+    b->SetLightTypeToSceneLight();
+    b->PositionalOn();
+    b->SetPosition(-1, 0, 1);
+    b->SetConeAngle(180);
+    b->SetAttenuationValues(0.5, 0.3, 0.2);
+  }, false, 36.0); // the spot's rim is a sharp edge
+  Compare(checks, "unlit", [](vtkRenderer*, vtkActor* a) { a->GetProperty()->LightingOff(); });
+  Compare(checks, "material", [](vtkRenderer*, vtkActor* a) {
+    a->GetProperty()->SetAmbientColor(0, 0, 1);
+    a->GetProperty()->SetAmbient(0.3);
+    a->GetProperty()->SetDiffuse(0.6);
+    a->GetProperty()->SetSpecularColor(0, 1, 0);
+    a->GetProperty()->SetSpecularPower(60);
+  });
+  Compare(checks, "back-face property from inside", [](vtkRenderer* r, vtkActor* a) {
+    vtkNew<vtkProperty> back;
+    back->SetColor(0, 0.8, 0.2);
+    a->SetBackfaceProperty(back);
+    r->GetActiveCamera()->SetPosition(0, 0, 0.1);
+    r->GetActiveCamera()->SetFocalPoint(0, 0, -1);
+    r->GetActiveCamera()->SetViewAngle(60);
+  });
+  Compare(checks, "front faces culled", [](vtkRenderer*, vtkActor* a) {
+    a->GetProperty()->FrontfaceCullingOn();
+  });
+  Compare(checks, "normals inward", [](vtkRenderer*, vtkActor* a) {
+    // Turned to the viewer; the mesh's front face has an inward normal and is dark,
+    // so it is compared with the specular and diffuse light off.
+    a->GetProperty()->SetDiffuse(0);
+    a->GetProperty()->SetSpecular(0);
+    a->GetProperty()->SetAmbient(0.8);
+  }, true);
+  Compare(checks, "scalars through a table", [](vtkRenderer*, vtkActor* a) {
+    a->GetMapper()->ScalarVisibilityOn();
+  });
+  Compare(checks, "another table", [](vtkRenderer*, vtkActor* a) {
+    vtkNew<vtkLookupTable> table;
+    table->SetHueRange(0.1, 0.4);
+    a->GetMapper()->SetLookupTable(table);
+    a->GetMapper()->ScalarVisibilityOn();
+    a->GetProperty()->SetSpecular(0);
+  });
+  Compare(checks, "uneven scale and turn", [](vtkRenderer* r, vtkActor* a) {
+    a->SetScale(1.5, 0.6, 1.0);
+    a->RotateZ(30);
+    a->RotateX(40);
+    a->SetPosition(0.1, 0.2, -0.3);
+    r->ResetCamera();
+  });
+  return checks.Result();
+}
