@@ -8,6 +8,7 @@
 #include "vtkRenderer.h"
 #include "vtkRendererCollection.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -339,6 +340,15 @@ int* vtkEGLHeadlessRenderWindow::GetScreenSize()
 void* vtkEGLHeadlessRenderWindow::GetGenericContext()
 {
   return this->Internals->GetContext();
+}
+
+//------------------------------------------------------------------------------
+int vtkEGLHeadlessRenderWindow::GetColorBufferSizes(int* rgba)
+{
+  // The superclass asks the window's own buffers, which are none; VTK's
+  // framebuffers have 8 bits a channel.
+  std::fill_n(rgba, 4, this->Initialized ? 8 : 0);
+  return this->Initialized ? 32 : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -87,6 +87,7 @@ public:
   void SetWindowInfo(const char*) override {}
   void SetNextWindowInfo(const char*) override {}
   void SetParentInfo(const char*) override {}
+  int GetColorBufferSizes(int* rgba) override;
   const char* ReportCapabilities() override;
   int IsDirect() override { return 1; }
   vtkTypeBool GetEventPending() override { return 0; }

@@ -80,14 +80,18 @@ struct Arrays
 /**
  * An array of the wanted shape, or an error that says what is wrong with it.
  */
-vtkDataArray* Wanted(vtkPointSplatMapper* mapper, vtkPointSet* data, const char* name, int components)
+vtkDataArray* Wanted(vtkPointSplatMapper* mapper, vtkPointSet* data, vtkDataArray* array, int components)
 {
-  vtkDataArray* array = data->GetPointData()->GetArray(name);
-  if (array && array->GetNumberOfComponents() != components)
+  const char* name = array && array->GetName() ? array->GetName() : "Normals";
+  if (array &&
+    (array->GetNumberOfComponents() != components ||
+      array->GetNumberOfTuples() != data->GetNumberOfPoints()))
   {
     vtkErrorWithObjectMacro(mapper, << "The point array " << name << " has "
+                                    << array->GetNumberOfTuples() << " tuples of "
                                     << array->GetNumberOfComponents() << " components, not "
-                                    << components << ". It is not used: rename or remove it.");
+                                    << data->GetNumberOfPoints() << " of " << components
+                                    << ". It is not used: rename or remove it.");
     return nullptr;
   }
   return array;
@@ -97,15 +101,18 @@ Arrays Collect(vtkPointSplatMapper* mapper, vtkPointSet* data)
 {
   Arrays a;
   a.Points = data->GetPoints()->GetData();
-  a.Ghosts = data->GetPointData()->HasArray(vtkDataSetAttributes::GhostArrayName())
-    ? vtkArrayDownCast<vtkUnsignedCharArray>(
-        data->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()))
-    : nullptr;
-  a.Normals = data->GetPointData()->GetNormals();
-  a.Radius = Wanted(mapper, data, vtkPointSplatArrays::Radius, 1);
-  a.Plane = Wanted(mapper, data, vtkPointSplatArrays::PlaneNormal, 3);
-  a.Axis1 = Wanted(mapper, data, vtkPointSplatArrays::Axis1, 3);
-  a.Axis2 = Wanted(mapper, data, vtkPointSplatArrays::Axis2, 3);
+  a.Ghosts = vtkArrayDownCast<vtkUnsignedCharArray>(
+    data->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  if (a.Ghosts && a.Ghosts->GetNumberOfTuples() != data->GetNumberOfPoints())
+  {
+    a.Ghosts = nullptr;
+  }
+  vtkPointData* given = data->GetPointData();
+  a.Normals = Wanted(mapper, data, given->GetNormals(), 3);
+  a.Radius = Wanted(mapper, data, given->GetArray(vtkPointSplatArrays::Radius), 1);
+  a.Plane = Wanted(mapper, data, given->GetArray(vtkPointSplatArrays::PlaneNormal), 3);
+  a.Axis1 = Wanted(mapper, data, given->GetArray(vtkPointSplatArrays::Axis1), 3);
+  a.Axis2 = Wanted(mapper, data, given->GetArray(vtkPointSplatArrays::Axis2), 3);
   if (!a.Axis1 || !a.Axis2)
   {
     a.Axis1 = a.Axis2 = nullptr;

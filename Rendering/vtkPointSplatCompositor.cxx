@@ -3,8 +3,6 @@
 #include "vtkPointSplatCompositor.h"
 
 #include "vtkActor.h"
-#include "vtkAssemblyNode.h"
-#include "vtkAssemblyPath.h"
 #include "vtkHardwareSelector.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -42,24 +40,19 @@ std::vector<vtkPointSplatCompositor::Entry> vtkPointSplatCompositor::CollectOpaq
   renderer->GetViewProps()->InitTraversal(it);
   while (vtkProp* prop = renderer->GetViewProps()->GetNextProp(it))
   {
-    if (!prop->GetVisibility())
+    // What cannot be picked does not hide what can.
+    if (!prop->GetVisibility() || (renderer->GetSelector() && !prop->GetPickable()))
     {
       continue;
     }
-    prop->InitPathTraversal();
-    while (vtkAssemblyPath* path = prop->GetNextPath())
+    vtkActor* actor = vtkActor::SafeDownCast(prop);
+    vtkPointSplatMapper* mapper =
+      actor ? vtkPointSplatMapper::SafeDownCast(actor->GetMapper()) : nullptr;
+    if (mapper && mapper->UpdateCloud() && actor->HasOpaqueGeometry())
     {
-      vtkAssemblyNode* node = path->GetLastNode();
-      vtkActor* actor = vtkActor::SafeDownCast(node->GetViewProp());
-      vtkPointSplatMapper* mapper =
-        actor ? vtkPointSplatMapper::SafeDownCast(actor->GetMapper()) : nullptr;
-      if (mapper && actor->GetVisibility() && mapper->UpdateCloud() &&
-        actor->HasOpaqueGeometry())
-      {
-        Entry entry{ actor, mapper, {} };
-        entry.Item.MCWC = vtkPointSplatView::Matrix(node->GetMatrix());
-        entries.push_back(entry);
-      }
+      Entry entry{ actor, mapper, {} };
+      entry.Item.MCWC = vtkPointSplatView::Matrix(actor->GetMatrix());
+      entries.push_back(entry);
     }
   }
   return entries;
@@ -196,7 +189,11 @@ bool vtkPointSplatCompositor::Present(
   }
   if (renderer->GetSelector())
   {
-    return this->PresentSelection(renderer, actor, mapper, view, entries[own].Item);
+    vtkHardwareSelector* selector = renderer->GetSelector();
+    selector->BeginRenderProp(); // sets the prop's colour
+    const bool good = this->PresentSelection(renderer, actor, mapper, view, entries[own].Item);
+    selector->EndRenderProp();
+    return good;
   }
   return this->Resolve.Present(renderer, actor, mapper, view, entries[own].Item, this->Images,
     this->DepthUnit, vtkPointSplatResolve::Shaded, 0);

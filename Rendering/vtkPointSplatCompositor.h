@@ -8,8 +8,9 @@
 // actor's part. Images that are still right are used again: by the passes of a
 // hardware selection, and by a frame in which only other things changed.
 //
-// Translucent actors, and actors that are not found in the renderer (parts of
-// vtkLODActor and the like), are built and presented each for itself.
+// Translucent actors, and actors that are no props of the renderer themselves (parts
+// of vtkAssembly, vtkLODActor and the like, whose matrices and paths belong to them
+// while they draw), are built and presented each for itself.
 #ifndef vtkPointSplatCompositor_h
 #define vtkPointSplatCompositor_h
 

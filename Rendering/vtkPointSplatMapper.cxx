@@ -46,6 +46,7 @@ struct vtkPointSplatMapper::vtkInternals
   std::shared_ptr<vtkPointSplatCompositor> Compositor; // that drew last
   bool WarnedOfClipPlanes = false;
   std::string LastError;
+  const char* ProjectionUsed = "none"; // by the last frame
 };
 
 //------------------------------------------------------------------------------
@@ -160,6 +161,7 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
       vtkErrorMacro("OpenGL cannot draw the splats: " << this->Internals->LastError);
     }
   }
+  this->Internals->ProjectionUsed = compositor->IsCompute() ? "compute" : "quads";
   this->UpdateProgress(1.0);
 }
 
@@ -327,9 +329,7 @@ const char* vtkPointSplatMapper::GetMethodUsed()
 //------------------------------------------------------------------------------
 const char* vtkPointSplatMapper::GetProjectionUsed()
 {
-  return !this->Internals->Compositor            ? "none"
-    : this->Internals->Compositor->IsCompute() ? "compute"
-                                                 : "quads";
+  return this->Internals->ProjectionUsed;
 }
 
 //------------------------------------------------------------------------------

@@ -1,0 +1,262 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Bad input, kind by kind: nothing crashes or hangs, what is good beside it is drawn
+// as ever, and what is left out is reported once.
+#include "SplatScene.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkStringArray.h"
+
+#include <limits>
+
+namespace
+{
+using namespace SplatScene;
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+struct Messages
+{
+  int Errors = 0;
+  int Warnings = 0;
+  static void Count(vtkObject*, unsigned long event, void* self, void*)
+  {
+    ++(event == vtkCommand::ErrorEvent ? static_cast<Messages*>(self)->Errors
+                                       : static_cast<Messages*>(self)->Warnings);
+  }
+  void Watch(vtkObject* object)
+  {
+    vtkNew<vtkCallbackCommand> command;
+    command->SetCallback(Messages::Count);
+    command->SetClientData(this);
+    object->AddObserver(vtkCommand::ErrorEvent, command);
+    object->AddObserver(vtkCommand::WarningEvent, command);
+  }
+};
+
+/**
+ * A good square of splats, or one to spoil.
+ */
+vtkSmartPointer<vtkPolyData> Grid(bool radii)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  vtkNew<vtkFloatArray> radius;
+  radius->SetName("SplatRadius");
+  for (int y = 0; y < 40; ++y)
+  {
+    for (int x = 0; x < 40; ++x)
+    {
+      points->InsertNextPoint(x, y, 0.0);
+      normals->InsertNextTuple3(0, 0, 1);
+      radius->InsertNextValue(0.75f);
+    }
+  }
+  auto grid = vtkSmartPointer<vtkPolyData>::New();
+  grid->SetPoints(points);
+  grid->GetPointData()->SetNormals(normals);
+  if (radii)
+  {
+    grid->GetPointData()->AddArray(radius);
+  }
+  return grid;
+}
+
+/**
+ * Appends a point; radius is left out where the grid has none.
+ */
+void Append(vtkPolyData* data, double x, double y, double z, double nx, double ny, double nz,
+  double radius = 0.75)
+{
+  data->GetPoints()->InsertNextPoint(x, y, z);
+  data->GetPointData()->GetNormals()->InsertNextTuple3(nx, ny, nz);
+  if (vtkDataArray* radii = data->GetPointData()->GetArray("SplatRadius"))
+  {
+    radii->InsertNextTuple1(radius);
+  }
+  data->Modified();
+}
+
+Picture DrawData(vtkDataObject* data, Messages& messages, vtkIdType* skipped = nullptr)
+{
+  Window window(200);
+  vtkNew<vtkPointSplatMapper> mapper;
+  messages.Watch(mapper);
+  if (data)
+  {
+    mapper->SetInputDataObject(data);
+  }
+  window.Add(mapper);
+  window.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  window.Renderer->GetActiveCamera()->SetPosition(19.5, 19.5, 50);
+  window.Renderer->GetActiveCamera()->SetFocalPoint(19.5, 19.5, 0);
+  window.Renderer->GetActiveCamera()->SetParallelScale(24);
+  window.Renderer->GetActiveCamera()->SetClippingRange(10, 100);
+  window.Draw();
+  Picture picture = window.Draw();
+  if (skipped)
+  {
+    *skipped = mapper->GetNumberOfSkippedPoints();
+  }
+  return picture;
+}
+
+/**
+ * Bad points beside a good grid: the picture stays, and one warning counts them.
+ */
+void Spoil(Checks& checks, const std::string& name, bool radii,
+  const std::function<int(vtkPolyData*)>& spoil)
+{
+  Messages none;
+  const Picture good = DrawData(Grid(radii), none);
+  vtkSmartPointer<vtkPolyData> data = Grid(radii);
+  const int bad = spoil(data);
+  Messages messages;
+  vtkIdType skipped = 0;
+  const Picture picture = DrawData(data, messages, &skipped);
+  checks.AtLeast(good.CountDrawn(), 20000, name + ": the good picture");
+  checks.AtMost(CountDifferentCoverage(good, picture), 0, name + ": changed pixels");
+  checks.AtLeast(Psnr(good, picture), 60.0, name + ": psnr beside the good picture");
+  checks.Expect(skipped == bad,
+    name + ": " + std::to_string(skipped) + " points reported, not " + std::to_string(bad));
+  checks.Expect(messages.Warnings == (bad > 0 ? 1 : 0),
+    name + ": " + std::to_string(messages.Warnings) + " warnings in two frames");
+  checks.AtMost(messages.Errors, 0, name + ": errors");
+}
+}
+
+int TestSplatsBadInput(int, char*[])
+{
+  Checks checks;
+
+  for (const bool radii : { true, false })
+  {
+    const std::string with = radii ? " (radii given)" : " (radii estimated)";
+    Spoil(checks, "NaN and infinite coordinates" + with, radii, [](vtkPolyData* d) {
+      Append(d, NAN, 1, 1, 0, 0, 1);
+      Append(d, 1, Infinity, 1, 0, 0, 1);
+      Append(d, 1, 1, -Infinity, 0, 0, 1);
+      return 3;
+    });
+    Spoil(checks, "ghost points" + with, radii, [](vtkPolyData* d) {
+      Append(d, 20, 20, 10, 0, 0, 1);
+      Append(d, 21, 20, 10, 0, 0, 1);
+      vtkNew<vtkUnsignedCharArray> ghosts;
+      ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+      ghosts->SetNumberOfTuples(d->GetNumberOfPoints());
+      ghosts->FillValue(0);
+      ghosts->SetValue(d->GetNumberOfPoints() - 2, vtkDataSetAttributes::HIDDENPOINT);
+      ghosts->SetValue(d->GetNumberOfPoints() - 1, vtkDataSetAttributes::DUPLICATEPOINT);
+      d->GetPointData()->AddArray(ghosts);
+      return 2;
+    });
+  }
+  Spoil(checks, "zero and NaN normals", true, [](vtkPolyData* d) {
+    Append(d, 20, 20, 10, 0, 0, 0);
+    Append(d, 21, 20, 10, NAN, 0, 1);
+    Append(d, 22, 20, 10, 0, Infinity, 1);
+    return 3;
+  });
+  Spoil(checks, "bad radii", true, [](vtkPolyData* d) {
+    Append(d, 20, 20, 10, 0, 0, 1, 0.0);
+    Append(d, 21, 20, 10, 0, 0, 1, -1.0);
+    Append(d, 22, 20, 10, 0, 0, 1, NAN);
+    Append(d, 23, 20, 10, 0, 0, 1, Infinity);
+    return 4;
+  });
+  Spoil(checks, "duplicates", false, [](vtkPolyData* d) {
+    for (int i = 0; i < 1000; ++i)
+    {
+      Append(d, 20, 20, 0, 0, 0, 1);
+    }
+    return 0;
+  });
+  Spoil(checks, "double normals, int radii of 1, long normals", true, [](vtkPolyData* d) {
+    vtkNew<vtkDoubleArray> normals;
+    normals->SetName("Normals");
+    normals->SetNumberOfComponents(3);
+    for (vtkIdType i = 0; i < d->GetNumberOfPoints(); ++i)
+    {
+      normals->InsertNextTuple3(0, 0, 1e6);
+    }
+    d->GetPointData()->SetNormals(normals);
+    return 0;
+  });
+
+  // No input, and inputs with nothing to draw: black pictures.
+  Messages messages;
+  checks.AtMost(DrawData(nullptr, messages).CountDrawn(), 0, "no input");
+  vtkNew<vtkPolyData> empty;
+  Messages silent;
+  checks.AtMost(DrawData(empty, silent).CountDrawn(), 0, "no points");
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, nullptr);
+  blocks->SetBlock(1, empty);
+  checks.AtMost(DrawData(blocks, silent).CountDrawn(), 0, "empty blocks");
+  checks.AtMost(silent.Errors, 0, "no points: errors");
+
+  // One point, two equal ones: something small is drawn.
+  for (const int count : { 1, 2 })
+  {
+    vtkSmartPointer<vtkPolyData> few = RandomCloud(count, [](double, double, double* p, double* n) {
+      p[0] = p[1] = 20.0;
+      p[2] = n[0] = n[1] = 0.0;
+      n[2] = 1.0;
+    });
+    checks.AtMost(DrawData(few, silent).CountDrawn(), 2000, "a point or two: drawn");
+    vtkNew<vtkFloatArray> radius;
+    radius->SetName("SplatRadius");
+    radius->SetNumberOfTuples(count);
+    radius->FillValue(5.0f);
+    few->GetPointData()->AddArray(radius);
+    const int drawn = DrawData(few, silent).CountDrawn();
+    // A disk of radius 5 * 1.15 where 200 pixels are 48.
+    checks.AtLeast(drawn, 1300, "a point or two with a radius");
+    checks.AtMost(drawn, 2000, "a point or two with a radius");
+  }
+
+  // Missing normals are estimated.
+  vtkSmartPointer<vtkPolyData> bare = Grid(false);
+  bare->GetPointData()->SetNormals(nullptr);
+  checks.AtLeast(DrawData(bare, silent).CountDrawn(), 20000, "no normals: drawn");
+
+  // Arrays of the wrong kind are errors that name them, and the rest is drawn.
+  vtkSmartPointer<vtkPolyData> wrong = Grid(false);
+  vtkNew<vtkFloatArray> three;
+  three->SetName("SplatRadius");
+  three->SetNumberOfComponents(3);
+  three->SetNumberOfTuples(wrong->GetNumberOfPoints());
+  three->Fill(1.0);
+  wrong->GetPointData()->AddArray(three);
+  Messages told;
+  checks.AtLeast(DrawData(wrong, told).CountDrawn(), 20000, "radii of 3 components: drawn");
+  checks.AtLeast(told.Errors, 1, "radii of 3 components: errors");
+  vtkSmartPointer<vtkPolyData> strings = Grid(false);
+  vtkNew<vtkStringArray> text;
+  text->SetName("SplatRadius");
+  text->SetNumberOfTuples(strings->GetNumberOfPoints());
+  strings->GetPointData()->AddArray(text);
+  checks.AtLeast(DrawData(strings, silent).CountDrawn(), 20000, "radii as strings: drawn");
+  vtkSmartPointer<vtkPolyData> brief = Grid(false);
+  vtkNew<vtkFloatArray> tooShort;
+  tooShort->SetName("SplatRadius");
+  tooShort->SetNumberOfTuples(3);
+  tooShort->Fill(1.0);
+  brief->GetPointData()->AddArray(tooShort);
+  Messages toldToo;
+  checks.AtLeast(DrawData(brief, toldToo).CountDrawn(), 20000, "too few radii: drawn");
+  checks.AtLeast(toldToo.Errors, 1, "too few radii: errors");
+
+  // Far coordinates beside near ones.
+  vtkSmartPointer<vtkPolyData> huge = Grid(true);
+  Append(huge, 1e30, 0, 0, 0, 0, 1);
+  DrawData(huge, silent);
+  return checks.Result();
+}
