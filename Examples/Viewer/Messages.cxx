@@ -7,7 +7,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <vector>
@@ -27,12 +26,12 @@ public:
   {
     if (firstError.empty())
     {
-      firstError = OneLine(text);
+      firstError = Stripped(text);
     }
   }
   void DisplayWarningText(const char* text) override
   {
-    warnings.push_back(OneLine(text));
+    warnings.push_back(Stripped(text));
     if (showWarnings)
     {
       MessageKeeper::ShowWarnings();
@@ -55,7 +54,7 @@ public:
 
 private:
   // VTK's messages begin with where they come from: "ERROR: In ..., line ...\nvtkX (0x...): "
-  static std::string OneLine(const std::string& text)
+  static std::string Stripped(const std::string& text)
   {
     std::string line = text;
     const size_t place = line.find('\n');
@@ -68,13 +67,48 @@ private:
     {
       line = line.substr(address + 3);
     }
-    std::replace_if(
-      line.begin(), line.end(), [](unsigned char c) { return c < 0x20; }, ' ');
-    line.erase(line.find_last_not_of(' ') + 1);
-    return line;
+    return OneLine(line);
   }
 };
 vtkStandardNewMacro(KeepingWindow);
+
+bool IsUtf8(const std::string& text)
+{
+  int following = 0;
+  for (const unsigned char c : text)
+  {
+    if (following > 0)
+    {
+      if ((c & 0xC0) != 0x80)
+      {
+        return false;
+      }
+      --following;
+    }
+    else if (c >= 0x80)
+    {
+      following = c >= 0xC2 && c < 0xE0 ? 1 : (c & 0xF0) == 0xE0 ? 2 : c >= 0xF0 && c < 0xF5 ? 3 : -1;
+    }
+    if (following < 0)
+    {
+      return false;
+    }
+  }
+  return following == 0;
+}
+}
+
+//------------------------------------------------------------------------------
+std::string OneLine(std::string text)
+{
+  const bool ascii = !IsUtf8(text);
+  for (char& c : text)
+  {
+    const unsigned char code = static_cast<unsigned char>(c);
+    c = code < 0x20 || code == 0x7F ? ' ' : ascii && code >= 0x80 ? '?' : c;
+  }
+  text.erase(text.find_last_not_of(' ') + 1);
+  return text;
 }
 
 //------------------------------------------------------------------------------

@@ -9,6 +9,12 @@
 #include <string>
 
 /**
+ * The text without line ends and other control characters, and, if it is no UTF-8,
+ * without what is no ASCII: messages may quote what a file holds.
+ */
+std::string OneLine(std::string text);
+
+/**
  * While it lives, VTK and the libraries that it reads files by write nothing to
  * stderr. Errors are kept until asked for; warnings until ShowWarnings(), since
  * those that come before an error say nothing that the error does not. Until then,

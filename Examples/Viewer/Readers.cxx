@@ -35,6 +35,7 @@
 #include <fstream>
 #include <functional>
 #include <map>
+#include <utility>
 
 namespace
 {
@@ -85,13 +86,32 @@ vtkSmartPointer<vtkDataObject> ReadPly(const std::string& file, bool quiet)
   return vertices;
 }
 
+/**
+ * vtkNrrdReader crashes where the file is no volume.
+ */
+vtkSmartPointer<vtkDataObject> ReadNrrd(const std::string& file, bool quiet)
+{
+  vtkNew<vtkNrrdReader> reader;
+  reader->SetFileName(file.c_str());
+  ShowProgress(reader, "reading", quiet);
+  reader->UpdateInformation();
+  const int* extent = reader->GetDataExtent();
+  if (extent[1] < 1 || extent[3] < 1 || extent[5] < 1)
+  {
+    const std::string error = MessageKeeper::TakeError();
+    throw UserError(file + ": " + (error.empty() ? "is no volume" : error));
+  }
+  reader->Update();
+  return reader->GetOutput();
+}
+
 using ReadFunction = std::function<vtkSmartPointer<vtkDataObject>(const std::string&, bool)>;
 
 const std::map<std::string, ReadFunction>& GetReaders()
 {
   static const std::map<std::string, ReadFunction> readers = { { "csv", ReadText },
     { "mha", Read<vtkMetaImageReader> }, { "mhd", Read<vtkMetaImageReader> },
-    { "nhdr", Read<vtkNrrdReader> }, { "nrrd", Read<vtkNrrdReader> },
+    { "nhdr", ReadNrrd }, { "nrrd", ReadNrrd },
     { "obj", Read<vtkOBJReader> }, { "ply", ReadPly }, { "pts", ReadText },
     { "stl", Read<vtkSTLReader> }, { "txt", ReadText }, { "vti", Read<vtkXMLImageDataReader> },
     { "vtk", Read<vtkGenericDataObjectReader> }, { "vtm", Read<vtkXMLMultiBlockDataReader> },

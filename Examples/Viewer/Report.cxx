@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Report.h"
 
+#include "Messages.h"
+
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkVersion.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <sstream>
 
@@ -17,23 +18,13 @@ namespace
 std::string Quoted(const std::string& text)
 {
   std::string out = "\"";
-  for (const char c : text)
+  for (const char c : OneLine(text))
   {
     if (c == '"' || c == '\\')
     {
       out += '\\';
-      out += c;
     }
-    else if (static_cast<unsigned char>(c) < 0x20)
-    {
-      char code[8];
-      std::snprintf(code, sizeof(code), "\\u%04x", static_cast<unsigned char>(c));
-      out += code;
-    }
-    else
-    {
-      out += c;
-    }
+    out += c;
   }
   return out + "\"";
 }

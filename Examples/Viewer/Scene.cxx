@@ -93,7 +93,7 @@ void AddVolume(Scene& scene, const Options& options, const std::string& name, vt
   const int* size = image->GetDimensions();
   if (size[0] < 2 || size[1] < 2 || size[2] < 2)
   {
-    throw UserError(name + ": is no volume but an image");
+    throw UserError(name + ": is no volume");
   }
   if (!options.Array.empty() &&
     image->GetPointData()->SetActiveScalars(options.Array.c_str()) < 0)

@@ -182,7 +182,7 @@ int main(int argc, char* argv[])
   }
   catch (const UserError& error)
   {
-    std::fprintf(stderr, "splatview: %s\n", error.what());
+    std::fprintf(stderr, "splatview: %s\n", OneLine(error.what()).c_str());
     return 2;
   }
   catch (const std::bad_alloc&)
