@@ -361,7 +361,9 @@ int TestSplatFilters(int, char*[])
   Special();
   Coverage("grid", Plane(2500, true, true), false, 0, 0.75 / 50);
   Coverage("random", Plane(2500, false, true), false, 2, 1.15 / 50);
-  Coverage("random, ellipses", Plane(2500, false, true), true, 4, 1.0);
+  // Ellipses of a random sampling are fitted to few neighbours: up to 1 % is left to the
+  // 15 % that the mapper draws beyond a disk.
+  Coverage("random, ellipses", Plane(2500, false, true), true, 40, 1.0);
   Coverage("random, without normals", Plane(2500, false, false), false, 2, 1.15 / 50);
   Normals();
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
