@@ -27,6 +27,9 @@ constexpr float WidestAngleCosine = -0.8660254f;
 constexpr float Margin = 1.02f;
 /// The disk of a point for which neighbours give a distance only: half a square's diagonal.
 constexpr float RadiusPerDistance = 0.70710678f;
+/// Neighbours lie in a row if their variance across it is less than this part of that along
+/// it; those of a point on a straight border have about a third.
+constexpr float RowVariance = 0.15f;
 /// The neighbour whose distance tells the spacing.
 constexpr int SpacingRank = 6;
 /// How far a disk on a border may reach, of the distance to the farthest of its nearby neighbours.
@@ -273,6 +276,26 @@ float vtkPointSplatDisk::FarthestVertex(float limit) const
     farthest = squared;
   }
   return std::sqrt(farthest);
+}
+
+bool vtkPointSplatDisk::InRow() const
+{
+  float u = 0, v = 0, uu = 0, uv = 0, vv = 0;
+  for (int i = 0; i < this->Count; ++i)
+  {
+    u += this->U[i];
+    v += this->V[i];
+    uu += this->U[i] * this->U[i];
+    uv += this->U[i] * this->V[i];
+    vv += this->V[i] * this->V[i];
+  }
+  const float n = static_cast<float>(std::max(this->Count, 1));
+  uu -= u * u / n;
+  uv -= u * v / n;
+  vv -= v * v / n;
+  const float mean = 0.5f * (uu + vv);
+  const float root = std::sqrt(0.25f * (uu - vv) * (uu - vv) + uv * uv);
+  return mean - root < RowVariance * (mean + root);
 }
 
 bool vtkPointSplatDisk::Estimate(const vtkPointSplatNeighbors::Neighborhood& around,

@@ -34,6 +34,9 @@ public:
   bool Estimate(const vtkPointSplatNeighbors::Neighborhood& around, const float* normals,
     bool elliptical, int nearby, bool border, float limit);
 
+  /// Whether the neighbours lie in a row rather than all around or to one side.
+  bool InRow() const;
+
   /// The distance to the sixth neighbour, or the last if there are fewer, in the plane where
   /// the disk is round.
   float Spacing = 0;

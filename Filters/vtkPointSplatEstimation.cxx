@@ -317,7 +317,7 @@ int vtkPointSplatEstimation::RequestData(
           disks.Axes[std::size_t(6) * s + 3 + c] = ratio * disk.Axis2[c];
         }
       }
-      return closed;
+      return closed || !disk.InRow();
     };
     if (!neighbors.Visit(this, missing ? 0.5 : 0.1, 0.8, this->NumberOfNeighbors, measure))
     {

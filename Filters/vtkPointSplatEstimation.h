@@ -38,8 +38,8 @@
  *    triangles are not oriented consistently), and the plane that fits them takes its place. Bisectors cut the point's
  *    Voronoi cell out of the plane, and the disk reaches to the cell's farthest vertex. A vertex
  *    between two neighbours that are more than 150 degrees apart is left to their disks. Where
- *    the cell stays open, four times as many neighbours are looked at, then one a leaf of the
- *    search tree, which reaches past dense rows of points; if it is open still, the point
+ *    the cell stays open, four times as many neighbours are looked at, and if those
+ *    lie in a row, one a leaf of the search tree, which reaches past it; if it is open still, the point
  *    lies on a border: then the cell ends at the convex hull of the neighbours.
  *    So border splats reach no farther than inner ones. For ellipses all this is done in
  *    the plane scaled along the principal axes of the neighbours' covariance (Confetti,

@@ -3,6 +3,7 @@
 #include "vtkPointSplatCloud.h"
 
 #include "vtkArrayDispatch.h"
+#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -130,6 +131,9 @@ Arrays Collect(vtkPointSplatMapper* mapper, vtkPointSet* data)
       bare->GetPointData()->AddArray(a.Ghosts);
     }
     vtkNew<vtkPointSplatEstimation> estimation;
+    // What it leaves out the mapper leaves out too, and reports: once is enough.
+    vtkNew<vtkCallbackCommand> silence;
+    estimation->AddObserver(vtkCommand::WarningEvent, silence);
     estimation->SetInputData(bare);
     estimation->Update();
     vtkPointData* estimated = estimation->GetOutput()->GetPointData();
