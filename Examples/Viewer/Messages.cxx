@@ -87,7 +87,10 @@ bool IsUtf8(const std::string& text)
     }
     else if (c >= 0x80)
     {
-      following = c >= 0xC2 && c < 0xE0 ? 1 : (c & 0xF0) == 0xE0 ? 2 : c >= 0xF0 && c < 0xF5 ? 3 : -1;
+      const bool two = c >= 0xC2 && c < 0xE0;
+      const bool three = c >= 0xE0 && c < 0xF0;
+      const bool four = c >= 0xF0 && c < 0xF5;
+      following = two ? 1 : three ? 2 : four ? 3 : -1;
     }
     if (following < 0)
     {

@@ -269,7 +269,7 @@ Options Options::Parse(int argc, char* argv[])
 //------------------------------------------------------------------------------
 std::string Options::HelpText()
 {
-  return R"(splatview: draws point clouds, and isosurfaces of volumes as point clouds, as smooth surfaces
+  return R"(splatview: draws point clouds, and isosurfaces of volumes as such, as smooth surfaces
 
   splatview [FILES] [options]
 

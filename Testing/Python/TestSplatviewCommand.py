@@ -63,8 +63,8 @@ BROKEN_FILES = {
     "short.nrrd": VOLUME[:-1],
     "raw.mhd": TEXT_MHD,
     "short.vtk": "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 9 float\n1 2 3\n",
-    "table.vtk": "# vtk DataFile Version 3.0\nx\nASCII\nDATASET RECTILINEAR_GRID\nDIMENSIONS 2 2 2\n"
-    "X_COORDINATES 2 float\n0 1\nY_COORDINATES 2 float\n0 1\nZ_COORDINATES 2 float\n0 1\n",
+    "table.vtk": "# vtk DataFile Version 3.0\nx\nASCII\nDATASET RECTILINEAR_GRID\n"
+    "DIMENSIONS 2 2 2\nX_COORDINATES 2 float\n0 1\nY_COORDINATES 2 float\n0 1\nZ_COORDINATES 2 float\n0 1\n",
     "empty.vtm": '<VTKFile type="vtkMultiBlockDataSet" version="1.0"><vtkMultiBlockDataSet/>'
     "</VTKFile>",
     "sizes.nrrd": b"NRRD0004\ntype: uchar\ndimension: 3\nencoding: raw\n\n0123",

@@ -136,7 +136,8 @@ class TestPoints(SplatviewTest):
         head, body = content.split(b"end_header\n")
         self.write("cloud.ply", head + b"end_header\n3 1 2 3\n0\n" + body)
         self.assert_same("cloud.ply")
-        head = head.replace(b"property float nx", b"property list uchar int near\nproperty float nx")
+        listed = b"property list uchar int near\nproperty float nx"
+        head = head.replace(b"property float nx", listed)
         lines = body.decode().split("\n")
         body = "\n".join(
             " ".join(words[:3] + ["2", "8", "9"] + words[3:])
