@@ -101,23 +101,43 @@ void widen(inout Splat q, float h)
 }
 
 // The box, in pixels about the centre, of the ellipse u^2 + v^2 <= r^2, from the
-// conic's tangents parallel to the axes. False: the disk reaches behind the eye,
-// and has no bounded image.
-bool boundingBox(Splat q, float r, out vec2 middle, out vec2 extent)
+// conic's tangents parallel to the axes.
+void boundingBox(Splat q, float r, out vec2 low, out vec2 high)
 {
   float r2 = r * r;
   float k = r2 * (q.s.z * q.s.z + q.t.z * q.t.z) - q.w * q.w;
-  middle = vec2(0.0);
-  extent = vec2(0.0);
-  if (k > -1e-4 * q.w * q.w)
+  if (k < -1e-4 * q.w * q.w)
   {
-    return false;
+    vec2 c = r2 * (q.s.xy * q.s.z + q.t.xy * q.t.z);
+    vec2 d = r2 * (q.s.xy * q.s.xy + q.t.xy * q.t.xy);
+    vec2 extent = sqrt(max(c * c - k * d, 0.0)) / -k;
+    low = c / k - extent;
+    high = c / k + extent;
+    return;
   }
-  vec2 c = r2 * (q.s.xy * q.s.z + q.t.xy * q.t.z);
-  vec2 d = r2 * (q.s.xy * q.s.xy + q.t.xy * q.t.xy);
-  middle = c / k;
-  extent = sqrt(max(c * c - k * d, 0.0)) / -k;
-  return true;
+  // The disk reaches behind the eye, and has no bounded image. Of the square about
+  // it, what is beyond the near plane has.
+  low = vec2(1e30);
+  high = vec2(-1e30);
+  for (int i = 0; i < 4; ++i)
+  {
+    vec2 from = r * vec2(i == 1 || i == 2 ? 1.0 : -1.0, i >= 2 ? 1.0 : -1.0);
+    vec2 to = vec2(-from.y, from.x);
+    float before = q.depth + dot(from, q.slope);
+    float after = q.depth + dot(to, q.slope);
+    vec2 crossing = from + (to - from) * before / (before - after);
+    for (int end = 0; end < 2; ++end)
+    {
+      if (end == 0 ? before >= 0.0 : (before >= 0.0) != (after >= 0.0))
+      {
+        vec2 uv = end == 0 ? from : crossing;
+        float w = max(q.w + uv.x * q.s.z + uv.y * q.t.z, 1e-20);
+        vec2 pixel = (uv.x * q.s.xy + uv.y * q.t.xy) / w;
+        low = min(low, pixel);
+        high = max(high, pixel);
+      }
+    }
+  }
 }
 
 // A unit vector from the octahedron's two coordinates, 16 bits each (Cigolle et al.
@@ -192,22 +212,14 @@ bool project(vec3 positionMC, uvec2 normals, vec3 axis1MC, vec3 axis2MC, float r
   q.t.xy -= q.centre * q.t.z;
   widen(q, h);
 
-  vec2 middle;
-  vec2 extent;
-  if (boundingBox(q, reach, middle, extent))
-  {
-    vec2 low = q.centre + middle - extent;
-    vec2 high = q.centre + middle + extent;
-    // Clamped before the conversion: out of an int's range it is undefined.
-    low = clamp(low, vec2(Window.xy) - 1.0, vec2(Window.zw) + 2.0);
-    high = clamp(high, vec2(Window.xy) - 1.0, vec2(Window.zw) + 2.0);
-    // The pixels whose centres, at half integers, lie inside.
-    q.box = ivec4(max(ivec2(ceil(low - 0.5)), Window.xy), min(ivec2(floor(high - 0.5)), Window.zw));
-  }
-  else
-  {
-    q.box = Window;
-  }
+  vec2 low;
+  vec2 high;
+  boundingBox(q, reach, low, high);
+  // Clamped before the conversion: out of an int's range it is undefined.
+  low = clamp(q.centre + low, vec2(Window.xy) - 1.0, vec2(Window.zw) + 2.0);
+  high = clamp(q.centre + high, vec2(Window.xy) - 1.0, vec2(Window.zw) + 2.0);
+  // The pixels whose centres, at half integers, lie inside.
+  q.box = ivec4(max(ivec2(ceil(low - 0.5)), Window.xy), min(ivec2(floor(high - 0.5)), Window.zw));
   return all(lessThanEqual(q.box.xy, q.box.zw));
 }
 

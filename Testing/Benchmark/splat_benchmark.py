@@ -122,6 +122,7 @@ for name, mapper in mappers.items():
     window.SetMultiSamples(0)
     window.SetSize(options.size, options.size)
     window.AddRenderer(renderer)
+    renderer.ResetCamera()
 
     def frame(window=window, renderer=renderer):
         renderer.GetActiveCamera().Azimuth(3)
