@@ -189,6 +189,53 @@ void Plane(Checks& checks, double elevation)
   checks.AtMost(holes, 0L, name + ": holes");
   checks.AtMost(worst, 0.02, name + ": depth error");
 }
+/**
+ * The eye just above a plane, in the midst of its splats: many cross the near plane
+ * and the plane of the eye. What lies below the horizon is drawn, what lies above not.
+ */
+void WithinPlane(Checks& checks, bool quads)
+{
+  Window window;
+  vtkNew<vtkPointSplatMapper> mapper;
+  if (quads)
+  {
+    mapper->SetProjectionToQuads();
+  }
+  mapper->SetInputData(RandomCloud(20000, [](double u, double v, double* p, double* n) {
+    p[0] = 2.0 * u - 1.0;
+    p[1] = 2.0 * v - 1.0;
+    p[2] = 0.0;
+    n[0] = n[1] = 0.0;
+    n[2] = 1.0;
+  }));
+  window.Add(mapper);
+  vtkCamera* camera = window.Renderer->GetActiveCamera();
+  camera->SetPosition(0, 0, 0.01);
+  camera->SetFocalPoint(0, 1, 0.01);
+  camera->SetViewUp(0, 0, 1);
+  camera->SetClippingRange(0.005, 3.0);
+  const Picture picture = window.Draw();
+  long above = 0, missing = 0, below = 0;
+  for (int y = 0; y < Size; ++y)
+  {
+    for (int x = 0; x < Size; ++x)
+    {
+      double o[3], d[3];
+      Ray(window, x, y, o, d);
+      const double t = d[2] < 0.0 ? -o[2] / d[2] : 0.0;
+      const bool hit = t > 0.0 && o[1] + t * d[1] < 0.9 && std::abs(o[0] + t * d[0]) < 0.9;
+      above += y > Size / 2 + 2 && !picture.IsBackground(x, y);
+      below += hit;
+      missing += hit && picture.IsBackground(x, y);
+    }
+  }
+  const std::string name = quads ? "within a plane, quads" : "within a plane";
+  std::cout << name << ": below the horizon " << below << ", missing " << missing
+            << ", above it " << above << "\n";
+  checks.AtLeast(below, 30000L, name + ": pixels below the horizon");
+  checks.AtMost(above, 0L, name + ": drawn above the horizon");
+  checks.AtMost(missing, 0L, name + ": missing below the horizon");
+}
 }
 
 int TestSplatsExact(int, char*[])
@@ -204,5 +251,7 @@ int TestSplatsExact(int, char*[])
   Plane(checks, 90.0);
   Plane(checks, 30.0);
   Plane(checks, 8.0);
+  WithinPlane(checks, false);
+  WithinPlane(checks, true);
   return checks.Result();
 }
