@@ -27,6 +27,22 @@ constexpr GLuint GroupSize = 64;      // as in vtkPointSplatSplatsCS.glsl
 constexpr GLuint MostGroups = 32768;  // in one dimension; OpenGL promises 65535
 constexpr GLuint LargeGroups = 256;   // share the listed splats of many pixels
 
+/**
+ * Draws to the images, nearest first, with nothing else in the way.
+ */
+void BindForQuads(vtkOpenGLState* state, vtkPointSplatImages& images)
+{
+  state->vtkglViewport(0, 0, images.GetSize().x, images.GetSize().y);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LESS);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, images.GetFramebuffer());
+}
+
 GLsizeiptr Stride(const vtkPointSplatCloud& cloud)
 {
   return cloud.IsCircular() ? 32 : 64;
@@ -265,15 +281,7 @@ bool vtkPointSplatStages::ReconstructByQuads(vtkOpenGLRenderWindow* window,
   vtkPointSplatImages& images, float depthUnit)
 {
   vtkOpenGLState* state = window->GetState();
-  state->vtkglViewport(0, 0, images.GetSize().x, images.GetSize().y);
-  state->vtkglDisable(GL_SCISSOR_TEST);
-  state->vtkglDisable(GL_CULL_FACE);
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDepthFunc(GL_LESS);
-  state->vtkglDepthMask(GL_TRUE);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, images.GetFramebuffer());
+  BindForQuads(state, images);
 
   // Visibility: the nearest depth of all disks.
   GLenum both[] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1 };
@@ -340,15 +348,7 @@ bool vtkPointSplatStages::IdentifyByQuads(vtkOpenGLRenderWindow* window,
   vtkPointSplatImages& images, vtkPointSplatCloud::IdKind kind)
 {
   vtkOpenGLState* state = window->GetState();
-  state->vtkglViewport(0, 0, images.GetSize().x, images.GetSize().y);
-  state->vtkglDisable(GL_SCISSOR_TEST);
-  state->vtkglDisable(GL_CULL_FACE);
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDepthFunc(GL_LESS);
-  state->vtkglDepthMask(GL_TRUE);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, images.GetFramebuffer());
+  BindForQuads(state, images);
   GLenum first[] = { GL_COLOR_ATTACHMENT0 };
   const GLuint none[4] = { 0xffffffffu, 0xffffffffu, 0xffffffffu, 0xffffffffu };
   const GLfloat farthest = 1.0f;
