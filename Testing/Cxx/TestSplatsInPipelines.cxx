@@ -7,6 +7,8 @@
 #include "vtkAssembly.h"
 #include "vtkCameraPass.h"
 #include "vtkCubeSource.h"
+#include "vtkEDLShading.h"
+#include "vtkImageData.h"
 #include "vtkLightsPass.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkOpenGLRenderer.h"
@@ -18,6 +20,7 @@
 #include "vtkSequencePass.h"
 #include "vtkTransform.h"
 #include "vtkTransformPolyDataFilter.h"
+#include "vtkWindowToImageFilter.h"
 
 namespace
 {
@@ -262,6 +265,17 @@ int TestSplatsInPipelines(int, char*[])
     };
     Same(checks, "ambient occlusion", DrawOne(Mesh(mesh), occluded),
       DrawOne(Splats(cloud), occluded), 28.0, 100);
+    auto smoothed = [](Window& window, vtkActor*) { window.Renderer->UseFXAAOn(); };
+    Same(checks, "FXAA", DrawOne(Mesh(mesh), smoothed), DrawOne(Splats(cloud), smoothed), 40.0, 100);
+    auto sampled = [](Window& window, vtkActor*) { window.Win->SetMultiSamples(8); };
+    Same(checks, "multisampled window", alone, DrawOne(Splats(cloud), sampled), 40.0, 200);
+    auto lit = [](Window& window, vtkActor*) {
+      vtkNew<vtkRenderStepsPass> steps;
+      vtkNew<vtkEDLShading> edl;
+      edl->SetDelegatePass(steps);
+      window.Renderer->SetPass(edl);
+    };
+    Same(checks, "eye-dome lighting", DrawOne(Mesh(mesh), lit), DrawOne(Splats(cloud), lit), 30.0, 400);
     auto byPass = [](Window& window, vtkActor*) {
       vtkNew<vtkLightsPass> lights;
       vtkNew<vtkPointSplatPass> splats;
@@ -276,6 +290,28 @@ int TestSplatsInPipelines(int, char*[])
     };
     Same(checks, "by the pass", alone, DrawOne(Splats(cloud), byPass), 60.0, 0);
     checks.AtMost(DrawOne(Mesh(mesh), byPass).CountDrawn(), 0, "the pass draws no meshes");
+  }
+  // A picture in tiles is the picture of a larger window.
+  {
+    auto tiled = [&](vtkMapper* mapper) {
+      Window window;
+      window.Add(mapper);
+      window.Renderer->ResetCamera();
+      window.Draw();
+      vtkNew<vtkWindowToImageFilter> filter;
+      filter->SetInput(window.Win);
+      filter->SetScale(2);
+      filter->ReadFrontBufferOff();
+      filter->Update();
+      vtkImageData* image = filter->GetOutput();
+      Picture picture;
+      picture.Width = image->GetDimensions()[0];
+      picture.Height = image->GetDimensions()[1];
+      const unsigned char* pixels = static_cast<unsigned char*>(image->GetScalarPointer());
+      picture.Pixels.assign(pixels, pixels + 3 * picture.Width * picture.Height);
+      return picture;
+    };
+    Same(checks, "tiles", tiled(Mesh(mesh)), tiled(Splats(cloud)), 40.0, 200);
   }
   // Data that changes is followed.
   {
