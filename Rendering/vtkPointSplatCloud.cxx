@@ -339,6 +339,8 @@ void vtkPointSplatCloud::BuildSplats(vtkPointSplatMapper* mapper, std::vector<Bl
   this->Count = 0;
   this->Points = 0;
   this->Skipped = 0;
+  this->Order.clear();
+  this->GroupStarts.clear();
   this->Circular = true;
   this->MedianRadius = this->MaximumRadius = 0.0;
   this->Bounds = { { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 } };
@@ -452,7 +454,7 @@ void vtkPointSplatCloud::BuildColours(
   {
     return;
   }
-  const size_t words = this->Circular ? 8 : 16;
+  const size_t words = this->GetWordsPerSplat();
   for (const Block& block : blocks)
   {
     int cellFlag = 0;
@@ -487,7 +489,25 @@ void vtkPointSplatCloud::BuildColours(
 //------------------------------------------------------------------------------
 vtkMTimeType vtkPointSplatCloud::GetMTime() const
 {
-  return std::max(this->SplatTime.GetMTime(), this->ColourTime.GetMTime());
+  return std::max(
+    { this->SplatTime.GetMTime(), this->ColourTime.GetMTime(), this->GroupTime.GetMTime() });
+}
+
+//------------------------------------------------------------------------------
+std::vector<uint32_t> vtkPointSplatCloud::Ordered(
+  const std::vector<uint32_t>& data, size_t words) const
+{
+  if (this->Order.empty() || data.empty())
+  {
+    return data;
+  }
+  std::vector<uint32_t> ordered(data.size());
+  for (size_t i = 0; i < this->Order.size(); ++i)
+  {
+    std::copy_n(data.begin() + static_cast<long>(words * this->Order[i]), words,
+      ordered.begin() + static_cast<long>(words * i));
+  }
+  return ordered;
 }
 
 //------------------------------------------------------------------------------
@@ -503,11 +523,12 @@ vtkPointSplatCloud::Buffers& vtkPointSplatCloud::Upload(vtkWindow* window)
     glGenBuffers(1, &buffers->Large);
     glGenVertexArrays(1, &buffers->VertexArray);
   }
-  if (this->SplatTime > buffers->SplatTime)
+  if (this->SplatTime > buffers->SplatTime || this->GroupTime > buffers->SplatTime)
   {
+    const std::vector<uint32_t> splats = this->Ordered(this->Splats, this->GetWordsPerSplat());
     glBindBuffer(GL_ARRAY_BUFFER, buffers->Splats);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(4 * this->Splats.size()),
-      this->Splats.data(), GL_STATIC_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(4 * splats.size()), splats.data(),
+      GL_STATIC_DRAW);
     glBindTexture(GL_TEXTURE_BUFFER, buffers->SplatTexture);
     glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32UI, buffers->Splats);
     glBindTexture(GL_TEXTURE_BUFFER, 0);
@@ -521,11 +542,12 @@ vtkPointSplatCloud::Buffers& vtkPointSplatCloud::Upload(vtkWindow* window)
     }
     buffers->SplatTime.Modified();
   }
-  if (this->ColourTime > buffers->ColourTime)
+  if (this->ColourTime > buffers->ColourTime || this->GroupTime > buffers->ColourTime)
   {
+    const std::vector<uint32_t> colours = this->Ordered(this->Colours, 1);
     glBindBuffer(GL_ARRAY_BUFFER, buffers->Colours);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(4 * this->Colours.size()),
-      this->Colours.data(), GL_STATIC_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(4 * colours.size()), colours.data(),
+      GL_STATIC_DRAW);
     buffers->ColourTime.Modified();
   }
   glBindBuffer(GL_ARRAY_BUFFER, 0);
@@ -536,7 +558,7 @@ vtkPointSplatCloud::Buffers& vtkPointSplatCloud::Upload(vtkWindow* window)
 std::vector<uint32_t> vtkPointSplatCloud::MakeIdMap(IdKind kind) const
 {
   std::vector<uint32_t> map(static_cast<size_t>(this->Count));
-  const size_t words = this->Circular ? 8 : 16;
+  const size_t words = this->GetWordsPerSplat();
   for (const Block& block : this->Blocks)
   {
     // A cloud without cells: the cell id that VTK's selections carry is the point's.
@@ -560,7 +582,7 @@ GLuint vtkPointSplatCloud::UploadIdMap(vtkWindow* window, IdKind kind)
   Buffers& buffers = this->Upload(window);
   if (kind != PointIds && !buffers.IdMaps[kind])
   {
-    const std::vector<uint32_t> map = this->MakeIdMap(kind);
+    const std::vector<uint32_t> map = this->Ordered(this->MakeIdMap(kind), 1);
     glGenBuffers(1, &buffers.IdMaps[kind]);
     glBindBuffer(GL_ARRAY_BUFFER, buffers.IdMaps[kind]);
     glBufferData(

@@ -24,6 +24,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -72,6 +73,21 @@ public:
   void Update(vtkPointSplatMapper* mapper, vtkDataObject* input);
 
   /**
+   * Divides the splats into groups, those of the input's array or, where it has none, such
+   * that splats nearer than factor * reach times their radii are apart; done anew only when
+   * splats or arguments change. False where that cannot be done. Buffers then hold splats group by
+   * group, in Morton order within each.
+   */
+  bool MakeGroups(double factor, double reach);
+  int GetNumberOfGroups() const
+  {
+    return this->GroupStarts.empty() ? 0 : static_cast<int>(this->GroupStarts.size()) - 1;
+  }
+  vtkMTimeType GetGroupMTime() const { return this->GroupTime.GetMTime(); }
+  /// The first splat of a group in the buffers, and how many it has.
+  std::pair<vtkIdType, vtkIdType> GetGroup(int group) const;
+
+  /**
    * The buffers of the current context, which belongs to the window, filled.
    */
   Buffers& Upload(vtkWindow* window);
@@ -110,6 +126,11 @@ private:
   void BuildSplats(vtkPointSplatMapper* mapper, std::vector<Block>& blocks);
   void BuildColours(vtkPointSplatMapper* mapper, const std::vector<Block>& blocks);
   std::vector<uint32_t> MakeIdMap(IdKind kind) const;
+  size_t GetWordsPerSplat() const { return this->Circular ? 8 : 16; }
+  bool GivenGroups(std::vector<int>& groups) const;
+  bool FindGroups(std::vector<int>& groups, double factor, double reach) const;
+  /// As the buffers hold them: data of some words a splat, in the groups' order.
+  std::vector<uint32_t> Ordered(const std::vector<uint32_t>& data, size_t words) const;
 
   std::vector<uint32_t> Splats;
   std::vector<uint32_t> Colours;
@@ -122,6 +143,11 @@ private:
   double MaximumRadius = 0.0;
   std::array<double, 3> Origin{ { 0.0, 0.0, 0.0 } };
   std::array<double, 6> Bounds{ { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 } };
+  std::vector<uint32_t> Order;        // of splats in the buffers; empty: as they are
+  std::vector<vtkIdType> GroupStarts; // of groups in the buffers, and the end
+  double GroupFactor = 0.0;
+  double GroupReach = 0.0;
+  vtkTimeStamp GroupTime;
   vtkDataObject* Input = nullptr; // compared only
   vtkTimeStamp SplatTime;
   vtkTimeStamp ColourTime;

@@ -74,9 +74,48 @@ bool vtkPointSplatCompositor::WantsCompute(vtkOpenGLRenderWindow* window,
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatCompositor::Build(vtkRenderer* renderer, const vtkPointSplatView& view,
-  std::vector<Entry>& entries, bool compute)
+bool vtkPointSplatCompositor::WantsDeferred(
+  const std::vector<Entry>& entries, const glm::ivec2& size)
 {
+  this->MethodReason.clear();
+  bool wanted = false;
+  vtkIdType bytes = 0;
+  for (const Entry& entry : entries)
+  {
+    if (entry.Mapper->GetMethod() == vtkPointSplatMapper::DEFERRED)
+    {
+      wanted = true;
+      bytes = std::max(bytes, entry.Mapper->GetMaximumImageMemory());
+    }
+  }
+  int groups = 0;
+  for (const Entry& entry : entries)
+  {
+    if (wanted && !entry.Mapper->MakeGroups())
+    {
+      this->MethodReason = "the splats cannot be grouped.";
+      return false;
+    }
+    groups = std::max(groups, entry.Mapper->GetNumberOfGroups());
+  }
+  if (wanted && !vtkPointSplatDeferred::Fits(size, groups, bytes))
+  {
+    this->MethodReason = "images for " + std::to_string(groups) + " groups of " +
+      std::to_string(size.x) + " x " + std::to_string(size.y) +
+      " pixels are more than MaximumImageMemory or the hardware allows; lower OverlapFactor.";
+    return false;
+  }
+  return wanted;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatCompositor::Build(
+  vtkRenderer* renderer, const vtkPointSplatView& view, std::vector<Entry>& entries)
+{
+  auto window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  const bool deferred = this->WantsDeferred(entries, view.Size);
+  const bool compute = !deferred && this->WantsCompute(window, entries, view.Size);
+  bool voronoi = true;
   std::vector<vtkPointSplatItem> items;
   std::vector<vtkMTimeType> times;
   int slot = 0;
@@ -88,11 +127,13 @@ bool vtkPointSplatCompositor::Build(vtkRenderer* renderer, const vtkPointSplatVi
     entry.Mapper->FillItem(entry.Actor, view, entry.Item);
     layer = std::max(layer, entry.Item.LargestLayer);
     colours = colours || entry.Item.Cloud->HasColours();
+    voronoi = voronoi && entry.Mapper->GetVoronoiDepth();
     items.push_back(entry.Item);
     times.push_back(entry.Item.Cloud->GetMTime());
   }
+  const float voronoiScale = !deferred ? -1.0f : voronoi ? static_cast<float>(layer) : 0.0f;
   if (this->Built && this->View == view && this->Items == items && this->CloudTimes == times &&
-    this->Images.IsCompute() == compute)
+    this->Images.IsCompute() == compute && this->VoronoiScale == voronoiScale)
   {
     this->View.Origin = view.Origin;
     return true;
@@ -100,6 +141,7 @@ bool vtkPointSplatCompositor::Build(vtkRenderer* renderer, const vtkPointSplatVi
 
   this->Built = false;
   this->IdentifiedKind = -1;
+  this->VoronoiScale = voronoiScale;
   this->Images.Allocate(compute, view.Size, colours);
   if (compute)
   {
@@ -118,10 +160,12 @@ bool vtkPointSplatCompositor::Build(vtkRenderer* renderer, const vtkPointSplatVi
   // Splats seen edge-on may lie 5 layer distances off along the ray; see
   // sameLayer() in vtkPointSplatProjection.glsl.
   this->DepthUnit = static_cast<float>(5.0 * layer);
-  auto window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  if (!this->Stages.Reconstruct(window, view, items, this->Images, this->DepthUnit))
+  const bool good = deferred
+    ? this->Deferred.Reconstruct(window, view, items, this->Images, this->DepthUnit, voronoiScale)
+    : this->Stages.Reconstruct(window, view, items, this->Images, this->DepthUnit);
+  if (!good)
   {
-    this->Error = this->Stages.GetError();
+    this->Error = deferred ? this->Deferred.GetError() : this->Stages.GetError();
     return false;
   }
   this->Built = true;
@@ -182,8 +226,7 @@ bool vtkPointSplatCompositor::Present(
     own = 0;
   }
 
-  const bool compute = this->WantsCompute(window, entries, view.Size);
-  if (!this->Build(renderer, view, entries, compute))
+  if (!this->Build(renderer, view, entries))
   {
     return false;
   }
@@ -255,6 +298,7 @@ void vtkPointSplatCompositor::Leave(vtkPointSplatMapper* mapper, vtkWindow* wind
   {
     this->Images.Release();
     this->Stages.Release();
+    this->Deferred.Release();
     this->Resolve.Release();
     this->Built = false;
   }

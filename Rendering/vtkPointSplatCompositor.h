@@ -14,6 +14,7 @@
 #ifndef vtkPointSplatCompositor_h
 #define vtkPointSplatCompositor_h
 
+#include "vtkPointSplatDeferred.h"
 #include "vtkPointSplatImages.h"
 #include "vtkPointSplatResolve.h"
 #include "vtkPointSplatStages.h"
@@ -53,7 +54,13 @@ public:
 
   const std::string& GetError() const { return this->Error; }
   bool IsCompute() const { return this->Images.IsCompute(); }
-  vtkIdType GetMemorySize() const { return this->Images.GetMemorySize(); }
+  bool IsDeferred() const { return this->VoronoiScale >= 0.0f; }
+  /// Why two passes were taken where deferred blending was asked for; else empty.
+  const std::string& GetMethodReason() const { return this->MethodReason; }
+  vtkIdType GetMemorySize() const
+  {
+    return this->Images.GetMemorySize() + this->Deferred.GetMemorySize();
+  }
 
 private:
   /**
@@ -67,14 +74,15 @@ private:
   };
 
   static std::vector<Entry> CollectOpaque(vtkRenderer* renderer);
-  bool Build(vtkRenderer* renderer, const vtkPointSplatView& view, std::vector<Entry>& entries,
-    bool compute);
+  bool Build(vtkRenderer* renderer, const vtkPointSplatView& view, std::vector<Entry>& entries);
+  bool WantsDeferred(const std::vector<Entry>& entries, const glm::ivec2& size);
   bool WantsCompute(vtkOpenGLRenderWindow* window, const std::vector<Entry>& entries,
     const glm::ivec2& size) const;
   bool PresentSelection(vtkRenderer* renderer, vtkActor* actor, vtkPointSplatMapper* mapper,
     const vtkPointSplatView& view, const vtkPointSplatItem& item);
 
   vtkPointSplatStages Stages;
+  vtkPointSplatDeferred Deferred;
   vtkPointSplatImages Images;
   vtkPointSplatResolve Resolve;
   std::set<vtkPointSplatMapper*> Users;
@@ -87,6 +95,8 @@ private:
   std::vector<vtkPointSplatItem> Items;
   std::vector<vtkMTimeType> CloudTimes;
   float DepthUnit = 1.0f;
+  float VoronoiScale = -1.0f; // of deferred blending's Voronoi depth; negative: two passes
+  std::string MethodReason;
   int IdentifiedKind = -1; // what the ids name, if they are of these images
 };
 

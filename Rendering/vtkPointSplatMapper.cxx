@@ -47,6 +47,8 @@ struct vtkPointSplatMapper::vtkInternals
   bool WarnedOfClipPlanes = false;
   std::string LastError;
   const char* ProjectionUsed = "none"; // by the last frame
+  const char* MethodUsed = "none";
+  std::string MethodReason;
 };
 
 //------------------------------------------------------------------------------
@@ -162,6 +164,15 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
     }
   }
   this->Internals->ProjectionUsed = compositor->IsCompute() ? "compute" : "quads";
+  this->Internals->MethodUsed = compositor->IsDeferred() ? "deferred" : "two-pass";
+  if (this->Internals->MethodReason != compositor->GetMethodReason())
+  {
+    this->Internals->MethodReason = compositor->GetMethodReason();
+    if (this->Method == DEFERRED)
+    {
+      vtkWarningMacro("Two passes instead of deferred blending: " << this->Internals->MethodReason);
+    }
+  }
   this->UpdateProgress(1.0);
 }
 
@@ -323,7 +334,32 @@ void vtkPointSplatMapper::ReleaseGraphicsResources(vtkWindow* window)
 //------------------------------------------------------------------------------
 const char* vtkPointSplatMapper::GetMethodUsed()
 {
-  return "two-pass";
+  return this->Internals->MethodUsed;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkPointSplatMapper::GetMethodReason()
+{
+  return this->Internals->MethodReason.c_str();
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatMapper::MakeGroups()
+{
+  return this->Internals->Cloud.MakeGroups(
+    this->OverlapFactor, this->RadiusScale * this->KernelSupport);
+}
+
+//------------------------------------------------------------------------------
+int vtkPointSplatMapper::GetNumberOfGroups()
+{
+  return this->Internals->Cloud.GetNumberOfGroups();
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkPointSplatMapper::GetGroupMTime()
+{
+  return this->Internals->Cloud.GetGroupMTime();
 }
 
 //------------------------------------------------------------------------------
@@ -364,6 +400,9 @@ void vtkPointSplatMapper::ShallowCopy(vtkAbstractMapper* mapper)
   if (auto other = vtkPointSplatMapper::SafeDownCast(mapper))
   {
     this->SetMethod(other->Method);
+    this->SetOverlapFactor(other->OverlapFactor);
+    this->SetVoronoiDepth(other->VoronoiDepth);
+    this->SetMaximumImageMemory(other->MaximumImageMemory);
     this->SetProjection(other->Projection);
     this->SetKernel(other->Kernel);
     this->SetKernelSigma(other->KernelSigma);
@@ -381,6 +420,11 @@ void vtkPointSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Method: " << this->Method << " (used: " << this->GetMethodUsed() << ")\n";
+  os << indent << "MethodReason: " << this->GetMethodReason() << "\n";
+  os << indent << "OverlapFactor: " << this->OverlapFactor << "\n";
+  os << indent << "VoronoiDepth: " << (this->VoronoiDepth ? "On" : "Off") << "\n";
+  os << indent << "MaximumImageMemory: " << this->MaximumImageMemory << "\n";
+  os << indent << "NumberOfGroups: " << this->GetNumberOfGroups() << "\n";
   os << indent << "Projection: " << this->Projection << " (used: " << this->GetProjectionUsed()
      << ")\n";
   os << indent << "Kernel: " << (this->Kernel == GAUSSIAN ? "Gaussian" : "plateau") << "\n";

@@ -26,6 +26,10 @@
  * 5. Presentation: colour, opacity and depth go to the framebuffer as ordinary
  *    geometry does, so that meshes, volumes, SSAO, EDL and FXAA compose with it.
  *
+ * With Method Deferred, stages 2 and 3 are one pass over the splats: groups that do not
+ * overlap among themselves go to an image each, and compositing these images does both
+ * (Zhang, Pajarola 2006, section 3.2, Algorithm 1); see vtkPointSplatGrouping.
+ *
  * All opaque splat actors of a renderer share stages 2 and 3.
  *
  * Input: vtkPolyData (or any vtkPointSet), or a composite data set of them. Only
@@ -33,6 +37,7 @@
  * - Point normals, 3 components. Missing ones are estimated.
  * - `SplatRadius`, 1 component, world units; or `SplatAxis1` and `SplatAxis2`, 3
  *   components, world units, in the tangent plane. Missing ones are estimated.
+ * - `SplatGroup`, 1 component, for deferred blending. Missing ones are made.
  * - Scalars, as vtkMapper takes them: through the lookup table, or direct.
  *   InterpolateScalarsBeforeMapping is not honoured: colours are interpolated.
  * Points that are ghosts, or whose coordinates, normal or size are not finite or
@@ -40,7 +45,8 @@
  * GetNumberOfSkippedPoints().
  *
  * Images (compute; w x h are the viewport's): coded depths, 1 uint a pixel; sums,
- * 8 ints a pixel. Images (quads): the same as R32UI and two RGBA32F textures.
+ * 8 ints a pixel. Images (quads): the same as R32UI and two RGBA32F textures. Deferred
+ * blending has besides, for each group, a layer of RGBA32UI and one of 32-bit depth.
  *
  * A translucent actor shows its nearest layer at its opacity.
  *
@@ -75,7 +81,8 @@ public:
   enum MethodType
   {
     AUTOMATIC_METHOD = 0,
-    TWO_PASS = 1
+    TWO_PASS = 1,
+    DEFERRED = 2
   };
   enum ProjectionType
   {
@@ -91,14 +98,58 @@ public:
 
   ///@{
   /**
-   * How surfaces are reconstructed from splats. Automatic, the default, chooses;
-   * GetMethodUsed() tells what.
+   * How surfaces are reconstructed from splats: by two passes over them, or by deferred
+   * blending in one. Automatic, the default, takes two passes, which were faster wherever
+   * both were measured (see the README); GetMethodUsed() tells what the last frame took, and
+   * GetMethodReason() why, where that is not what was asked for. One splat mapper of a renderer
+   * that wants deferred blending decides for all.
    */
-  vtkSetClampMacro(Method, int, AUTOMATIC_METHOD, TWO_PASS);
+  vtkSetClampMacro(Method, int, AUTOMATIC_METHOD, DEFERRED);
   vtkGetMacro(Method, int);
   void SetMethodToAutomatic() { this->SetMethod(AUTOMATIC_METHOD); }
   void SetMethodToTwoPass() { this->SetMethod(TWO_PASS); }
+  void SetMethodToDeferred() { this->SetMethod(DEFERRED); }
   const char* GetMethodUsed();
+  const char* GetMethodReason();
+  ///@}
+
+  ///@{
+  /**
+   * Of deferred blending, where the input has no `SplatGroup`: the factor c on the distance at
+   * which splats count as overlapping when they are grouped (vtkPointSplatGrouping). 1 gives the
+   * picture of two passes; less gives fewer groups and small faults. Default: 0.8.
+   */
+  vtkSetClampMacro(OverlapFactor, double, 0.01, 1.0);
+  vtkGetMacro(OverlapFactor, double);
+  ///@}
+
+  ///@{
+  /**
+   * Of deferred blending: whether splats of a group that overlap meet halfway between
+   * their centres (Zhang, Pajarola 2006, equation 10), or the nearer one hides the other.
+   * On by default.
+   */
+  vtkSetMacro(VoronoiDepth, bool);
+  vtkGetMacro(VoronoiDepth, bool);
+  vtkBooleanMacro(VoronoiDepth, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Bytes that the groups' images may take, 20 a pixel and group; past it, two passes are
+   * taken, with a warning. 0: no bound. Default: 1 GiB.
+   */
+  vtkSetClampMacro(MaximumImageMemory, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(MaximumImageMemory, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * The groups that the splats are divided into, 0 before deferred blending was first used;
+   * and when that was done, which is once for all frames until points or OverlapFactor change.
+   */
+  int GetNumberOfGroups();
+  vtkMTimeType GetGroupMTime();
   ///@}
 
   ///@{
@@ -226,7 +277,15 @@ private:
   void FillItem(vtkActor* actor, const vtkPointSplatView& view, vtkPointSplatItem& item);
   vtkSmartPointer<vtkUnsignedCharArray> MapPointColours(vtkDataSet* data, int& cellFlag);
 
+  /**
+   * Groups the splats as deferred blending wants them; false where that cannot be done.
+   */
+  bool MakeGroups();
+
   int Method = AUTOMATIC_METHOD;
+  double OverlapFactor = 0.8;
+  bool VoronoiDepth = true;
+  vtkIdType MaximumImageMemory = vtkIdType(1) << 30;
   int Projection = AUTOMATIC_PROJECTION;
   int Kernel = GAUSSIAN;
   double KernelSigma = 0.6;

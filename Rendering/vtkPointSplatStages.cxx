@@ -11,37 +11,9 @@
 
 namespace
 {
-// How far disks reach in the visibility pass, in radii. Disks that cover their
-// neighbours' Voronoi cells in the tangent plane leave cracks where the surface
-// bends and is seen at a flat angle.
-constexpr float DiskReach = 1.15f;
-// The least radius, in pixels, of a disk's image in the visibility pass. Disks
-// cover the surface together; widening each to a pixel would widen silhouettes.
-constexpr float CoverageRadius = 0.1f;
-// The prefilter's radius, in pixels, in the accumulation pass. Guennebaud, section
-// 4.1, has the square root of two; the Gaussian of sigma 0.6 is then as wide as a
-// pixel is, which blurs more than the pixels of a supersampled picture do.
-constexpr float PrefilterRadius = 0.8f;
-
 constexpr GLuint GroupSize = 64;      // as in vtkPointSplatSplatsCS.glsl
 constexpr GLuint MostGroups = 32768;  // in one dimension; OpenGL promises 65535
 constexpr GLuint LargeGroups = 256;   // share the listed splats of many pixels
-
-/**
- * Draws to the images, nearest first, with nothing else in the way.
- */
-void BindForQuads(vtkOpenGLState* state, vtkPointSplatImages& images)
-{
-  state->vtkglViewport(0, 0, images.GetSize().x, images.GetSize().y);
-  state->vtkglDisable(GL_SCISSOR_TEST);
-  state->vtkglDisable(GL_CULL_FACE);
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDepthFunc(GL_LESS);
-  state->vtkglDepthMask(GL_TRUE);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, images.GetFramebuffer());
-}
 
 GLsizeiptr Stride(const vtkPointSplatCloud& cloud)
 {
@@ -229,32 +201,48 @@ bool vtkPointSplatStages::ReconstructByCompute(vtkOpenGLRenderWindow* window,
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatStages::DrawQuads(
-  const vtkPointSplatItem& item, vtkPointSplatCloud::Buffers& buffers, GLuint idMap)
+void vtkPointSplatStages::SetStateForQuads(vtkOpenGLState* state, const glm::ivec2& imageSize)
+{
+  state->vtkglViewport(0, 0, imageSize.x, imageSize.y);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LESS);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatStages::DrawQuads(const vtkPointSplatItem& item,
+  vtkPointSplatCloud::Buffers& buffers, GLuint idMap, vtkIdType first, vtkIdType count)
 {
   const GLsizei stride = static_cast<GLsizei>(Stride(*item.Cloud));
-  auto at = [](size_t bytes) { return reinterpret_cast<const void*>(bytes); };
+  // Without base instances, which OpenGL 3.3 has not: pointers to the first splat.
+  auto at = [first](size_t bytes, GLsizei step) {
+    return reinterpret_cast<const void*>(bytes + static_cast<size_t>(first * step));
+  };
   glBindVertexArray(buffers.VertexArray);
   glBindBuffer(GL_ARRAY_BUFFER, buffers.Splats);
-  glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, stride, at(0));
-  glVertexAttribIPointer(1, 2, GL_UNSIGNED_INT, stride, at(16));
-  glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, stride, at(28));
+  glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, stride, at(0, stride));
+  glVertexAttribIPointer(1, 2, GL_UNSIGNED_INT, stride, at(16, stride));
+  glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, stride, at(28, stride));
   const bool axes = !item.Cloud->IsCircular();
   if (axes)
   {
-    glVertexAttribPointer(4, 3, GL_FLOAT, GL_FALSE, stride, at(32));
-    glVertexAttribPointer(5, 3, GL_FLOAT, GL_FALSE, stride, at(48));
+    glVertexAttribPointer(4, 3, GL_FLOAT, GL_FALSE, stride, at(32, stride));
+    glVertexAttribPointer(5, 3, GL_FLOAT, GL_FALSE, stride, at(48, stride));
   }
   if (idMap)
   {
     glBindBuffer(GL_ARRAY_BUFFER, idMap);
-    glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, 4, at(0));
+    glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, 4, at(0, 4));
   }
   const bool colours = item.Cloud->HasColours();
   if (colours)
   {
     glBindBuffer(GL_ARRAY_BUFFER, buffers.Colours);
-    glVertexAttribPointer(3, 4, GL_UNSIGNED_BYTE, GL_TRUE, 4, at(0));
+    glVertexAttribPointer(3, 4, GL_UNSIGNED_BYTE, GL_TRUE, 4, at(0, 4));
   }
   glBindBuffer(GL_ARRAY_BUFFER, 0);
   const bool used[] = { true, true, true, colours, axes, axes };
@@ -270,8 +258,8 @@ void vtkPointSplatStages::DrawQuads(
     }
     glVertexAttribDivisor(i, 1);
   }
-  glDrawArraysInstanced(
-    GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(item.Cloud->GetNumberOfSplats()));
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4,
+    static_cast<GLsizei>(count < 0 ? item.Cloud->GetNumberOfSplats() - first : count));
   glBindVertexArray(0);
 }
 
@@ -281,7 +269,8 @@ bool vtkPointSplatStages::ReconstructByQuads(vtkOpenGLRenderWindow* window,
   vtkPointSplatImages& images, float depthUnit)
 {
   vtkOpenGLState* state = window->GetState();
-  BindForQuads(state, images);
+  vtkPointSplatStages::SetStateForQuads(state, images.GetSize());
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, images.GetFramebuffer());
 
   // Visibility: the nearest depth of all disks.
   GLenum both[] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1 };
@@ -348,7 +337,8 @@ bool vtkPointSplatStages::IdentifyByQuads(vtkOpenGLRenderWindow* window,
   vtkPointSplatImages& images, vtkPointSplatCloud::IdKind kind)
 {
   vtkOpenGLState* state = window->GetState();
-  BindForQuads(state, images);
+  vtkPointSplatStages::SetStateForQuads(state, images.GetSize());
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, images.GetFramebuffer());
   GLenum first[] = { GL_COLOR_ATTACHMENT0 };
   const GLuint none[4] = { 0xffffffffu, 0xffffffffu, 0xffffffffu, 0xffffffffu };
   const GLfloat farthest = 1.0f;

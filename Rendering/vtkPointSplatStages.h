@@ -20,6 +20,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
+class vtkOpenGLState;
 VTK_ABI_NAMESPACE_END
 class vtkPointSplatImages;
 
@@ -52,6 +53,16 @@ public:
    */
   static constexpr int MaximumSlots = 64;
 
+  ///@{
+  /**
+   * How far disks reach in the visibility pass, in radii; the least radius, in pixels, of a
+   * disk's image there; and the prefilter's radius, in pixels, in the accumulation pass.
+   */
+  static constexpr float DiskReach = 1.15f;
+  static constexpr float CoverageRadius = 0.1f;
+  static constexpr float PrefilterRadius = 0.8f;
+  ///@}
+
   /**
    * Whether the context has what compute shaders need.
    */
@@ -75,6 +86,19 @@ public:
   const std::string& GetError() const { return this->Error; }
   void Release();
 
+  ///@{
+  /**
+   * What other ways to reconstruct a layer share: all uniforms of an item; the state in which quads are
+   * drawn, nearest first with nothing else in the way; the draw itself, of count splats from
+   * first on (all of them if count is negative), with an id map or 0.
+   */
+  static void SetItem(vtkPointSplatProgram& program, const vtkPointSplatView& view,
+    const vtkPointSplatItem& item, const glm::ivec2& imageSize);
+  static void SetStateForQuads(vtkOpenGLState* state, const glm::ivec2& imageSize);
+  static void DrawQuads(const vtkPointSplatItem& item, vtkPointSplatCloud::Buffers& buffers,
+    GLuint idMap, vtkIdType first = 0, vtkIdType count = -1);
+  ///@}
+
 private:
   enum Program
   {
@@ -87,14 +111,11 @@ private:
     NumberOfPrograms
   };
   vtkPointSplatProgram* Use(Program which);
-  void SetItem(vtkPointSplatProgram& program, const vtkPointSplatView& view,
-    const vtkPointSplatItem& item, const glm::ivec2& imageSize);
   void BindDepths(
     vtkOpenGLRenderWindow* window, vtkPointSplatProgram& program, vtkPointSplatImages& images);
   static void UnbindTextures(vtkOpenGLRenderWindow* window);
   void Dispatch(vtkPointSplatProgram& program, const vtkPointSplatItem& item,
     vtkPointSplatCloud::Buffers& buffers, bool listLarge);
-  void DrawQuads(const vtkPointSplatItem& item, vtkPointSplatCloud::Buffers& buffers, GLuint idMap);
   bool ReconstructByCompute(vtkOpenGLRenderWindow* window, const vtkPointSplatView& view,
     const std::vector<vtkPointSplatItem>& items, vtkPointSplatImages& images, float depthUnit);
   bool ReconstructByQuads(vtkOpenGLRenderWindow* window, const vtkPointSplatView& view,

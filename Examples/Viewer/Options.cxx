@@ -195,7 +195,7 @@ Options Options::Parse(int argc, char* argv[])
     { "--background", [&o](auto& n, auto& v) { o.Background = Colour(n, v); } },
     { "--array", [&o](auto&, auto& v) { o.Array = v; } },
     { "--method",
-      [&o](auto& n, auto& v) { o.Method = OneOf(n, v, { "automatic", "two-pass" }); } },
+      [&o](auto& n, auto& v) { o.Method = OneOf(n, v, { "automatic", "two-pass", "deferred" }); } },
     { "--projection",
       [&o](auto& n, auto& v) {
         o.Projection = OneOf(n, v, { "automatic", "compute", "quads" });
@@ -303,7 +303,7 @@ How it looks
   --scalar-bar         show the colour scale of --array
 
 How it is drawn
-  --method M           automatic (default), two-pass
+  --method M           automatic (default), two-pass, deferred
   --projection P       automatic (default), compute, quads
 
 What comes out

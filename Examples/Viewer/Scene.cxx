@@ -64,6 +64,10 @@ Surface& AddSurface(
   {
     surface.Mapper->SetMethodToTwoPass();
   }
+  else if (options.Method == "deferred")
+  {
+    surface.Mapper->SetMethodToDeferred();
+  }
   if (options.Projection != "automatic")
   {
     surface.Mapper->SetProjection(options.Projection == "quads" ? vtkPointSplatMapper::QUADS

@@ -39,6 +39,8 @@ const uint NoDepth = 0xffffffffu;
 // Splats seen at a flatter angle than this count as seen at this one when depths
 // along the ray are turned to distances along the normal.
 const float LeastFacing = 0.2;
+// Splats seen at a flatter angle than this belong to layers of their own side only.
+const float SteepFacing = 0.35;
 
 struct Splat
 {
@@ -272,6 +274,6 @@ float decodeDepth(uint code)
 bool sameLayer(Splat q, float depth, uint nearest)
 {
   uint different = (nearest ^ q.tag) & TagMask;
-  return (different == 0u || (different == 1u && q.facing > 0.35)) &&
+  return (different == 0u || (different == 1u && q.facing > SteepFacing)) &&
     abs(depth - decodeDepth(nearest)) * max(q.facing, LeastFacing) <= q.layer;
 }

@@ -1,0 +1,57 @@
+#version 330
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The geometry pass of deferred blending (Zhang, Pajarola 2006, Algorithm 1, lines
+// 5 to 10): one group's splats to that group's image. Within a group the depth
+// test decides, by the Voronoi depth of equation 10: what is coarsely at the same depth
+// is told apart by the distance from the splat's centre, so that splats which
+// overlap meet halfway instead of one lying over the other as a flap.
+// Writes one RGBA32UI texel (see vtkPointSplatCompositeFS) and the depth.
+
+#include "vtkPointSplatQuadFS"
+#include "vtkPointSplatKernel"
+#include "vtkPointSplatGroupTexel"
+
+flat in vec3 diskS;
+flat in vec3 diskT;
+flat in vec3 diskSlopeAndReach;
+
+uniform float VoronoiScale; // world units; 0: plain depth
+
+layout(location = 0) out uvec4 texel;
+
+void main()
+{
+  Splat q = fragmentSplat();
+  float r2;
+  float depth;
+  if (!intersect(q, gl_FragCoord.xy, KernelSupport, r2, depth))
+  {
+    discard;
+  }
+  Splat disk = q;
+  disk.s = diskS;
+  disk.t = diskT;
+  disk.slope = diskSlopeAndReach.xy;
+  float diskR2;
+  float diskDepth;
+  bool onDisk = intersect(disk, gl_FragCoord.xy, diskSlopeAndReach.z, diskR2, diskDepth);
+  if (!onDisk && q.facing < SteepFacing)
+  {
+    // At a silhouette the kernel's tail would hide what is behind, which has only
+    // one place in this group's image.
+    discard;
+  }
+  // As in the fixed-point sums, a weight never vanishes inside the support.
+  float weight = max(kernelWeight(r2, KernelSupport), 1.0 / 4096.0);
+  float along = q.layer / max(q.facing, LeastFacing);
+  texel = uvec4(encodeDepth(onDisk ? diskDepth : depth, q.tag), encodeNormal(q.normal),
+    encodeHalf(weight, !onDisk) | encodeHalf(along / DepthUnit, q.facing <= SteepFacing) << 16,
+    packColour(splatColour));
+  // Off the disk comes last: a widened splat's tail would else hide the disk that
+  // tells where the surface is.
+  float rim = sqrt(r2) / KernelSupport + (onDisk ? 0.0 : 1.0);
+  gl_FragDepth = clamp(
+    (depth + VoronoiScale * rim) / (DepthRange.y + 2.0 * VoronoiScale), 0.0, 0.9999999);
+}

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a group's image holds at a pixel (RGBA32UI):
+//   x  the coded depth, as in encodeDepth
+//   y  the normal, view coordinates, two times 16 bits on an octahedron
+//   z  two halves: the weight, negative where the pixel is off the splat's disk;
+//      the least layer distance along the ray, world units, negative where the
+//      splat stands so steep that only splats of its own side belong to its layer
+//   w  colour, 8 bits a component
+// Halves hold up to 65504: layer distances are in units of DepthUnit.
+
+uniform float DepthUnit; // world units
+
+uint encodeNormal(vec3 n)
+{
+  n /= abs(n.x) + abs(n.y) + abs(n.z);
+  vec2 f = n.xy;
+  if (n.z < 0.0)
+  {
+    f = (1.0 - abs(n.yx)) * vec2(n.x >= 0.0 ? 1.0 : -1.0, n.y >= 0.0 ? 1.0 : -1.0);
+  }
+  ivec2 i = ivec2(round(f * 32767.0));
+  return (uint(i.x) & 0xffffu) | (uint(i.y) << 16);
+}
+
+// Two positive floats as halves, 16 bits of which the uppermost is a flag. What
+// packHalf2x16 does from GLSL 4.2 on: here for 3.3, rounded down.
+uint encodeHalf(float value, bool flag)
+{
+  uint bits = floatBitsToUint(clamp(value, 6.2e-5, 65000.0));
+  uint h = ((bits >> 23) - 112u) << 10 | ((bits >> 13) & 0x3ffu);
+  return h | (flag ? 0x8000u : 0u);
+}
+
+float decodeHalf(uint h)
+{
+  return uintBitsToFloat((((h >> 10) & 31u) + 112u) << 23 | (h & 0x3ffu) << 13);
+}
+
+uint packColour(vec3 colour)
+{
+  uvec3 c = uvec3(round(clamp(colour, 0.0, 1.0) * 255.0));
+  return c.r | c.g << 8 | c.b << 16;
+}
+
+vec3 unpackColour(uint code)
+{
+  return vec3(uvec3(code, code >> 8, code >> 16) & 255u) / 255.0;
+}

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Spans a quad over a splat's box in the image: one instance a splat, four
+// vertices. For where there are no compute shaders, or where they do not pay.
+
+#include "vtkPointSplatProjection"
+
+layout(location = 0) in vec4 positionAndRadius;
+layout(location = 1) in uvec2 normals;
+layout(location = 2) in uint id;
+layout(location = 3) in vec4 colour;
+layout(location = 4) in vec3 axis1MC;
+layout(location = 5) in vec3 axis2MC;
+
+uniform float Reach;         // radii to draw: 1, or the kernel's support
+uniform float MinimumRadius; // pixels
+uniform ivec2 ImageSize;
+
+flat out vec4 centreAndDepths; // centre in pixels, w, depth
+flat out vec3 splatS;
+flat out vec3 splatT;
+flat out vec4 slopeFacingLayer;
+flat out vec3 splatNormal;
+flat out uvec2 tagAndId;
+flat out vec3 splatColour;
+flat out vec3 positionVC;
+flat out vec3 sVC;
+flat out vec3 tVC;
+
+// False: nothing of the splat can be seen.
+bool spanQuad()
+{
+  Splat q;
+  if (!project(positionAndRadius.xyz, normals, axis1MC, axis2MC, positionAndRadius.w, Reach,
+        MinimumRadius, q))
+  {
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // off the screen
+    return false;
+  }
+  vec2 corner = vec2((gl_VertexID & 1) == 0 ? q.box.x : q.box.z + 1,
+    (gl_VertexID & 2) == 0 ? q.box.y : q.box.w + 1);
+  gl_Position = vec4(2.0 * corner / vec2(ImageSize) - 1.0, 0.0, 1.0);
+  centreAndDepths = vec4(q.centre, q.w, q.depth);
+  splatS = q.s;
+  splatT = q.t;
+  slopeFacingLayer = vec4(q.slope, q.facing, q.layer);
+  splatNormal = q.normal;
+  tagAndId = uvec2(q.tag, id);
+  splatColour = colour.rgb;
+  positionVC = q.positionVC;
+  sVC = q.sVC;
+  tVC = q.tVC;
+  return true;
+}
