@@ -13,6 +13,13 @@
 #include <algorithm>
 #include <map>
 
+namespace
+{
+// One pass by quads beats two of them where there are this many splats a pixel of the
+// viewport; compute shaders beat both (Testing/Benchmark/deferred_benchmark.py).
+constexpr double LeastSplatsPerPixel = 0.75;
+}
+
 //------------------------------------------------------------------------------
 std::shared_ptr<vtkPointSplatCompositor> vtkPointSplatCompositor::Of(vtkRenderer* renderer)
 {
@@ -75,19 +82,23 @@ bool vtkPointSplatCompositor::WantsCompute(vtkOpenGLRenderWindow* window,
 
 //------------------------------------------------------------------------------
 bool vtkPointSplatCompositor::WantsDeferred(
-  const std::vector<Entry>& entries, const glm::ivec2& size)
+  const std::vector<Entry>& entries, const glm::ivec2& size, bool compute)
 {
   this->MethodReason.clear();
   bool wanted = false;
+  bool automatic = true;
   vtkIdType bytes = 0;
+  vtkIdType splats = 0;
   for (const Entry& entry : entries)
   {
-    if (entry.Mapper->GetMethod() == vtkPointSplatMapper::DEFERRED)
-    {
-      wanted = true;
-      bytes = std::max(bytes, entry.Mapper->GetMaximumImageMemory());
-    }
+    wanted = wanted || entry.Mapper->GetMethod() == vtkPointSplatMapper::DEFERRED;
+    automatic = automatic && entry.Mapper->GetMethod() == vtkPointSplatMapper::AUTOMATIC_METHOD;
+    bytes = std::max(bytes, entry.Mapper->GetMaximumImageMemory());
+    splats += entry.Mapper->GetNumberOfSplats();
   }
+  wanted = wanted ||
+    (automatic && !compute &&
+      splats > LeastSplatsPerPixel * size.x * static_cast<double>(size.y));
   int groups = 0;
   for (const Entry& entry : entries)
   {
@@ -113,8 +124,9 @@ bool vtkPointSplatCompositor::Build(
   vtkRenderer* renderer, const vtkPointSplatView& view, std::vector<Entry>& entries)
 {
   auto window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  const bool deferred = this->WantsDeferred(entries, view.Size);
-  const bool compute = !deferred && this->WantsCompute(window, entries, view.Size);
+  bool compute = this->WantsCompute(window, entries, view.Size);
+  const bool deferred = this->WantsDeferred(entries, view.Size, compute);
+  compute = compute && !deferred;
   bool voronoi = true;
   std::vector<vtkPointSplatItem> items;
   std::vector<vtkMTimeType> times;

@@ -75,7 +75,8 @@ private:
 
   static std::vector<Entry> CollectOpaque(vtkRenderer* renderer);
   bool Build(vtkRenderer* renderer, const vtkPointSplatView& view, std::vector<Entry>& entries);
-  bool WantsDeferred(const std::vector<Entry>& entries, const glm::ivec2& size);
+  bool WantsDeferred(
+    const std::vector<Entry>& entries, const glm::ivec2& size, bool compute);
   bool WantsCompute(vtkOpenGLRenderWindow* window, const std::vector<Entry>& entries,
     const glm::ivec2& size) const;
   bool PresentSelection(vtkRenderer* renderer, vtkActor* actor, vtkPointSplatMapper* mapper,

@@ -99,10 +99,11 @@ public:
   ///@{
   /**
    * How surfaces are reconstructed from splats: by two passes over them, or by deferred
-   * blending in one. Automatic, the default, takes two passes, which were faster wherever
-   * both were measured (see the README); GetMethodUsed() tells what the last frame took, and
-   * GetMethodReason() why, where that is not what was asked for. One splat mapper of a renderer
-   * that wants deferred blending decides for all.
+   * blending in one. Automatic, the default, takes two passes by compute shaders, which were
+   * faster wherever both were measured (see the README); where there are only quads and three splats or more
+   * to four pixels, it takes deferred blending. GetMethodUsed() tells what the last frame took,
+   * and GetMethodReason() why, where that is not what was asked for. One splat mapper of a
+   * renderer that wants deferred blending decides for all.
    */
   vtkSetClampMacro(Method, int, AUTOMATIC_METHOD, DEFERRED);
   vtkGetMacro(Method, int);

@@ -274,6 +274,32 @@ void TestChanges(Checks& checks)
 }
 
 /**
+ * Automatic: deferred where only quads draw more splats than there are pixels.
+ */
+void TestAutomatic(Checks& checks)
+{
+  vtkNew<vtkPointSplatMapper> mapper;
+  mapper->SetInputData(RandomTorus(10000));
+  Window window(100);
+  window.Add(mapper);
+  auto used = [&]() {
+    window.Draw();
+    return std::string(mapper->GetMethodUsed());
+  };
+  mapper->SetProjectionToQuads();
+  checks.Expect(used() == "deferred", "many splats by quads");
+  mapper->SetMethodToTwoPass();
+  checks.Expect(used() == "two-pass", "two passes because they are asked for");
+  mapper->SetMethodToAutomatic();
+  window.Win->SetSize(300, 300);
+  checks.Expect(used() == "two-pass", "few splats by quads");
+  mapper->SetProjectionToAutomatic();
+  window.Win->SetSize(100, 100);
+  checks.Expect(used() == "two-pass" || std::string(mapper->GetProjectionUsed()) == "quads",
+    "compute shaders take two passes");
+}
+
+/**
  * Two nested spheres of other colours, one of them with scalars, share the groups' images.
  */
 void TestSeveralActors(Checks& checks)
@@ -308,5 +334,6 @@ int TestSplatsDeferred(int, char*[])
   TestGivenGroups(checks);
   TestChanges(checks);
   TestSeveralActors(checks);
+  TestAutomatic(checks);
   return checks.Failures ? EXIT_FAILURE : EXIT_SUCCESS;
 }
