@@ -3,21 +3,64 @@
 #include "vtkPointSplatCompositor.h"
 
 #include "vtkActor.h"
+#include "vtkCommand.h"
 #include "vtkHardwareSelector.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPointSplatMapper.h"
 #include "vtkPropCollection.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkVolume.h"
 
 #include <algorithm>
-#include <map>
 
 namespace
 {
 // One pass by quads beats two of them where there are this many splats a pixel of the
 // viewport; compute shaders beat both (Testing/Benchmark/deferred_benchmark.py).
 constexpr double LeastSplatsPerPixel = 0.75;
+
+template <typename Visit>
+void EachVisibleProp(vtkRenderer* renderer, const Visit& visit)
+{
+  vtkCollectionSimpleIterator it;
+  renderer->GetViewProps()->InitTraversal(it);
+  while (vtkProp* prop = renderer->GetViewProps()->GetNextProp(it))
+  {
+    if (prop->GetVisibility())
+    {
+      visit(prop);
+    }
+  }
+}
+}
+
+class vtkPointSplatCompositor::FrameObserver : public vtkCommand
+{
+public:
+  static FrameObserver* New() { return new FrameObserver; }
+  void Execute(vtkObject*, unsigned long, void*) override { ++*this->Frame; }
+  unsigned long* Frame = nullptr;
+};
+
+//------------------------------------------------------------------------------
+vtkPointSplatCompositor::vtkPointSplatCompositor(vtkRenderer* renderer)
+  : Renderer(renderer)
+{
+  vtkNew<FrameObserver> observer;
+  observer->Frame = &this->Frame;
+  this->ObserverTag = renderer->AddObserver(vtkCommand::StartEvent, observer);
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatCompositor::~vtkPointSplatCompositor()
+{
+  if (this->Renderer)
+  {
+    this->Renderer->RemoveObserver(this->ObserverTag);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -25,6 +68,10 @@ std::shared_ptr<vtkPointSplatCompositor> vtkPointSplatCompositor::Of(vtkRenderer
 {
   static std::map<vtkRenderer*, std::weak_ptr<vtkPointSplatCompositor>> all;
   std::shared_ptr<vtkPointSplatCompositor> compositor = all[renderer].lock();
+  if (compositor && compositor->Renderer != renderer)
+  {
+    compositor.reset(); // of a renderer that has gone, at the same address
+  }
   if (!compositor)
   {
     // The moment to forget those whose renderers are gone.
@@ -32,36 +79,37 @@ std::shared_ptr<vtkPointSplatCompositor> vtkPointSplatCompositor::Of(vtkRenderer
     {
       it = it->second.expired() ? all.erase(it) : std::next(it);
     }
-    compositor = std::make_shared<vtkPointSplatCompositor>();
+    compositor = std::make_shared<vtkPointSplatCompositor>(renderer);
     all[renderer] = compositor;
   }
   return compositor;
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkPointSplatCompositor::Entry> vtkPointSplatCompositor::CollectOpaque(
-  vtkRenderer* renderer)
+std::vector<vtkPointSplatCompositor::Entry> vtkPointSplatCompositor::Collect(
+  vtkRenderer* renderer, bool translucent)
 {
   std::vector<Entry> entries;
-  vtkCollectionSimpleIterator it;
-  renderer->GetViewProps()->InitTraversal(it);
-  while (vtkProp* prop = renderer->GetViewProps()->GetNextProp(it))
-  {
-    // What cannot be picked does not hide what can.
-    if (!prop->GetVisibility() || (renderer->GetSelector() && !prop->GetPickable()))
-    {
-      continue;
-    }
+  EachVisibleProp(renderer, [&](vtkProp* prop) {
     vtkActor* actor = vtkActor::SafeDownCast(prop);
     vtkPointSplatMapper* mapper =
       actor ? vtkPointSplatMapper::SafeDownCast(actor->GetMapper()) : nullptr;
-    if (mapper && mapper->UpdateCloud() && actor->HasOpaqueGeometry())
+    if (!mapper || !mapper->UpdateCloud() ||
+      !(translucent ? actor->HasTranslucentPolygonalGeometry() : actor->HasOpaqueGeometry()))
     {
-      Entry entry{ actor, mapper, {} };
-      entry.Item.MCWC = vtkPointSplatView::Matrix(actor->GetMatrix());
-      entries.push_back(entry);
+      return;
     }
-  }
+    // What cannot be picked does not hide what can.
+    if (renderer->GetSelector() &&
+      (!prop->GetPickable() ||
+        actor->GetProperty()->GetOpacity() < mapper->GetPickOpacityThreshold()))
+    {
+      return;
+    }
+    Entry entry{ actor, mapper, {} };
+    entry.Item.MCWC = vtkPointSplatView::Matrix(actor->GetMatrix());
+    entries.push_back(entry);
+  });
   return entries;
 }
 
@@ -120,70 +168,99 @@ bool vtkPointSplatCompositor::WantsDeferred(
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatCompositor::Build(
-  vtkRenderer* renderer, const vtkPointSplatView& view, std::vector<Entry>& entries)
+GLuint vtkPointSplatCompositor::CaptureScene(
+  vtkRenderer* renderer, const vtkPointSplatView& view, bool& failed)
 {
-  auto window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  bool compute = this->WantsCompute(window, entries, view.Size);
-  const bool deferred = this->WantsDeferred(entries, view.Size, compute);
-  compute = compute && !deferred;
-  bool voronoi = true;
-  std::vector<vtkPointSplatItem> items;
-  std::vector<vtkMTimeType> times;
-  int slot = 0;
-  double layer = 0.0;
-  bool colours = false;
-  for (Entry& entry : entries)
+  failed = false;
+  bool opaque = false;
+  EachVisibleProp(renderer, [&](vtkProp* prop) { opaque = opaque || prop->HasOpaqueGeometry(); });
+  if (!opaque || renderer->GetSelector())
   {
-    entry.Item.Slot = slot++;
-    entry.Mapper->FillItem(entry.Actor, view, entry.Item);
-    layer = std::max(layer, entry.Item.LargestLayer);
-    colours = colours || entry.Item.Cloud->HasColours();
-    voronoi = voronoi && entry.Mapper->GetVoronoiDepth();
-    items.push_back(entry.Item);
-    times.push_back(entry.Item.Cloud->GetMTime());
+    return 0;
   }
-  const float voronoiScale = !deferred ? -1.0f : voronoi ? static_cast<float>(layer) : 0.0f;
-  if (this->Built && this->View == view && this->Items == items && this->CloudTimes == times &&
-    this->Images.IsCompute() == compute && this->VoronoiScale == voronoiScale)
+  if (this->SceneFrame != this->Frame)
   {
-    this->View.Origin = view.Origin;
-    return true;
-  }
-
-  this->Built = false;
-  this->IdentifiedKind = -1;
-  this->VoronoiScale = voronoiScale;
-  this->Images.Allocate(compute, view.Size, colours);
-  if (compute)
-  {
-    // Only the rows that something can cover are emptied, and read.
-    glm::ivec4 rows(0, view.Size.y, view.Size.x - 1, -1);
-    for (const vtkPointSplatItem& item : items)
+    auto window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+    GLint draw = 0;
+    GLint read = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw);
+    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
+    glm::ivec2 origin = view.Origin;
+    if (draw != read)
     {
-      if (item.Window.x <= item.Window.z)
+      // Depth peeling draws to images of the viewport's size; the scene is still where the renderer's
+      // viewport has it, unless a pass chain draws to images itself.
+      origin = glm::ivec2(0);
+      if (read == static_cast<GLint>(window->GetRenderFramebuffer()->GetFBOIndex()))
       {
-        rows.y = std::min(rows.y, item.Window.y);
-        rows.w = std::max(rows.w, item.Window.w);
+        int size[2];
+        renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin.x, &origin.y);
       }
     }
-    this->Images.ClearBuffers(rows);
+    this->SceneGood = this->Scene.Capture(window, origin, view.Size);
+    this->SceneFrame = this->Frame;
   }
-  // Splats seen edge-on may lie 5 layer distances off along the ray; see
-  // sameLayer() in vtkPointSplatProjection.glsl.
-  this->DepthUnit = static_cast<float>(5.0 * layer);
-  const bool good = deferred
-    ? this->Deferred.Reconstruct(window, view, items, this->Images, this->DepthUnit, voronoiScale)
-    : this->Stages.Reconstruct(window, view, items, this->Images, this->DepthUnit);
-  if (!good)
+  failed = !this->SceneGood;
+  return this->SceneGood ? this->Scene.GetTexture() : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatCompositor::Build(vtkRenderer* renderer, const vtkPointSplatView& view,
+  std::vector<Entry>& entries, bool translucent, vtkPointSplatLayers& layers, bool& flat)
+{
+  auto window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  vtkPointSplatLayersRequest request;
+  request.View = view;
+  request.Compute = this->WantsCompute(window, entries, view.Size);
+  bool voronoi = true;
+  double layer = 0.0;
+  int slot = 0;
+  if (translucent)
   {
-    this->Error = deferred ? this->Deferred.GetError() : this->Stages.GetError();
+    request.MaximumLayers = 1;
+    request.LeastOpacity = 1.0;
+  }
+  const bool deferred =
+    !translucent && this->WantsDeferred(entries, view.Size, request.Compute);
+  request.Compute = request.Compute && !deferred;
+  for (Entry& entry : entries)
+  {
+    vtkPointSplatMapper* mapper = entry.Mapper;
+    entry.Item.Slot = slot++;
+    mapper->FillItem(entry.Actor, view, entry.Item);
+    layer = std::max(layer, entry.Item.LargestLayer);
+    voronoi = voronoi && mapper->GetVoronoiDepth();
+    request.Items.push_back(entry.Item);
+    request.CloudTimes.push_back(entry.Item.Cloud->GetMTime());
+    if (translucent)
+    {
+      request.MaximumLayers = std::max(request.MaximumLayers, mapper->GetMaximumNumberOfLayers());
+      request.Gather = request.Gather || mapper->GetGatherRemaining();
+      request.MaximumMemory = std::max(request.MaximumMemory, mapper->GetMaximumImageMemory());
+      // Points with opacities of their own may let all light through.
+      request.LeastOpacity = std::min(request.LeastOpacity,
+        mapper->HasTranslucentPolygonalGeometry() ? 0.0
+                                                  : entry.Actor->GetProperty()->GetOpacity());
+    }
+  }
+  request.VoronoiScale = !deferred ? -1.0f : voronoi ? static_cast<float>(layer) : 0.0f;
+  if (translucent && renderer->GetSelector())
+  {
+    request.MaximumLayers = 1; // the nearest is picked
+  }
+  else if (translucent)
+  {
+    bool failed = false;
+    request.SceneDepth = this->CaptureScene(renderer, view, failed);
+    request.Frame = this->Frame;
+    flat = flat && !failed;
+  }
+  this->Last = &layers;
+  if (!layers.Build(window, std::move(request), this->Stages))
+  {
+    this->Error = layers.GetError();
     return false;
   }
-  this->Built = true;
-  this->View = view;
-  this->Items = std::move(items);
-  this->CloudTimes = std::move(times);
   return true;
 }
 
@@ -200,63 +277,155 @@ bool vtkPointSplatCompositor::Present(
   if (this->Window != window)
   {
     // Whatever is left belongs to a context that has gone.
-    this->Built = false;
+    this->Opaque.Invalidate();
+    this->Translucent.Invalidate();
+    this->Alone.clear();
+    this->SceneFrame = this->FlatFrame = 0;
     this->Window = window;
   }
   this->Users.insert(mapper);
+  this->LastWasFlat = false;
 
   const vtkPointSplatView view = vtkPointSplatView::Current(renderer);
   if (view.Size.x <= 0 || view.Size.y <= 0)
   {
     return true;
   }
-  std::vector<Entry> entries;
-  size_t own = 0;
+  const bool translucent = actor->IsRenderingTranslucentPolygonalGeometry();
   const glm::dmat4 matrix = vtkPointSplatView::Matrix(actor->GetMatrix());
-  if (!actor->IsRenderingTranslucentPolygonalGeometry())
+  std::vector<Entry> entries = vtkPointSplatCompositor::Collect(renderer, translucent);
+  auto found = std::find_if(entries.begin(), entries.end(),
+    [&](const Entry& entry) { return entry.Actor == actor && entry.Item.MCWC == matrix; });
+  size_t own = static_cast<size_t>(found - entries.begin());
+  const bool joint = own < entries.size();
+  bool flat = joint;
+  if (joint && entries.size() > static_cast<size_t>(vtkPointSplatStages::MaximumSlots))
   {
-    entries = vtkPointSplatCompositor::CollectOpaque(renderer);
-    auto found = std::find_if(entries.begin(), entries.end(),
-      [&](const Entry& entry) { return entry.Actor == actor && entry.Item.MCWC == matrix; });
-    own = static_cast<size_t>(found - entries.begin());
-    if (own < entries.size())
-    {
-      // More actors than tags can tell apart are drawn in batches, between which
-      // the framebuffer's depth test decides.
-      const size_t first = own / vtkPointSplatStages::MaximumSlots * vtkPointSplatStages::MaximumSlots;
-      const size_t last =
-        std::min<size_t>(entries.size(), first + vtkPointSplatStages::MaximumSlots);
-      entries = std::vector<Entry>(
-        entries.begin() + static_cast<long>(first), entries.begin() + static_cast<long>(last));
-      own -= first;
-    }
+    // More actors than tags can tell apart are drawn in batches, between which
+    // the framebuffer's depth test, or the translucent pass, decides.
+    const size_t slots = vtkPointSplatStages::MaximumSlots;
+    const size_t first = own / slots * slots;
+    const size_t last = std::min(entries.size(), first + slots);
+    entries = std::vector<Entry>(
+      entries.begin() + static_cast<long>(first), entries.begin() + static_cast<long>(last));
+    own -= first;
+    flat = false;
   }
-  if (entries.empty() || own >= entries.size())
+  std::unique_ptr<vtkPointSplatLayers>* alone = nullptr;
+  if (!joint)
   {
+    if (renderer->GetSelector() && translucent &&
+      (actor->GetProperty()->GetOpacity() < mapper->GetPickOpacityThreshold()))
+    {
+      return true;
+    }
     entries.assign(1, Entry{ actor, mapper, {} });
     entries[0].Item.MCWC = matrix;
     own = 0;
+    alone = &this->Alone[mapper];
+    if (!*alone)
+    {
+      alone->reset(new vtkPointSplatLayers);
+    }
+  }
+  if (flat && translucent)
+  {
+    EachVisibleProp(renderer, [&](vtkProp* prop) {
+      const bool splats = std::any_of(
+        entries.begin(), entries.end(), [prop](const Entry& e) { return e.Actor == prop; });
+      flat = flat && (splats || !prop->HasTranslucentPolygonalGeometry()) &&
+        !(vtkVolume::SafeDownCast(prop) && renderer->GetUseDepthPeelingForVolumes());
+    });
   }
 
-  if (!this->Build(renderer, view, entries))
+  vtkPointSplatLayers& layers = alone ? **alone : translucent ? this->Translucent : this->Opaque;
+  if (!this->Build(renderer, view, entries, translucent, layers, flat))
   {
     return false;
+  }
+  if (layers.GetNumberOfLayers() == 0)
+  {
+    return true;
   }
   if (renderer->GetSelector())
   {
     vtkHardwareSelector* selector = renderer->GetSelector();
     selector->BeginRenderProp(); // sets the prop's colour
-    const bool good = this->PresentSelection(renderer, actor, mapper, view, entries[own].Item);
+    const bool good =
+      this->PresentSelection(renderer, actor, mapper, view, entries[own].Item, layers);
     selector->EndRenderProp();
     return good;
   }
-  return this->Resolve.Present(renderer, actor, mapper, view, entries[own].Item, this->Images,
-    this->DepthUnit, vtkPointSplatResolve::Shaded, 0);
+  if (translucent)
+  {
+    return this->PresentTranslucent(
+      renderer, actor, mapper, view, entries, joint, flat, layers);
+  }
+  return this->Resolve.Present(renderer, actor, mapper, view, entries[own].Item,
+    layers.GetImages(0), layers.GetDepthUnit(), vtkPointSplatResolve::Shaded, 0);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatCompositor::PresentTranslucent(vtkRenderer* renderer, vtkActor* actor,
+  vtkPointSplatMapper* mapper, const vtkPointSplatView& view, const std::vector<Entry>& entries,
+  bool joint, bool flat, vtkPointSplatLayers& layers)
+{
+  const bool batched = joint && entries.front().Item.Slot == 0 && !flat &&
+    entries.size() == static_cast<size_t>(vtkPointSplatStages::MaximumSlots);
+  if (joint && !batched)
+  {
+    // Who comes first in a frame presents for all, in each pass of that frame; others may have
+    // been culled, this one was not.
+    if (this->PresenterFrame != this->Frame)
+    {
+      this->PresenterFrame = this->Frame;
+      this->Presenter = actor;
+    }
+    if (this->Presenter != actor)
+    {
+      return true;
+    }
+  }
+  if (flat)
+  {
+    if (this->FlatFrame != this->Frame || this->FlatGeneration != layers.GetGeneration())
+    {
+      std::vector<vtkPointSplatFlat::Part> parts;
+      for (const Entry& entry : entries)
+      {
+        parts.push_back({ entry.Actor, entry.Mapper });
+      }
+      if (!this->Flat.Blend(renderer, parts, layers, this->Resolve))
+      {
+        return false;
+      }
+      this->FlatFrame = this->Frame;
+      this->FlatGeneration = layers.GetGeneration();
+    }
+    this->LastWasFlat = true;
+    return this->Flat.Present(renderer, actor, mapper, view, this->Resolve);
+  }
+  bool good = true;
+  for (int layer = layers.GetNumberOfLayers() - 1; layer >= 0; --layer)
+  {
+    for (const Entry& entry : entries)
+    {
+      if (!batched || entry.Actor == actor)
+      {
+        good = this->Resolve.Present(renderer, entry.Actor, entry.Mapper, view, entry.Item,
+                 layers.GetImages(layer), layers.GetDepthUnit(), vtkPointSplatResolve::Shaded, 0,
+                 layers.IsGathered(layer)) &&
+          good;
+      }
+    }
+  }
+  return good;
 }
 
 //------------------------------------------------------------------------------
 bool vtkPointSplatCompositor::PresentSelection(vtkRenderer* renderer, vtkActor* actor,
-  vtkPointSplatMapper* mapper, const vtkPointSplatView& view, const vtkPointSplatItem& item)
+  vtkPointSplatMapper* mapper, const vtkPointSplatView& view, const vtkPointSplatItem& item,
+  vtkPointSplatLayers& layers)
 {
   vtkHardwareSelector* selector = renderer->GetSelector();
   vtkPointSplatResolve::Output output = vtkPointSplatResolve::SelectionIds;
@@ -288,30 +457,59 @@ bool vtkPointSplatCompositor::PresentSelection(vtkRenderer* renderer, vtkActor* 
       output = vtkPointSplatResolve::SelectionColour;
       break;
   }
-  if (output == vtkPointSplatResolve::SelectionIds && this->IdentifiedKind != kind)
+  if (output == vtkPointSplatResolve::SelectionIds)
   {
     auto window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-    if (!this->Stages.Identify(window, view, this->Items, this->Images, kind))
+    if (!layers.Identify(window, this->Stages, kind))
     {
-      this->Error = this->Stages.GetError();
+      this->Error = layers.GetError();
       return false;
     }
-    this->IdentifiedKind = kind;
   }
-  return this->Resolve.Present(
-    renderer, actor, mapper, view, item, this->Images, this->DepthUnit, output, shift);
+  return this->Resolve.Present(renderer, actor, mapper, view, item, layers.GetImages(0),
+    layers.GetDepthUnit(), output, shift);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPointSplatCompositor::GetMemorySize() const
+{
+  vtkIdType bytes = this->Opaque.GetMemorySize() + this->Translucent.GetMemorySize();
+  for (const auto& alone : this->Alone)
+  {
+    bytes += alone.second ? alone.second->GetMemorySize() : 0;
+  }
+  return bytes;
 }
 
 //------------------------------------------------------------------------------
 void vtkPointSplatCompositor::Leave(vtkPointSplatMapper* mapper, vtkWindow* window)
 {
   this->Users.erase(mapper);
+  auto alone = this->Alone.find(mapper);
+  if (alone != this->Alone.end())
+  {
+    if (window && this->Window == window && alone->second)
+    {
+      alone->second->Release();
+    }
+    this->Last = this->Last == alone->second.get() ? nullptr : this->Last;
+    this->Alone.erase(alone);
+  }
   if (this->Users.empty() && window && this->Window == window)
   {
-    this->Images.Release();
-    this->Stages.Release();
-    this->Deferred.Release();
-    this->Resolve.Release();
-    this->Built = false;
+    this->ReleaseAll();
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatCompositor::ReleaseAll()
+{
+  this->Opaque.Release();
+  this->Translucent.Release();
+  this->Scene.Release();
+  this->Flat.Release();
+  this->Stages.Release();
+  this->Resolve.Release();
+  this->Last = nullptr;
+  this->SceneFrame = this->FlatFrame = 0;
 }

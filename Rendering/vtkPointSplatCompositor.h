@@ -1,27 +1,32 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What makes one surface of all splat actors of a renderer.
+// What makes surface layers of all splat actors of a renderer.
 //
-// The first splat mapper that draws in a frame builds the images of the layer
-// for all opaque splat actors of its renderer together, so that they hide one
-// another before anything is accumulated; each mapper then presents its own
-// actor's part. Images that are still right are used again: by the passes of a
-// hardware selection, and by a frame in which only other things changed.
+// The first splat mapper that draws in a frame builds the layer of all opaque splat actors of its
+// renderer together, so that they hide one another before anything is accumulated; each mapper
+// then presents its own actor's part. Likewise the first one that draws in a
+// translucent pass peels the layers of all translucent splat actors, and presents them for all:
+// - flattened to one layer, where nothing else translucent can lie between them;
+// - else layer by layer from the back, each as a quad with its own depth, which takes part in
+//   whatever translucent pass is under way.
+// Layers that are still right are used again: by the passes of a hardware selection and of
+// depth peeling, and by a frame in which only other things changed.
 //
-// Translucent actors, and actors that are no props of the renderer themselves (parts
-// of vtkAssembly, vtkLODActor and the like, whose matrices and paths belong to them
-// while they draw), are built and presented each for itself.
+// Actors that are no props of the renderer themselves (parts of vtkAssembly, vtkLODActor
+// and the like, whose matrices and paths belong to them while they draw) are built and
+// presented each for itself.
 #ifndef vtkPointSplatCompositor_h
 #define vtkPointSplatCompositor_h
 
-#include "vtkPointSplatDeferred.h"
-#include "vtkPointSplatImages.h"
+#include "vtkPointSplatFlat.h"
+#include "vtkPointSplatLayers.h"
 #include "vtkPointSplatResolve.h"
+#include "vtkPointSplatSceneDepth.h"
 #include "vtkPointSplatStages.h"
 
-#include "vtkTimeStamp.h"
 #include "vtkWeakPointer.h"
 
+#include <map>
 #include <memory>
 #include <set>
 #include <vector>
@@ -29,8 +34,8 @@
 class vtkPointSplatCompositor
 {
 public:
-  vtkPointSplatCompositor() = default;
-  ~vtkPointSplatCompositor() = default;
+  explicit vtkPointSplatCompositor(vtkRenderer* renderer);
+  ~vtkPointSplatCompositor();
   vtkPointSplatCompositor(const vtkPointSplatCompositor&) = delete;
   void operator=(const vtkPointSplatCompositor&) = delete;
 
@@ -53,14 +58,20 @@ public:
   void Leave(vtkPointSplatMapper* mapper, vtkWindow* window);
 
   const std::string& GetError() const { return this->Error; }
-  bool IsCompute() const { return this->Images.IsCompute(); }
-  bool IsDeferred() const { return this->VoronoiScale >= 0.0f; }
+
+  ///@{
+  /**
+   * Of the layers that the last call of Present() drew.
+   */
+  bool IsCompute() const { return this->Last && this->Last->GetRequest().Compute; }
+  bool IsDeferred() const { return this->Last && this->Last->GetRequest().VoronoiScale >= 0.0f; }
+  bool IsFlattened() const { return this->LastWasFlat; }
+  int GetNumberOfLayers() const { return this->Last ? this->Last->GetNumberOfLayers() : 0; }
+  ///@}
+
   /// Why two passes were taken where deferred blending was asked for; else empty.
   const std::string& GetMethodReason() const { return this->MethodReason; }
-  vtkIdType GetMemorySize() const
-  {
-    return this->Images.GetMemorySize() + this->Deferred.GetMemorySize();
-  }
+  vtkIdType GetMemorySize() const;
 
 private:
   /**
@@ -72,33 +83,49 @@ private:
     vtkPointSplatMapper* Mapper;
     vtkPointSplatItem Item;
   };
+  class FrameObserver;
 
-  static std::vector<Entry> CollectOpaque(vtkRenderer* renderer);
-  bool Build(vtkRenderer* renderer, const vtkPointSplatView& view, std::vector<Entry>& entries);
-  bool WantsDeferred(
-    const std::vector<Entry>& entries, const glm::ivec2& size, bool compute);
+  static std::vector<Entry> Collect(vtkRenderer* renderer, bool translucent);
   bool WantsCompute(vtkOpenGLRenderWindow* window, const std::vector<Entry>& entries,
     const glm::ivec2& size) const;
+  bool WantsDeferred(
+    const std::vector<Entry>& entries, const glm::ivec2& size, bool compute);
+  GLuint CaptureScene(vtkRenderer* renderer, const vtkPointSplatView& view, bool& failed);
+  bool Build(vtkRenderer* renderer, const vtkPointSplatView& view, std::vector<Entry>& entries,
+    bool translucent, vtkPointSplatLayers& layers, bool& flat);
+  bool PresentTranslucent(vtkRenderer* renderer, vtkActor* actor, vtkPointSplatMapper* mapper,
+    const vtkPointSplatView& view, const std::vector<Entry>& entries, bool joint, bool flat,
+    vtkPointSplatLayers& layers);
   bool PresentSelection(vtkRenderer* renderer, vtkActor* actor, vtkPointSplatMapper* mapper,
-    const vtkPointSplatView& view, const vtkPointSplatItem& item);
+    const vtkPointSplatView& view, const vtkPointSplatItem& item, vtkPointSplatLayers& layers);
+  void ReleaseAll();
 
   vtkPointSplatStages Stages;
-  vtkPointSplatDeferred Deferred;
-  vtkPointSplatImages Images;
   vtkPointSplatResolve Resolve;
+  vtkPointSplatLayers Opaque;
+  vtkPointSplatLayers Translucent;
+  std::map<vtkPointSplatMapper*, std::unique_ptr<vtkPointSplatLayers>> Alone;
+  vtkPointSplatSceneDepth Scene;
+  vtkPointSplatFlat Flat;
+  const vtkPointSplatLayers* Last = nullptr;
+  bool LastWasFlat = false;
+
   std::set<vtkPointSplatMapper*> Users;
   vtkWeakPointer<vtkWindow> Window; // whose context the resources belong to
   std::string Error;
-
-  // What the images show.
-  bool Built = false;
-  vtkPointSplatView View;
-  std::vector<vtkPointSplatItem> Items;
-  std::vector<vtkMTimeType> CloudTimes;
-  float DepthUnit = 1.0f;
-  float VoronoiScale = -1.0f; // of deferred blending's Voronoi depth; negative: two passes
   std::string MethodReason;
-  int IdentifiedKind = -1; // what the ids name, if they are of these images
+
+  // Frames are counted as the renderer starts them: what depends on the whole scene, its depth
+  // and its lights, is made once in each.
+  vtkWeakPointer<vtkRenderer> Renderer;
+  unsigned long ObserverTag = 0;
+  unsigned long Frame = 1;
+  unsigned long SceneFrame = 0;
+  bool SceneGood = false;
+  unsigned long FlatFrame = 0;
+  unsigned long FlatGeneration = 0;
+  unsigned long PresenterFrame = 0;
+  vtkActor* Presenter = nullptr; // compared only
 };
 
 #endif

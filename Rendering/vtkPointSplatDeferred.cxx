@@ -91,7 +91,8 @@ bool vtkPointSplatDeferred::Reconstruct(vtkOpenGLRenderWindow* window,
   vtkPointSplatStages::SetStateForQuads(state, images.GetSize());
 
   // Geometry
-  GLenum all[] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2 };
+  GLenum all[] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2,
+    GL_COLOR_ATTACHMENT3 };
   const GLfloat farthest = 1.0f;
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
   this->Geometry.Use();
@@ -121,14 +122,15 @@ bool vtkPointSplatDeferred::Reconstruct(vtkOpenGLRenderWindow* window,
 
   // Compositing
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, images.GetFramebuffer());
-  const GLuint targets[] = { images.GetDepths(), images.GetSums(0), images.GetSums(1) };
-  for (GLenum k = 0; k < 3; ++k)
+  const GLuint targets[] = { images.GetDepths(), images.GetSums(0), images.GetSums(1),
+    images.GetSums(2) };
+  for (GLenum k = 0; k < 4; ++k)
   {
     glFramebufferTexture2D(
       GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + k, GL_TEXTURE_2D, targets[k], 0);
   }
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, 0, 0);
-  state->vtkglDrawBuffers(3, all);
+  state->vtkglDrawBuffers(4, all);
   const GLuint none[4] = { 0xffffffffu, 0xffffffffu, 0xffffffffu, 0xffffffffu };
   glClearBufferuiv(GL_COLOR, 0, none);
   state->vtkglDisable(GL_DEPTH_TEST);
@@ -151,8 +153,8 @@ bool vtkPointSplatDeferred::Reconstruct(vtkOpenGLRenderWindow* window,
     state->vtkglActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
   }
-  // The other stages know two colour attachments.
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT2, GL_TEXTURE_2D, 0, 0);
+  // The other stages know three colour attachments.
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT3, GL_TEXTURE_2D, 0, 0);
   state->PopFramebufferBindings();
   state->Pop();
   glUseProgram(0);

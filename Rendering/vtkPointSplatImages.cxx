@@ -86,6 +86,7 @@ void vtkPointSplatImages::Allocate(bool compute, const glm::ivec2& size, bool co
   MakeTexture(this->Depths, size, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT);
   MakeTexture(this->Sums[0], size, GL_RGBA32F, GL_RGBA, GL_FLOAT);
   MakeTexture(this->Sums[1], size, GL_RGBA32F, GL_RGBA, GL_FLOAT);
+  MakeTexture(this->Sums[2], size, GL_R32F, GL_RED, GL_FLOAT);
   MakeTexture(this->Ids, size, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT);
   MakeTexture(this->DepthAttachment, size, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT);
   glBindTexture(GL_TEXTURE_2D, 0);
@@ -121,7 +122,7 @@ vtkIdType vtkPointSplatImages::GetMemorySize() const
 {
   const vtkIdType pixels = static_cast<vtkIdType>(this->Size.x) * this->Size.y;
   const vtkIdType ids = this->Ids ? IdBytes : 0;
-  return this->Compute ? pixels * (DepthBytes + 4 * this->GetSumStride() + ids) : pixels * (4 + 32 + 4 + 4);
+  return this->Compute ? pixels * (DepthBytes + 4 * this->GetSumStride() + ids) : pixels * (4 + 36 + 4 + 4);
 }
 
 //------------------------------------------------------------------------------
@@ -146,6 +147,7 @@ void vtkPointSplatImages::Bind(
   {
     bind(1, this->Sums[0], "WeightAndNormal");
     bind(2, this->Sums[1], "DepthAndColour");
+    bind(4, this->Sums[2], "Opacities");
   }
   if (withIds)
   {
@@ -180,15 +182,15 @@ void vtkPointSplatImages::Release()
   }
   else
   {
-    const GLuint textures[] = { this->Depths, this->Sums[0], this->Sums[1], this->Ids,
-      this->DepthAttachment };
-    glDeleteTextures(5, textures);
+    const GLuint textures[] = { this->Depths, this->Sums[0], this->Sums[1], this->Sums[2],
+      this->Ids, this->DepthAttachment };
+    glDeleteTextures(6, textures);
     if (this->Framebuffer)
     {
       glDeleteFramebuffers(1, &this->Framebuffer);
     }
   }
-  this->Depths = this->Sums[0] = this->Sums[1] = this->Ids = this->DepthAttachment = 0;
+  this->Depths = this->Sums[0] = this->Sums[1] = this->Sums[2] = this->Ids = this->DepthAttachment = 0;
   this->Framebuffer = 0;
   std::fill_n(this->BufferTextures, 3, 0u);
   this->Size = glm::ivec2(0);

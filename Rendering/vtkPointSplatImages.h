@@ -5,8 +5,8 @@
 //   sums    of weights, and of weighted normals, depths and colours
 //   ids     the splat of the greatest weight, made for hardware selection only
 // Compute shaders write buffers (uint; 4 ints, or 8 with colours; 2 uints a pixel), which the
-// resolve stage reads as buffer textures. Quads write textures (R32UI; two
-// RGBA32F; R32UI) through a framebuffer object.
+// resolve stage reads as buffer textures. Quads write textures (R32UI; two RGBA32F and one R32F;
+// R32UI) through a framebuffer object.
 #ifndef vtkPointSplatImages_h
 #define vtkPointSplatImages_h
 
@@ -58,7 +58,7 @@ public:
    */
   GLuint GetDepths() const { return this->Depths; }
   GLuint GetDepthTexture() const { return this->BufferTextures[0]; } // of the buffer
-  GLuint GetSums(int i = 0) const { return this->Sums[i]; }
+  GLuint GetSums(int i = 0) const { return this->Sums[i]; } // quads: 2 is the opacity
   GLuint GetIds() const { return this->Ids; }
   GLuint GetDepthAttachment() const { return this->DepthAttachment; }
   GLuint GetFramebuffer() const { return this->Framebuffer; }
@@ -78,12 +78,12 @@ private:
   bool Colours = false;
   glm::ivec2 Size{ 0, 0 };
   GLuint Depths = 0;
-  GLuint Sums[2] = { 0, 0 };
+  GLuint Sums[3] = { 0, 0, 0 };
   GLuint Ids = 0;
   GLuint DepthAttachment = 0;
   GLuint Framebuffer = 0;
   GLuint BufferTextures[3] = { 0, 0, 0 }; // of depths, sums, ids
-  int Units[4] = { -1, -1, -1, -1 };
+  int Units[5] = { -1, -1, -1, -1, -1 };
 };
 
 #endif

@@ -49,6 +49,7 @@ struct vtkPointSplatMapper::vtkInternals
   const char* ProjectionUsed = "none"; // by the last frame
   const char* MethodUsed = "none";
   std::string MethodReason;
+  int LayersDrawn = 0;
 };
 
 //------------------------------------------------------------------------------
@@ -165,6 +166,7 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   }
   this->Internals->ProjectionUsed = compositor->IsCompute() ? "compute" : "quads";
   this->Internals->MethodUsed = compositor->IsDeferred() ? "deferred" : "two-pass";
+  this->Internals->LayersDrawn = compositor->GetNumberOfLayers();
   if (this->Internals->MethodReason != compositor->GetMethodReason())
   {
     this->Internals->MethodReason = compositor->GetMethodReason();
@@ -206,6 +208,10 @@ void vtkPointSplatMapper::FillItem(
     ? glm::vec2(0.5 / (this->KernelSigma * this->KernelSigma), 0.0)
     : glm::vec2(this->PlateauFalloff, this->PlateauExponent);
   item.KernelSupport = this->KernelSupport;
+  const double* colour = property->GetColor();
+  item.Colour = cloud.HasColours()
+    ? glm::vec4(1.0, 1.0, 1.0, property->GetOpacity())
+    : glm::vec4(colour[0], colour[1], colour[2], property->GetOpacity());
   item.ClipPlanes.clear();
   if (vtkPlaneCollection* planes = this->GetClippingPlanes())
   {
@@ -338,6 +344,18 @@ const char* vtkPointSplatMapper::GetMethodUsed()
 }
 
 //------------------------------------------------------------------------------
+int vtkPointSplatMapper::GetNumberOfLayersDrawn()
+{
+  return this->Internals->LayersDrawn;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkPointSplatMapper::GetTransparencyUsed()
+{
+  return "peeling";
+}
+
+//------------------------------------------------------------------------------
 const char* vtkPointSplatMapper::GetMethodReason()
 {
   return this->Internals->MethodReason.c_str();
@@ -400,6 +418,10 @@ void vtkPointSplatMapper::ShallowCopy(vtkAbstractMapper* mapper)
   if (auto other = vtkPointSplatMapper::SafeDownCast(mapper))
   {
     this->SetMethod(other->Method);
+    this->SetTransparency(other->Transparency);
+    this->SetMaximumNumberOfLayers(other->MaximumNumberOfLayers);
+    this->SetGatherRemaining(other->GatherRemaining);
+    this->SetPickOpacityThreshold(other->PickOpacityThreshold);
     this->SetOverlapFactor(other->OverlapFactor);
     this->SetVoronoiDepth(other->VoronoiDepth);
     this->SetMaximumImageMemory(other->MaximumImageMemory);
@@ -421,6 +443,12 @@ void vtkPointSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Method: " << this->Method << " (used: " << this->GetMethodUsed() << ")\n";
   os << indent << "MethodReason: " << this->GetMethodReason() << "\n";
+  os << indent << "Transparency: " << this->Transparency
+     << " (used: " << this->GetTransparencyUsed() << ")\n";
+  os << indent << "MaximumNumberOfLayers: " << this->MaximumNumberOfLayers << "\n";
+  os << indent << "NumberOfLayersDrawn: " << this->GetNumberOfLayersDrawn() << "\n";
+  os << indent << "GatherRemaining: " << (this->GatherRemaining ? "On" : "Off") << "\n";
+  os << indent << "PickOpacityThreshold: " << this->PickOpacityThreshold << "\n";
   os << indent << "OverlapFactor: " << this->OverlapFactor << "\n";
   os << indent << "VoronoiDepth: " << (this->VoronoiDepth ? "On" : "Off") << "\n";
   os << indent << "MaximumImageMemory: " << this->MaximumImageMemory << "\n";

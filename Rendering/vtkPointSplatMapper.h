@@ -30,7 +30,13 @@
  * overlap among themselves go to an image each, and compositing these images does both
  * (Zhang, Pajarola 2006, section 3.2, Algorithm 1); see vtkPointSplatGrouping.
  *
- * All opaque splat actors of a renderer share stages 2 and 3.
+ * All opaque splat actors of a renderer share stages 2 and 3. All translucent ones share theirs, which
+ * are repeated for one layer after the other: what lies within the least layer
+ * distance of a layer, measured along the normal, belongs to it, and what is behind makes the next one
+ * (Guennebaud, Barthe, Paulin 2006, section 6; Dobrev, Rosenthal, Linsen 2010, sections 4
+ * and 5). Layers are presented from the back, each with its own depth, so that VTK's depth
+ * peeling, its order-independent pass and plain blending interleave them with
+ * translucent meshes; where there are none, they are flattened to one layer first.
  *
  * Input: vtkPolyData (or any vtkPointSet), or a composite data set of them. Only
  * points count; cells serve cell selection and cell scalars.
@@ -47,8 +53,6 @@
  * Images (compute; w x h are the viewport's): coded depths, 1 uint a pixel; sums,
  * 8 ints a pixel. Images (quads): the same as R32UI and two RGBA32F textures. Deferred
  * blending has besides, for each group, a layer of RGBA32UI and one of 32-bit depth.
- *
- * A translucent actor shows its nearest layer at its opacity.
  *
  * @sa vtkPointSplatPass vtkPointSplatEstimation vtkIsosurfacePoints
  */
@@ -84,6 +88,11 @@ public:
     TWO_PASS = 1,
     DEFERRED = 2
   };
+  enum TransparencyType
+  {
+    AUTOMATIC_TRANSPARENCY = 0,
+    PEELING = 1
+  };
   enum ProjectionType
   {
     AUTOMATIC_PROJECTION = 0,
@@ -116,6 +125,50 @@ public:
 
   ///@{
   /**
+   * How the layers of translucent splat actors are found: by peeling one after the other, each in
+   * full quality. Automatic, the default, chooses; GetTransparencyUsed() tells what.
+   */
+  vtkSetClampMacro(Transparency, int, AUTOMATIC_TRANSPARENCY, PEELING);
+  vtkGetMacro(Transparency, int);
+  void SetTransparencyToAutomatic() { this->SetTransparency(AUTOMATIC_TRANSPARENCY); }
+  void SetTransparencyToPeeling() { this->SetTransparency(PEELING); }
+  const char* GetTransparencyUsed();
+  ///@}
+
+  ///@{
+  /**
+   * The most layers that are peeled; the largest of all translucent splat actors' of a renderer
+   * holds. Peeling ends sooner where nothing is left, or where what is left could change no
+   * pixel by 1/256. Default: 32. GetNumberOfLayersDrawn() tells how many layers
+   * the last frame had.
+   */
+  vtkSetClampMacro(MaximumNumberOfLayers, int, 1, 256);
+  vtkGetMacro(MaximumNumberOfLayers, int);
+  int GetNumberOfLayersDrawn();
+  ///@}
+
+  ///@{
+  /**
+   * Whether the last of MaximumNumberOfLayers gathers all that lies behind the others, weighted by
+   * opacity (Guennebaud, Barthe, Paulin 2006, section 6), or only its own surface layer. Off by
+   * default.
+   */
+  vtkSetMacro(GatherRemaining, bool);
+  vtkGetMacro(GatherRemaining, bool);
+  vtkBooleanMacro(GatherRemaining, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Hardware selection looks through actors of less opacity than this. 0, the default: it picks
+   * the nearest layer, however faint.
+   */
+  vtkSetClampMacro(PickOpacityThreshold, double, 0.0, 1.0);
+  vtkGetMacro(PickOpacityThreshold, double);
+  ///@}
+
+  ///@{
+  /**
    * Of deferred blending, where the input has no `SplatGroup`: the factor c on the distance at
    * which splats count as overlapping when they are grouped (vtkPointSplatGrouping). 1 gives the
    * picture of two passes; less gives fewer groups and small faults. Default: 0.8.
@@ -137,8 +190,9 @@ public:
 
   ///@{
   /**
-   * Bytes that the groups' images may take, 20 a pixel and group; past it, two passes are
-   * taken, with a warning. 0: no bound. Default: 1 GiB.
+   * Bytes that the groups' images may take, 20 a pixel and group: past it, two passes are
+   * taken, with a warning. And bytes that translucent layers may take, 20 or 36 a pixel and layer: past it, no
+   * further ones are peeled. 0: no bound. Default: 1 GiB.
    */
   vtkSetClampMacro(MaximumImageMemory, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(MaximumImageMemory, vtkIdType);
@@ -284,6 +338,10 @@ private:
   bool MakeGroups();
 
   int Method = AUTOMATIC_METHOD;
+  int Transparency = AUTOMATIC_TRANSPARENCY;
+  int MaximumNumberOfLayers = 32;
+  bool GatherRemaining = false;
+  double PickOpacityThreshold = 0.0;
   double OverlapFactor = 0.8;
   bool VoronoiDepth = true;
   vtkIdType MaximumImageMemory = vtkIdType(1) << 30;

@@ -18,6 +18,7 @@
 #include "vtkRenderer.h"
 #include "vtkSSAOPass.h"
 #include "vtkShaderProgram.h"
+#include "vtkTextureUnitManager.h"
 
 #include <algorithm>
 #include <vector>
@@ -155,20 +156,22 @@ void vtkPointSplatResolve::SetMaterial(vtkActor* actor, bool colours, vtkShaderP
 //------------------------------------------------------------------------------
 bool vtkPointSplatResolve::Present(vtkRenderer* renderer, vtkActor* actor,
   vtkPointSplatMapper* mapper, const vtkPointSplatView& view, const vtkPointSplatItem& item,
-  vtkPointSplatImages& images, float depthUnit, Output output, int selectionShift)
+  vtkPointSplatImages& images, float depthUnit, Output output, int selectionShift, bool gathered)
 {
+  const bool shaded = output == Shaded || output == Flattened;
   if (item.Window.x > item.Window.z || item.Window.y > item.Window.w)
   {
     return true; // off the screen
   }
   auto window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   int lightCount = 0;
-  const int lightLevel = output == Shaded ? LightLevel(renderer, actor, lightCount) : 0;
+  const int lightLevel = shaded ? LightLevel(renderer, actor, lightCount) : 0;
 
   std::string vertex = vtkPointSplatProgram::Source("vtkPointSplatResolveVS");
   std::string geometry;
   std::string fragment = vtkPointSplatProgram::Source("vtkPointSplatResolveFS");
-  const std::vector<vtkOpenGLRenderPass*> passes = PassesOf(actor);
+  const std::vector<vtkOpenGLRenderPass*> passes =
+    output == Flattened ? std::vector<vtkOpenGLRenderPass*>() : PassesOf(actor);
   bool geometryBuffer = false;
   for (vtkOpenGLRenderPass* pass : passes)
   {
@@ -212,10 +215,16 @@ bool vtkPointSplatResolve::Present(vtkRenderer* renderer, vtkActor* actor,
   program->SetUniform4f("PixelY", &view.PixelY.x);
   program->SetUniform4f("PixelW", &view.PixelW.x);
   program->SetUniform4f("PixelZ", &view.PixelZ.x);
-  if (output == Shaded)
+  if (shaded)
   {
     this->SetLights(renderer, view, program, lightLevel, lightCount);
-    vtkPointSplatResolve::SetMaterial(actor, item.Cloud->HasColours(), program);
+    vtkPointSplatResolve::SetMaterial(actor, item.Cloud->HasColours() || gathered, program);
+    if (gathered)
+    {
+      // The points' opacities hold the actors' own.
+      const float one[2] = { 1.0f, 1.0f };
+      program->SetUniform1fv("Opacity", 2, one);
+    }
   }
   else
   {
@@ -232,39 +241,93 @@ bool vtkPointSplatResolve::Present(vtkRenderer* renderer, vtkActor* actor,
     pass->SetShaderParameters(program, mapper, actor, nullptr);
   }
 
-  vtkOpenGLState* state = window->GetState();
-  {
-    vtkOpenGLState::ScopedglScissor scissor(state);
-    vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
-    vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
-    vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
-    // Within what the renderer, or an area selection, lets through.
-    int clip[4];
-    state->vtkglGetIntegerv(GL_SCISSOR_BOX, clip);
-    const bool clipped = state->GetEnumState(GL_SCISSOR_TEST);
-    glm::ivec2 low = view.Origin + glm::ivec2(item.Window.x, item.Window.y);
-    glm::ivec2 high = view.Origin + glm::ivec2(item.Window.z, item.Window.w) + 1;
-    if (clipped)
-    {
-      low = glm::max(low, glm::ivec2(clip[0], clip[1]));
-      high = glm::min(high, glm::ivec2(clip[0] + clip[2], clip[1] + clip[3]));
-    }
-    if (low.x < high.x && low.y < high.y)
-    {
-      state->vtkglEnable(GL_SCISSOR_TEST);
-      state->vtkglScissor(low.x, low.y, high.x - low.x, high.y - low.y);
-      state->vtkglDisable(GL_CULL_FACE);
-      state->vtkglEnable(GL_DEPTH_TEST);
-      if (!this->VertexArray)
-      {
-        glGenVertexArrays(1, &this->VertexArray);
-      }
-      glBindVertexArray(this->VertexArray);
-      glDrawArrays(GL_TRIANGLES, 0, 3);
-      glBindVertexArray(0);
-    }
-  }
+  this->DrawScreen(window, view, item.Window);
   images.Unbind(window);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatResolve::DrawScreen(
+  vtkOpenGLRenderWindow* window, const vtkPointSplatView& view, const glm::ivec4& rectangle)
+{
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+  // Within what the renderer, or an area selection, lets through.
+  int clip[4];
+  state->vtkglGetIntegerv(GL_SCISSOR_BOX, clip);
+  const bool clipped = state->GetEnumState(GL_SCISSOR_TEST);
+  glm::ivec2 low = view.Origin + glm::ivec2(rectangle.x, rectangle.y);
+  glm::ivec2 high = view.Origin + glm::ivec2(rectangle.z, rectangle.w) + 1;
+  if (clipped)
+  {
+    low = glm::max(low, glm::ivec2(clip[0], clip[1]));
+    high = glm::min(high, glm::ivec2(clip[0] + clip[2], clip[1] + clip[3]));
+  }
+  if (low.x < high.x && low.y < high.y)
+  {
+    state->vtkglEnable(GL_SCISSOR_TEST);
+    state->vtkglScissor(low.x, low.y, high.x - low.x, high.y - low.y);
+    state->vtkglDisable(GL_CULL_FACE);
+    state->vtkglEnable(GL_DEPTH_TEST);
+    if (!this->VertexArray)
+    {
+      glGenVertexArrays(1, &this->VertexArray);
+    }
+    glBindVertexArray(this->VertexArray);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindVertexArray(0);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatResolve::PresentFlat(vtkRenderer* renderer, vtkActor* actor,
+  vtkPointSplatMapper* mapper, const vtkPointSplatView& view, GLuint colour, GLuint depth)
+{
+  auto window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  std::string vertex = vtkPointSplatProgram::Source("vtkPointSplatResolveVS");
+  std::string geometry;
+  std::string fragment = vtkPointSplatProgram::Source("vtkPointSplatFlatFS");
+  const std::vector<vtkOpenGLRenderPass*> passes = PassesOf(actor);
+  for (vtkOpenGLRenderPass* pass : passes)
+  {
+    pass->PreReplaceShaderValues(vertex, geometry, fragment, mapper, actor);
+  }
+  for (vtkOpenGLRenderPass* pass : passes)
+  {
+    pass->PostReplaceShaderValues(vertex, geometry, fragment, mapper, actor);
+  }
+  vtkShaderProgram* program =
+    window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
+  if (!program)
+  {
+    return false;
+  }
+  const int origin[2] = { view.Origin.x, view.Origin.y };
+  program->SetUniform2i("ImageOrigin", origin);
+  const std::pair<const char*, GLuint> images[] = { { "Flattened", colour },
+    { "NearestDepths", depth } };
+  int units[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    units[i] = window->GetTextureUnitManager()->Allocate();
+    window->GetState()->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned>(units[i]));
+    glBindTexture(GL_TEXTURE_2D, images[i].second);
+    program->SetUniformi(images[i].first, units[i]);
+  }
+  for (vtkOpenGLRenderPass* pass : passes)
+  {
+    pass->SetShaderParameters(program, mapper, actor, nullptr);
+  }
+  this->DrawScreen(window, view, glm::ivec4(0, 0, view.Size.x - 1, view.Size.y - 1));
+  for (const int unit : units)
+  {
+    window->GetState()->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned>(unit));
+    glBindTexture(GL_TEXTURE_2D, 0);
+    window->GetTextureUnitManager()->Free(unit);
+  }
   return true;
 }
 

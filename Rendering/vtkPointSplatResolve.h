@@ -13,6 +13,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkPointSplatMapper;
+class vtkOpenGLRenderWindow;
 class vtkRenderer;
 class vtkShaderProgram;
 VTK_ABI_NAMESPACE_END
@@ -27,16 +28,24 @@ public:
   {
     Shaded,
     SelectionColour,
-    SelectionIds
+    SelectionIds,
+    Flattened // premultiplied, and its depth, with no pass' hooks
   };
 
   /**
    * Presents the item of this actor. selectionShift: bits by which ids are
-   * shifted, for the passes that carry their high bits.
+   * shifted, for the passes that carry their high bits. gathered: the colours in the images
+   * are those of all items.
    */
   bool Present(vtkRenderer* renderer, vtkActor* actor, vtkPointSplatMapper* mapper,
     const vtkPointSplatView& view, const vtkPointSplatItem& item, vtkPointSplatImages& images,
-    float depthUnit, Output output, int selectionShift);
+    float depthUnit, Output output, int selectionShift, bool gathered = false);
+
+  /**
+   * Presents an image of premultiplied colours and one of depths.
+   */
+  bool PresentFlat(vtkRenderer* renderer, vtkActor* actor, vtkPointSplatMapper* mapper,
+    const vtkPointSplatView& view, GLuint colour, GLuint depth);
 
   void Release();
 
@@ -45,6 +54,9 @@ private:
     int level, int count);
   static void SetMaterial(
     vtkActor* actor, bool colours, vtkShaderProgram* program);
+
+  void DrawScreen(vtkOpenGLRenderWindow* window, const vtkPointSplatView& view,
+    const glm::ivec4& rectangle);
 
   GLuint VertexArray = 0;
 };

@@ -6,6 +6,7 @@
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkPointSplatImages.h"
+#include "vtkPointSplatUnits.h"
 
 #include <algorithm>
 
@@ -14,6 +15,28 @@ namespace
 constexpr GLuint GroupSize = 64;      // as in vtkPointSplatSplatsCS.glsl
 constexpr GLuint MostGroups = 32768;  // in one dimension; OpenGL promises 65535
 constexpr GLuint LargeGroups = 256;   // share the listed splats of many pixels
+
+/**
+ * What the layers before and the scene are to a stage.
+ */
+void SetPeel(vtkPointSplatProgram& program, vtkPointSplatUnits& units,
+  const vtkPointSplatView& view, const vtkPointSplatPeel* peel)
+{
+  static const char* const names[] = { "Previous0", "Previous1", "Previous2" };
+  const size_t count = peel ? peel->Previous.size() : 0;
+  program.Set("PreviousCount", static_cast<int>(count));
+  for (size_t k = 0; k < 3; ++k)
+  {
+    const vtkPointSplatImages* images = count ? peel->Previous[std::min(k, count - 1)] : nullptr;
+    const bool compute = images && images->IsCompute();
+    units.Bind(program, names[k], compute ? GL_TEXTURE_BUFFER : GL_TEXTURE_2D,
+      !images ? 0 : compute ? images->GetDepthTexture() : images->GetDepths());
+  }
+  program.Set("HasSceneDepth", peel && peel->SceneDepth);
+  units.Bind(program, "SceneDepth", GL_TEXTURE_2D, peel ? peel->SceneDepth : 0);
+  program.Set("PixelZ", view.PixelZ);
+  program.Set("Gather", peel && peel->Gather);
+}
 
 GLsizeiptr Stride(const vtkPointSplatCloud& cloud)
 {
@@ -28,7 +51,7 @@ bool vtkPointSplatItem::operator==(const vtkPointSplatItem& other) const
     this->Culling == other.Culling && this->RadiusScale == other.RadiusScale &&
     this->LayerDistance == other.LayerDistance && this->KernelType == other.KernelType &&
     this->KernelShape == other.KernelShape && this->KernelSupport == other.KernelSupport &&
-    this->ClipPlanes == other.ClipPlanes;
+    this->ClipPlanes == other.ClipPlanes && this->Colour == other.Colour;
 }
 
 //------------------------------------------------------------------------------
@@ -111,37 +134,17 @@ void vtkPointSplatStages::SetItem(vtkPointSplatProgram& program, const vtkPointS
   program.Set("KernelShape", item.KernelShape);
   program.Set("KernelSupport", static_cast<float>(item.KernelSupport));
   program.Set("HasColours", item.Cloud->HasColours());
+  program.Set("ItemColour", glm::vec4(1.0f));
   program.Set("SplatCount", static_cast<unsigned int>(item.Cloud->GetNumberOfSplats()));
   program.Set("ImageWidth", imageSize.x);
   program.Set("ImageSize", imageSize);
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatStages::BindDepths(
-  vtkOpenGLRenderWindow* window, vtkPointSplatProgram& program, vtkPointSplatImages& images)
+void vtkPointSplatStages::Dispatch(vtkPointSplatProgram& program, vtkPointSplatUnits& units,
+  const vtkPointSplatItem& item, vtkPointSplatCloud::Buffers& buffers, bool listLarge)
 {
-  window->GetState()->vtkglActiveTexture(GL_TEXTURE1);
-  glBindTexture(GL_TEXTURE_BUFFER, images.GetDepthTexture());
-  program.Set("Depths", 1);
-  window->GetState()->vtkglActiveTexture(GL_TEXTURE0);
-}
-
-//------------------------------------------------------------------------------
-void vtkPointSplatStages::UnbindTextures(vtkOpenGLRenderWindow* window)
-{
-  for (const GLenum unit : { GL_TEXTURE1, GL_TEXTURE0 })
-  {
-    window->GetState()->vtkglActiveTexture(unit);
-    glBindTexture(GL_TEXTURE_BUFFER, 0);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkPointSplatStages::Dispatch(vtkPointSplatProgram& program, const vtkPointSplatItem& item,
-  vtkPointSplatCloud::Buffers& buffers, bool listLarge)
-{
-  glBindTexture(GL_TEXTURE_BUFFER, buffers.SplatTexture); // unit 0 is active
-  program.Set("Splats", 0);
+  units.Bind(program, "Splats", GL_TEXTURE_BUFFER, buffers.SplatTexture);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, buffers.Large);
   if (listLarge)
   {
@@ -163,20 +166,43 @@ void vtkPointSplatStages::Dispatch(vtkPointSplatProgram& program, const vtkPoint
 //------------------------------------------------------------------------------
 bool vtkPointSplatStages::ReconstructByCompute(vtkOpenGLRenderWindow* window,
   const vtkPointSplatView& view, const std::vector<vtkPointSplatItem>& items,
-  vtkPointSplatImages& images, float depthUnit)
+  vtkPointSplatImages& images, float depthUnit, const vtkPointSplatPeel* peel, bool* empty)
 {
+  vtkPointSplatUnits units(window);
   vtkPointSplatProgram* program = this->Use(VisibilityCompute);
   if (!program)
   {
     return false;
   }
+  SetPeel(*program, units, view, peel);
+  program->Set("TellFound", empty != nullptr);
+  if (!this->Found)
+  {
+    glGenBuffers(1, &this->Found);
+  }
+  const GLuint nothing = 0;
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Found);
+  glBufferData(GL_SHADER_STORAGE_BUFFER, 4, &nothing, GL_STREAM_READ);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, this->Found);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, images.GetDepths());
   for (const vtkPointSplatItem& item : items)
   {
     this->SetItem(*program, view, item, images.GetSize());
     program->Set("DiskReach", DiskReach);
     program->Set("CoverageRadius", CoverageRadius);
-    this->Dispatch(*program, item, item.Cloud->Upload(window), true);
+    this->Dispatch(*program, units, item, item.Cloud->Upload(window), true);
+  }
+  if (empty)
+  {
+    GLuint found = 0;
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Found);
+    glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, 4, &found);
+    *empty = found == 0;
+    if (*empty)
+    {
+      return true;
+    }
   }
   program = this->Use(AccumulateCompute);
   if (!program)
@@ -185,7 +211,8 @@ bool vtkPointSplatStages::ReconstructByCompute(vtkOpenGLRenderWindow* window,
   }
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, images.GetSums());
-  this->BindDepths(window, *program, images);
+  SetPeel(*program, units, view, peel);
+  units.Bind(*program, "Depths", GL_TEXTURE_BUFFER, images.GetDepthTexture());
   for (const vtkPointSplatItem& item : items)
   {
     vtkPointSplatCloud::Buffers& buffers = item.Cloud->Upload(window);
@@ -193,8 +220,12 @@ bool vtkPointSplatStages::ReconstructByCompute(vtkOpenGLRenderWindow* window,
     program->Set("PrefilterRadius", PrefilterRadius);
     program->Set("DepthUnit", depthUnit);
     program->Set("SumStride", images.GetSumStride());
+    if (peel && peel->Gather)
+    {
+      program->Set("ItemColour", item.Colour);
+    }
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, buffers.Colours);
-    this->Dispatch(*program, item, buffers, true);
+    this->Dispatch(*program, units, item, buffers, true);
   }
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
   return true;
@@ -266,29 +297,38 @@ void vtkPointSplatStages::DrawQuads(const vtkPointSplatItem& item,
 //------------------------------------------------------------------------------
 bool vtkPointSplatStages::ReconstructByQuads(vtkOpenGLRenderWindow* window,
   const vtkPointSplatView& view, const std::vector<vtkPointSplatItem>& items,
-  vtkPointSplatImages& images, float depthUnit)
+  vtkPointSplatImages& images, float depthUnit, const vtkPointSplatPeel* peel, bool* empty)
 {
   vtkOpenGLState* state = window->GetState();
+  vtkPointSplatUnits units(window);
   vtkPointSplatStages::SetStateForQuads(state, images.GetSize());
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, images.GetFramebuffer());
 
   // Visibility: the nearest depth of all disks.
-  GLenum both[] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1 };
+  GLenum all[] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2 };
   const GLuint none[4] = { 0xffffffffu, 0xffffffffu, 0xffffffffu, 0xffffffffu };
   const GLfloat zero[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
   const GLfloat farthest = 1.0f;
   glFramebufferTexture2D(
     GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, images.GetDepths(), 0);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, 0, 0);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT2, GL_TEXTURE_2D, 0, 0);
   glFramebufferTexture2D(
     GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, images.GetDepthAttachment(), 0);
-  state->vtkglDrawBuffers(1, both);
+  state->vtkglDrawBuffers(1, all);
   glClearBufferuiv(GL_COLOR, 0, none);
   glClearBufferfv(GL_DEPTH, 0, &farthest);
   vtkPointSplatProgram* program = this->Use(VisibilityQuads);
   if (!program)
   {
     return false;
+  }
+  SetPeel(*program, units, view, peel);
+  GLuint query = 0;
+  if (empty)
+  {
+    glGenQueries(1, &query);
+    glBeginQuery(GL_ANY_SAMPLES_PASSED, query);
   }
   for (const vtkPointSplatItem& item : items)
   {
@@ -298,36 +338,55 @@ bool vtkPointSplatStages::ReconstructByQuads(vtkOpenGLRenderWindow* window,
     program->Set("MinimumRadius", CoverageRadius);
     this->DrawQuads(item, item.Cloud->Upload(window), 0);
   }
+  if (empty)
+  {
+    GLuint any = 0;
+    glEndQuery(GL_ANY_SAMPLES_PASSED);
+    glGetQueryObjectuiv(query, GL_QUERY_RESULT, &any);
+    glDeleteQueries(1, &query);
+    *empty = any == 0;
+    if (*empty)
+    {
+      return true;
+    }
+  }
 
   // Accumulation: sums over the splats of that layer.
   glFramebufferTexture2D(
     GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, images.GetSums(0), 0);
   glFramebufferTexture2D(
     GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, images.GetSums(1), 0);
-  state->vtkglDrawBuffers(2, both);
-  glClearBufferfv(GL_COLOR, 0, zero);
-  glClearBufferfv(GL_COLOR, 1, zero);
+  glFramebufferTexture2D(
+    GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT2, GL_TEXTURE_2D, images.GetSums(2), 0);
+  state->vtkglDrawBuffers(3, all);
+  for (GLint k = 0; k < 3; ++k)
+  {
+    glClearBufferfv(GL_COLOR, k, zero);
+  }
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDepthMask(GL_FALSE);
   state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendEquation(GL_FUNC_ADD); // depth peeling takes maxima
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
   program = this->Use(AccumulateQuads);
   if (!program)
   {
     return false;
   }
-  state->vtkglActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, images.GetDepths());
+  SetPeel(*program, units, view, peel);
+  units.Bind(*program, "Depths", GL_TEXTURE_2D, images.GetDepths());
   for (const vtkPointSplatItem& item : items)
   {
     this->SetItem(*program, view, item, images.GetSize());
     program->Set("Reach", static_cast<float>(item.KernelSupport));
     program->Set("MinimumRadius", PrefilterRadius);
     program->Set("DepthUnit", depthUnit);
-    program->Set("Depths", 0);
+    if (peel && peel->Gather)
+    {
+      program->Set("ItemColour", item.Colour);
+    }
     this->DrawQuads(item, item.Cloud->Upload(window), 0);
   }
-  glBindTexture(GL_TEXTURE_2D, 0);
   return true;
 }
 
@@ -344,6 +403,7 @@ bool vtkPointSplatStages::IdentifyByQuads(vtkOpenGLRenderWindow* window,
   const GLfloat farthest = 1.0f;
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, images.GetIds(), 0);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, 0, 0);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT2, GL_TEXTURE_2D, 0, 0);
   glFramebufferTexture2D(
     GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, images.GetDepthAttachment(), 0);
   state->vtkglDrawBuffers(1, first);
@@ -354,41 +414,36 @@ bool vtkPointSplatStages::IdentifyByQuads(vtkOpenGLRenderWindow* window,
   {
     return false;
   }
-  state->vtkglActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, images.GetDepths());
+  vtkPointSplatUnits units(window);
+  units.Bind(*program, "Depths", GL_TEXTURE_2D, images.GetDepths());
   for (const vtkPointSplatItem& item : items)
   {
     const GLuint idMap = item.Cloud->UploadIdMap(window, kind);
     this->SetItem(*program, view, item, images.GetSize());
     program->Set("Reach", static_cast<float>(item.KernelSupport));
     program->Set("MinimumRadius", PrefilterRadius);
-    program->Set("Depths", 0);
     this->DrawQuads(item, item.Cloud->Upload(window), idMap);
   }
-  glBindTexture(GL_TEXTURE_2D, 0);
   return true;
 }
 
 //------------------------------------------------------------------------------
 bool vtkPointSplatStages::Reconstruct(vtkOpenGLRenderWindow* window,
   const vtkPointSplatView& view, const std::vector<vtkPointSplatItem>& items,
-  vtkPointSplatImages& images, float depthUnit)
+  vtkPointSplatImages& images, float depthUnit, const vtkPointSplatPeel* peel, bool* empty)
 {
   window->GetShaderCache()->ReleaseCurrentShader();
   bool good = false;
   if (images.IsCompute())
   {
-    vtkOpenGLState::ScopedglActiveTexture unit(window->GetState());
-    window->GetState()->vtkglActiveTexture(GL_TEXTURE0);
-    good = this->ReconstructByCompute(window, view, items, images, depthUnit);
-    vtkPointSplatStages::UnbindTextures(window);
+    good = this->ReconstructByCompute(window, view, items, images, depthUnit, peel, empty);
   }
   else
   {
     vtkOpenGLState* state = window->GetState();
     state->Push();
     state->PushFramebufferBindings();
-    good = this->ReconstructByQuads(window, view, items, images, depthUnit);
+    good = this->ReconstructByQuads(window, view, items, images, depthUnit, peel, empty);
     state->PopFramebufferBindings();
     state->Pop();
   }
@@ -405,13 +460,12 @@ bool vtkPointSplatStages::Identify(vtkOpenGLRenderWindow* window, const vtkPoint
   bool good = false;
   if (images.IsCompute())
   {
-    vtkOpenGLState::ScopedglActiveTexture unit(window->GetState());
-    window->GetState()->vtkglActiveTexture(GL_TEXTURE0);
+    vtkPointSplatUnits units(window);
     images.ClearIdBuffer({ 0, 0, images.GetSize().x - 1, images.GetSize().y - 1 });
     if (vtkPointSplatProgram* program = this->Use(IdentifyCompute))
     {
       glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, images.GetIds());
-      this->BindDepths(window, *program, images);
+      units.Bind(*program, "Depths", GL_TEXTURE_BUFFER, images.GetDepthTexture());
       for (const bool findWeight : { true, false })
       {
         for (const vtkPointSplatItem& item : items)
@@ -422,13 +476,12 @@ bool vtkPointSplatStages::Identify(vtkOpenGLRenderWindow* window, const vtkPoint
           program->Set("FindWeight", findWeight);
           program->Set("UseIdMap", idMap != 0);
           glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, idMap);
-          this->Dispatch(*program, item, item.Cloud->Upload(window), true);
+          this->Dispatch(*program, units, item, item.Cloud->Upload(window), true);
         }
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
       }
       good = true;
     }
-    vtkPointSplatStages::UnbindTextures(window);
   }
   else
   {
@@ -449,5 +502,10 @@ void vtkPointSplatStages::Release()
   for (vtkPointSplatProgram& program : this->Programs)
   {
     program.Release();
+  }
+  if (this->Found)
+  {
+    glDeleteBuffers(1, &this->Found);
+    this->Found = 0;
   }
 }

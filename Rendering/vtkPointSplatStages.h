@@ -23,6 +23,7 @@ class vtkOpenGLRenderWindow;
 class vtkOpenGLState;
 VTK_ABI_NAMESPACE_END
 class vtkPointSplatImages;
+class vtkPointSplatUnits;
 
 /**
  * One cloud to draw, with all that its projection depends on.
@@ -41,8 +42,22 @@ struct vtkPointSplatItem
   double KernelSupport = 1.5;
   std::vector<glm::dvec4> ClipPlanes; // world coordinates
   glm::ivec4 Window{ 0 };             // pixels that it can cover
+  glm::vec4 Colour{ 1.0f };           // and opacity, where layers of several items are gathered
 
   bool operator==(const vtkPointSplatItem& other) const;
+};
+
+/**
+ * What is peeled off before a layer is reconstructed.
+ */
+struct vtkPointSplatPeel
+{
+  /// The layers before, the last one first; the next ones repeat the last there is.
+  std::vector<const vtkPointSplatImages*> Previous;
+  /// The opaque scene's depth (a texture with the images' pixels), or 0.
+  GLuint SceneDepth = 0;
+  /// All that is left makes one layer, weighted by opacity.
+  bool Gather = false;
 };
 
 class vtkPointSplatStages
@@ -70,11 +85,13 @@ public:
 
   /**
    * Depths and sums of the layer nearest to the eye, of all items together.
-   * depthUnit: the unit of depths in the sums, world units.
+   * depthUnit: the unit of depths in the sums, world units. With a peel, the layer behind
+   * those before; empty gets whether there is nothing left, and the layer then is void.
    * False, with GetError(), where a shader does not compile.
    */
   bool Reconstruct(vtkOpenGLRenderWindow* window, const vtkPointSplatView& view,
-    const std::vector<vtkPointSplatItem>& items, vtkPointSplatImages& images, float depthUnit);
+    const std::vector<vtkPointSplatItem>& items, vtkPointSplatImages& images, float depthUnit,
+    const vtkPointSplatPeel* peel = nullptr, bool* empty = nullptr);
 
   /**
    * Ids of the splats with the greatest weights in that layer.
@@ -111,20 +128,20 @@ private:
     NumberOfPrograms
   };
   vtkPointSplatProgram* Use(Program which);
-  void BindDepths(
-    vtkOpenGLRenderWindow* window, vtkPointSplatProgram& program, vtkPointSplatImages& images);
-  static void UnbindTextures(vtkOpenGLRenderWindow* window);
-  void Dispatch(vtkPointSplatProgram& program, const vtkPointSplatItem& item,
-    vtkPointSplatCloud::Buffers& buffers, bool listLarge);
+  static void Dispatch(vtkPointSplatProgram& program, vtkPointSplatUnits& units,
+    const vtkPointSplatItem& item, vtkPointSplatCloud::Buffers& buffers, bool listLarge);
   bool ReconstructByCompute(vtkOpenGLRenderWindow* window, const vtkPointSplatView& view,
-    const std::vector<vtkPointSplatItem>& items, vtkPointSplatImages& images, float depthUnit);
+    const std::vector<vtkPointSplatItem>& items, vtkPointSplatImages& images, float depthUnit,
+    const vtkPointSplatPeel* peel, bool* empty);
   bool ReconstructByQuads(vtkOpenGLRenderWindow* window, const vtkPointSplatView& view,
-    const std::vector<vtkPointSplatItem>& items, vtkPointSplatImages& images, float depthUnit);
+    const std::vector<vtkPointSplatItem>& items, vtkPointSplatImages& images, float depthUnit,
+    const vtkPointSplatPeel* peel, bool* empty);
   bool IdentifyByQuads(vtkOpenGLRenderWindow* window, const vtkPointSplatView& view,
     const std::vector<vtkPointSplatItem>& items, vtkPointSplatImages& images,
     vtkPointSplatCloud::IdKind kind);
 
   vtkPointSplatProgram Programs[NumberOfPrograms];
+  GLuint Found = 0; // a buffer: whether compute shaders found anything
   std::string Error;
 };
 

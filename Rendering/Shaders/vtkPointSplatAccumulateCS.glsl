@@ -11,32 +11,44 @@
 #include "vtkPointSplatSplatsCS"
 #include "vtkPointSplatKernel"
 #include "vtkPointSplatFixedPoint"
+#include "vtkPointSplatPeel"
 
 layout(std430, binding = 0) buffer Sums { int sums[]; };
 layout(std430, binding = 2) readonly buffer Colours { uint colours[]; };
 
 uniform usamplerBuffer Depths; // R32UI
+uniform usamplerBuffer Previous0;
+uniform usamplerBuffer Previous1;
+uniform usamplerBuffer Previous2;
+uniform bool Gather;           // all that is behind, weighted by opacity
+uniform vec4 ItemColour;       // multiplies the points' colours
 uniform float PrefilterRadius; // pixels
 uniform bool HasColours;
 uniform int SumStride;         // ints a pixel
 
 void add(Splat q, uint index, int at, float r2, float behind)
 {
+  vec4 colour = ItemColour;
+  if (HasColours)
+  {
+    colour *= unpackUnorm4x8(colours[index]);
+  }
   if (sums[at] > WeightLimit)
   {
     return; // so many splats share this pixel that no further one can be seen
   }
-  float weight = max(floor(WeightScale * kernelWeight(r2, KernelSupport) + 0.5), 1.0);
+  float kernel = kernelWeight(r2, KernelSupport) * (Gather ? colour.a : 1.0);
+  float weight = max(floor(WeightScale * kernel + 0.5), 1.0);
   ivec3 n = ivec3(round(weight * q.normal));
   int depth = int(round(weight * clamp(behind / DepthUnit, -1.0, 1.0)));
   atomicAdd(sums[at], int(weight));
   atomicAdd(sums[at + 1], packSums(n.x, n.y));
   atomicAdd(sums[at + 2], packSums(n.z, depth));
-  if (HasColours)
+  if (HasColours || Gather)
   {
-    ivec3 colour = ivec3(round(weight * unpackUnorm4x8(colours[index]).rgb));
-    atomicAdd(sums[at + 3], packSums(colour.r, colour.g));
-    atomicAdd(sums[at + 4], colour.b);
+    ivec4 sum = ivec4(round(weight * colour));
+    atomicAdd(sums[at + 3], packSums(sum.r, sum.g));
+    atomicAdd(sums[at + 4], packSums(sum.b, sum.a));
   }
 }
 
@@ -44,14 +56,22 @@ void drawPixel(Splat q, uint index, ivec2 pixel)
 {
   int at = pixelIndex(pixel);
   uint nearest = texelFetch(Depths, at).r;
-  if (((nearest ^ q.tag) & TagMask) > 1u)
+  if (((nearest ^ q.tag) & TagMask) > 1u && !Gather)
   {
     return;
   }
   float r2;
   float depth;
-  if (intersect(q, vec2(pixel) + 0.5, KernelSupport, r2, depth) && sameLayer(q, depth, nearest))
+  if (intersect(q, vec2(pixel) + 0.5, KernelSupport, r2, depth) &&
+    (Gather ? nearest != NoDepth : sameLayer(q, depth, nearest)))
   {
+    if (PreviousCount > 0 &&
+      isPeeled(q, depth,
+        uvec3(texelFetch(Previous0, at).r, texelFetch(Previous1, at).r,
+          texelFetch(Previous2, at).r)))
+    {
+      return;
+    }
     add(q, index, SumStride * at, r2, depth - decodeDepth(nearest));
   }
 }

@@ -4,31 +4,52 @@
 //
 // Attribute accumulation, by quads and additive blending: see
 // vtkPointSplatAccumulateCS.
-// Reads: the coded depths. Writes: two RGBA32F images: weight and normal; depth
-// behind the nearest and colour; each times the weight.
+// Reads: the coded depths. Writes: two RGBA32F images, weight and normal, depth
+// behind the nearest and colour, and one R32F with the opacity; each times the weight.
 
 #include "vtkPointSplatQuadFS"
 #include "vtkPointSplatKernel"
+#include "vtkPointSplatPeel"
 
 uniform usampler2D Depths;
 uniform float DepthUnit;
+uniform usampler2D Previous0;
+uniform usampler2D Previous1;
+uniform usampler2D Previous2;
+uniform bool Gather;
+uniform bool HasColours;
+uniform vec4 ItemColour;
 
 layout(location = 0) out vec4 weightAndNormal;
 layout(location = 1) out vec4 depthAndColour;
+layout(location = 2) out float opacity;
 
 void main()
 {
   Splat q = fragmentSplat();
-  uint nearest = texelFetch(Depths, ivec2(gl_FragCoord.xy), 0).r;
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  uint nearest = texelFetch(Depths, pixel, 0).r;
   float r2;
   float depth;
-  if (!intersect(q, gl_FragCoord.xy, KernelSupport, r2, depth) || !sameLayer(q, depth, nearest))
+  if (!intersect(q, gl_FragCoord.xy, KernelSupport, r2, depth) ||
+    !(Gather ? nearest != NoDepth : sameLayer(q, depth, nearest)) ||
+    (PreviousCount > 0 &&
+      isPeeled(q, depth,
+        uvec3(texelFetch(Previous0, pixel, 0).r, texelFetch(Previous1, pixel, 0).r,
+          texelFetch(Previous2, pixel, 0).r))))
   {
     discard;
   }
+  vec4 colour = ItemColour;
+  if (HasColours)
+  {
+    colour *= splatColour;
+  }
   // As in the fixed-point sums, a weight never vanishes inside the support.
-  float weight = max(kernelWeight(r2, KernelSupport), 1.0 / 4096.0);
+  float weight =
+    max(kernelWeight(r2, KernelSupport) * (Gather ? colour.a : 1.0), 1.0 / 4096.0);
   float behind = clamp((depth - decodeDepth(nearest)) / DepthUnit, -1.0, 1.0);
   weightAndNormal = weight * vec4(1.0, q.normal);
-  depthAndColour = weight * vec4(behind, splatColour);
+  depthAndColour = weight * vec4(behind, colour.rgb);
+  opacity = weight * colour.a;
 }

@@ -7,7 +7,7 @@
 // disk is summed up.
 // Reads: the groups' texels and depths. Writes: the images that two-pass
 // accumulation writes: coded depths (R32UI); weight and normal, depth behind the
-// nearest and colour (RGBA32F each).
+// nearest and colour (RGBA32F each); opacity (R32F).
 
 #include "vtkPointSplatProjection"
 #include "vtkPointSplatGroupTexel"
@@ -19,6 +19,7 @@ uniform int GroupCount;
 layout(location = 0) out uint nearestDepth;
 layout(location = 1) out vec4 weightAndNormal;
 layout(location = 2) out vec4 depthAndColour;
+layout(location = 3) out float opacity;
 
 // The nearest disk's coded depth at a pixel, and the nearest of the kernels' tails.
 void nearestDepths(ivec2 pixel, out uint disk, out uint tail)
@@ -69,6 +70,7 @@ void main()
   }
   vec4 a = vec4(0.0);
   vec4 b = vec4(0.0);
+  float c = 0.0;
   for (int k = 0; k < GroupCount; ++k)
   {
     if (texelFetch(GroupDepths, ivec3(pixel, k), 0).r < 1.0)
@@ -82,11 +84,14 @@ void main()
       {
         float weight = decodeHalf(texel.z);
         a += weight * vec4(1.0, decodeNormal(texel.y));
-        b += weight * vec4(clamp(behind / DepthUnit, -1.0, 1.0), unpackColour(texel.w));
+        vec4 colour = unpackColour(texel.w);
+        b += weight * vec4(clamp(behind / DepthUnit, -1.0, 1.0), colour.rgb);
+        c += weight * colour.a;
       }
     }
   }
   nearestDepth = nearest;
   weightAndNormal = a;
   depthAndColour = b;
+  opacity = c;
 }

@@ -25,7 +25,7 @@ uint fetchId(ivec2 pixel)
 }
 
 // False: nothing was accumulated here, or more than can be told.
-bool fetchSums(ivec2 pixel, out vec3 normal, out float behind, out vec3 colour)
+bool fetchSums(ivec2 pixel, out vec3 normal, out float behind, out vec4 colour)
 {
   int at = (pixel.y * ImageWidth + pixel.x) * TexelsPerPixel;
   ivec4 a = texelFetch(Sums, at);
@@ -34,11 +34,10 @@ bool fetchSums(ivec2 pixel, out vec3 normal, out float behind, out vec3 colour)
   ivec2 nzDepth = unpackSums(a.z);
   normal = vec3(nxy, nzDepth.x) / w;
   behind = DepthUnit * float(nzDepth.y) / w;
-  colour = vec3(1.0);
+  colour = vec4(1.0);
   if (TexelsPerPixel > 1)
   {
-    ivec2 rg = unpackSums(a.w);
-    colour = vec3(rg, texelFetch(Sums, at + 1).r) / w;
+    colour = vec4(unpackSums(a.w), unpackSums(texelFetch(Sums, at + 1).r)) / w;
   }
   return a.x > 0 && a.x < WeightOverflow;
 }
@@ -48,6 +47,7 @@ bool fetchSums(ivec2 pixel, out vec3 normal, out float behind, out vec3 colour)
 uniform usampler2D Depths;
 uniform sampler2D WeightAndNormal;
 uniform sampler2D DepthAndColour;
+uniform sampler2D Opacities;
 uniform usampler2D Ids;
 uniform float DepthUnit;
 
@@ -61,13 +61,13 @@ uint fetchId(ivec2 pixel)
   return texelFetch(Ids, pixel, 0).r;
 }
 
-bool fetchSums(ivec2 pixel, out vec3 normal, out float behind, out vec3 colour)
+bool fetchSums(ivec2 pixel, out vec3 normal, out float behind, out vec4 colour)
 {
   vec4 a = texelFetch(WeightAndNormal, pixel, 0);
   vec4 b = texelFetch(DepthAndColour, pixel, 0);
   normal = a.yzw / a.x;
   behind = DepthUnit * b.x / a.x;
-  colour = b.yzw / a.x;
+  colour = vec4(b.yzw, texelFetch(Opacities, pixel, 0).r) / a.x;
   return a.x > 0.0;
 }
 

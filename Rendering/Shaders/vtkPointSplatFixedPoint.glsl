@@ -8,7 +8,7 @@
 //   word 1  normal x, normal y
 //   word 2  normal z, depth behind the nearest
 //   word 3  red, green        (words 3 and 4 only with colours)
-//   word 4  blue
+//   word 4  blue, opacity
 // each times the weight.
 
 // A weight of 1. Sums of 127 such fit into 16 bits.

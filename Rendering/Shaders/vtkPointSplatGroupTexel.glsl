@@ -7,7 +7,7 @@
 //   z  two halves: the weight, negative where the pixel is off the splat's disk;
 //      the least layer distance along the ray, world units, negative where the
 //      splat stands so steep that only splats of its own side belong to its layer
-//   w  colour, 8 bits a component
+//   w  colour and opacity, 8 bits a component
 // Halves hold up to 65504: layer distances are in units of DepthUnit.
 
 uniform float DepthUnit; // world units
@@ -38,13 +38,13 @@ float decodeHalf(uint h)
   return uintBitsToFloat((((h >> 10) & 31u) + 112u) << 23 | (h & 0x3ffu) << 13);
 }
 
-uint packColour(vec3 colour)
+uint packColour(vec4 colour)
 {
-  uvec3 c = uvec3(round(clamp(colour, 0.0, 1.0) * 255.0));
-  return c.r | c.g << 8 | c.b << 16;
+  uvec4 c = uvec4(round(clamp(colour, 0.0, 1.0) * 255.0));
+  return c.r | c.g << 8 | c.b << 16 | c.a << 24;
 }
 
-vec3 unpackColour(uint code)
+vec4 unpackColour(uint code)
 {
-  return vec3(uvec3(code, code >> 8, code >> 16) & 255u) / 255.0;
+  return vec4(uvec4(code, code >> 8, code >> 16, code >> 24) & 255u) / 255.0;
 }

@@ -23,7 +23,7 @@ flat out vec3 splatT;
 flat out vec4 slopeFacingLayer;
 flat out vec3 splatNormal;
 flat out uvec2 tagAndId;
-flat out vec3 splatColour;
+flat out vec4 splatColour;
 flat out vec3 positionVC;
 flat out vec3 sVC;
 flat out vec3 tVC;
@@ -47,7 +47,7 @@ bool spanQuad()
   slopeFacingLayer = vec4(q.slope, q.facing, q.layer);
   splatNormal = q.normal;
   tagAndId = uvec2(q.tag, id);
-  splatColour = colour.rgb;
+  splatColour = colour;
   positionVC = q.positionVC;
   sVC = q.sVC;
   tVC = q.tVC;

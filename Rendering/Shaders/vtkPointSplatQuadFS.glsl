@@ -11,7 +11,7 @@ flat in vec3 splatT;
 flat in vec4 slopeFacingLayer;
 flat in vec3 splatNormal;
 flat in uvec2 tagAndId;
-flat in vec3 splatColour;
+flat in vec4 splatColour;
 flat in vec3 positionVC;
 flat in vec3 sVC;
 flat in vec3 tVC;

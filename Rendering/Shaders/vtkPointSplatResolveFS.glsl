@@ -8,7 +8,8 @@
 // peeling and the passes that work on depth treat it as they treat a mesh.
 // Hooks as in VTK's own fragment shaders let render passes add to it; names that
 // their code declares (pixel, front, ...) are not used here.
-// OUTPUT: 0 shaded, 1 one colour for hardware selection, 2 point ids for it.
+// OUTPUT: 0 shaded, 1 one colour for hardware selection, 2 point ids for it, 3 shaded
+// and premultiplied, with the depth, to be flattened with other layers.
 
 //PointSplat::Defines
 
@@ -53,7 +54,7 @@ void main()
   }
   vec3 normalVC;
   float behind;
-  vec3 colour;
+  vec4 colour;
   bool summed = fetchSums(at, normalVC, behind, colour);
   behind = summed ? behind : 0.0;
 
@@ -70,7 +71,7 @@ void main()
   // still tell how the surface lies.
   vec3 facet = cross(dFdx(positionVC.xyz), dFdy(positionVC.xyz));
   normalVC = summed ? normalVC : normalize(facet + vec3(0.0, 0.0, 1e-30));
-  colour = summed ? colour : vec3(1.0);
+  colour = summed ? colour : vec4(1.0);
 
   //VTK::DepthPeeling::PreColor
 
@@ -98,10 +99,15 @@ void main()
   Material m = Material(Ambient[side], Diffuse[side], Specular[side], SpecularPower[side]);
   if (HasColours)
   {
-    m.ambient *= colour;
-    m.diffuse *= colour;
+    m.ambient *= colour.rgb;
+    m.diffuse *= colour.rgb;
   }
-  gl_FragData[0] = vec4(agreement * shade(m, positionVC.xyz, normalVC), Opacity[side]);
+  gl_FragData[0] = vec4(agreement * shade(m, positionVC.xyz, normalVC),
+    Opacity[side] * (HasColours ? colour.a : 1.0));
+#if OUTPUT == 3
+  gl_FragData[0].rgb *= gl_FragData[0].a;
+  gl_FragData[1] = vec4(gl_FragDepth);
+#endif
   //PointSplat::GeometryBuffer
 #endif
 

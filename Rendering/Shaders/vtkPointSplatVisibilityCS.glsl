@@ -4,12 +4,19 @@
 //
 // Visibility splatting, by compute: the nearest depth of all disks at each
 // pixel. Disks are drawn without the kernel's tail, which would draw the
-// surface past its silhouettes.
-// Writes: Depths, one uint a pixel (see encodeDepth).
+// surface past its silhouettes. Of what is behind the layers that were peeled before.
+// Reads: Previous. Writes: Depths, one uint a pixel (see encodeDepth).
 
 #include "vtkPointSplatSplatsCS"
+#include "vtkPointSplatPeel"
 
 layout(std430, binding = 0) buffer Depths { uint depths[]; };
+layout(std430, binding = 3) buffer Found { uint found; };
+
+uniform usamplerBuffer Previous0; // R32UI, the last layer's depths
+uniform usamplerBuffer Previous1;
+uniform usamplerBuffer Previous2;
+uniform bool TellFound;           // whether anything was found at all
 
 uniform float DiskReach;      // radii that are drawn
 uniform float CoverageRadius; // pixels: below, a disk might miss every pixel
@@ -20,7 +27,23 @@ void drawPixel(Splat q, uint index, ivec2 pixel)
   float depth;
   if (intersect(q, vec2(pixel) + 0.5, DiskReach, r2, depth))
   {
-    atomicMin(depths[pixelIndex(pixel)], encodeDepth(depth, q.tag));
+    int at = pixelIndex(pixel);
+    if (PreviousCount > 0 &&
+      isPeeled(q, depth,
+        uvec3(texelFetch(Previous0, at).r, texelFetch(Previous1, at).r,
+          texelFetch(Previous2, at).r)))
+    {
+      return;
+    }
+    if (HasSceneDepth && isHidden(depth, pixel))
+    {
+      return;
+    }
+    atomicMin(depths[at], encodeDepth(depth, q.tag));
+    if (TellFound)
+    {
+      found = 1u;
+    }
   }
 }
 

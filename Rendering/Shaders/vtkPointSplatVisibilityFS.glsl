@@ -6,8 +6,12 @@
 // Writes: the coded depth (R32UI) of the nearest disk, by the depth test.
 
 #include "vtkPointSplatQuadFS"
+#include "vtkPointSplatPeel"
 
 uniform float DiskReach;
+uniform usampler2D Previous0;
+uniform usampler2D Previous1;
+uniform usampler2D Previous2;
 
 layout(location = 0) out uint nearestDepth;
 
@@ -17,6 +21,15 @@ void main()
   float r2;
   float depth;
   if (!intersect(q, gl_FragCoord.xy, DiskReach, r2, depth))
+  {
+    discard;
+  }
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  if ((PreviousCount > 0 &&
+        isPeeled(q, depth,
+          uvec3(texelFetch(Previous0, pixel, 0).r, texelFetch(Previous1, pixel, 0).r,
+            texelFetch(Previous2, pixel, 0).r))) ||
+    (HasSceneDepth && isHidden(depth, pixel)))
   {
     discard;
   }

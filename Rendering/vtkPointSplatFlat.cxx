@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatFlat.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkPointSplatUnits.h"
+#include "vtkRenderer.h"
+
+namespace
+{
+GLuint MakeTexture(const glm::ivec2& size, GLenum internal, GLenum format)
+{
+  GLuint texture = 0;
+  glGenTextures(1, &texture);
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal), size.x, size.y, 0, format,
+    GL_FLOAT, nullptr);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  return texture;
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatFlat::Allocate(vtkOpenGLRenderWindow* window, const glm::ivec2& size)
+{
+  if (this->Framebuffer && this->Size == size)
+  {
+    return;
+  }
+  this->Release();
+  this->Size = size;
+  vtkOpenGLState::ScopedglActiveTexture active(window->GetState());
+  const int unit = window->GetTextureUnitManager()->Allocate();
+  window->GetState()->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned>(unit));
+  this->Colour = MakeTexture(size, GL_RGBA16F, GL_RGBA);
+  this->Depth = MakeTexture(size, GL_R32F, GL_RED);
+  glBindTexture(GL_TEXTURE_2D, 0);
+  window->GetTextureUnitManager()->Free(unit);
+  glGenFramebuffers(1, &this->Framebuffer);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatFlat::Blend(vtkRenderer* renderer, const std::vector<Part>& parts,
+  vtkPointSplatLayers& layers, vtkPointSplatResolve& resolve)
+{
+  auto window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  const vtkPointSplatLayersRequest& request = layers.GetRequest();
+  this->Allocate(window, request.View.Size);
+
+  vtkOpenGLState* state = window->GetState();
+  state->Push();
+  state->PushFramebufferBindings();
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
+  glFramebufferTexture2D(
+    GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Colour, 0);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, this->Depth, 0);
+  glFramebufferTexture2D(
+    GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, request.SceneDepth, 0);
+  GLenum both[] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1 };
+  state->vtkglDrawBuffers(2, both);
+  state->vtkglViewport(0, 0, this->Size.x, this->Size.y);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  const GLfloat nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
+  const GLfloat farthest[4] = { 1.0f, 1.0f, 1.0f, 1.0f };
+  glClearBufferfv(GL_COLOR, 0, nothing);
+  glClearBufferfv(GL_COLOR, 1, farthest);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendEquation(GL_FUNC_ADD); // depth peeling takes maxima
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  // Depths are not blended: the last, nearest layer's stays.
+  glDisablei(GL_BLEND, 1);
+
+  vtkPointSplatView view = request.View;
+  view.Origin = glm::ivec2(0);
+  bool good = true;
+  for (int layer = layers.GetNumberOfLayers() - 1; layer >= 0; --layer)
+  {
+    for (size_t i = 0; i < parts.size(); ++i)
+    {
+      good = resolve.Present(renderer, parts[i].Actor, parts[i].Mapper, view, request.Items[i],
+               layers.GetImages(layer), layers.GetDepthUnit(), vtkPointSplatResolve::Flattened, 0,
+               layers.IsGathered(layer)) &&
+        good;
+    }
+  }
+  glEnablei(GL_BLEND, 1);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, 0, 0);
+  state->PopFramebufferBindings();
+  state->Pop();
+  return good;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatFlat::Present(vtkRenderer* renderer, vtkActor* actor,
+  vtkPointSplatMapper* mapper, const vtkPointSplatView& view, vtkPointSplatResolve& resolve)
+{
+  return resolve.PresentFlat(renderer, actor, mapper, view, this->Colour, this->Depth);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatFlat::Release()
+{
+  if (this->Framebuffer)
+  {
+    const GLuint textures[] = { this->Colour, this->Depth };
+    glDeleteTextures(2, textures);
+    glDeleteFramebuffers(1, &this->Framebuffer);
+  }
+  this->Colour = this->Depth = this->Framebuffer = 0;
+  this->Size = glm::ivec2(0);
+}

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Translucent layers flattened to one image: each layer is shaded and blended over the ones
+// behind it, where nothing else translucent can lie between them. VTK's translucent passes
+// then have one layer to deal with, and the default order-independent pass, which weights
+// layers instead of sorting them, is exact.
+// Images: RGBA16F, premultiplied colour; R32F, the nearest layer's depth.
+#ifndef vtkPointSplatFlat_h
+#define vtkPointSplatFlat_h
+
+#include "vtkPointSplatLayers.h"
+#include "vtkPointSplatResolve.h"
+
+class vtkPointSplatFlat
+{
+public:
+  vtkPointSplatFlat() = default;
+  ~vtkPointSplatFlat() = default;
+  vtkPointSplatFlat(const vtkPointSplatFlat&) = delete;
+  void operator=(const vtkPointSplatFlat&) = delete;
+
+  /**
+   * What an item of the layers belongs to.
+   */
+  struct Part
+  {
+    vtkActor* Actor;
+    vtkPointSplatMapper* Mapper;
+  };
+
+  /**
+   * Blends all layers, parts in the order of their items; what the opaque scene hides is left out.
+   */
+  bool Blend(vtkRenderer* renderer, const std::vector<Part>& parts, vtkPointSplatLayers& layers,
+    vtkPointSplatResolve& resolve);
+
+  /**
+   * Presents the image in the pass that is under way, by one actor on behalf of all.
+   */
+  bool Present(vtkRenderer* renderer, vtkActor* actor, vtkPointSplatMapper* mapper,
+    const vtkPointSplatView& view, vtkPointSplatResolve& resolve);
+
+  void Release();
+
+private:
+  void Allocate(vtkOpenGLRenderWindow* window, const glm::ivec2& size);
+
+  glm::ivec2 Size{ 0, 0 };
+  GLuint Colour = 0;
+  GLuint Depth = 0;
+  GLuint Framebuffer = 0;
+};
+
+#endif

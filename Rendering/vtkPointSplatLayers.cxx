@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatLayers.h"
+
+#include "vtkOpenGLRenderWindow.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+// What changes no pixel of 8 bits.
+constexpr double LeastContribution = 1.0 / 256.0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatLayersRequest::operator==(const vtkPointSplatLayersRequest& other) const
+{
+  return this->View == other.View && this->Items == other.Items &&
+    this->CloudTimes == other.CloudTimes && this->Compute == other.Compute &&
+    this->VoronoiScale == other.VoronoiScale && this->MaximumLayers == other.MaximumLayers &&
+    this->Gather == other.Gather && this->LeastOpacity == other.LeastOpacity &&
+    this->MaximumMemory == other.MaximumMemory && this->SceneDepth == other.SceneDepth &&
+    (this->SceneDepth == 0 || this->Frame == other.Frame);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatLayers::Build(vtkOpenGLRenderWindow* window,
+  vtkPointSplatLayersRequest request, vtkPointSplatStages& stages)
+{
+  if (this->Built && this->Request == request)
+  {
+    this->Request.View.Origin = request.View.Origin;
+    return true;
+  }
+  this->Built = false;
+  this->IdentifiedKind = -1;
+  this->Request = std::move(request);
+  this->Count = 0;
+  ++this->Generation;
+
+  double layer = 0.0;
+  for (const vtkPointSplatItem& item : this->Request.Items)
+  {
+    layer = std::max(layer, item.LargestLayer);
+  }
+  // Splats seen edge-on may lie 5 layer distances off along the ray; see
+  // sameLayer() in vtkPointSplatProjection.glsl.
+  this->DepthUnit = static_cast<float>(5.0 * layer);
+
+  double remaining = 1.0; // of the light behind the layers so far, at most
+  bool empty = false;
+  while (this->Count < this->Request.MaximumLayers && remaining >= LeastContribution)
+  {
+    if (this->Count > 0 && this->Request.MaximumMemory > 0 &&
+      this->GetMemorySize() / this->Count * (this->Count + 1) > this->Request.MaximumMemory)
+    {
+      break;
+    }
+    if (!this->BuildLayer(window, stages, empty))
+    {
+      return false;
+    }
+    if (empty)
+    {
+      break;
+    }
+    ++this->Count;
+    remaining *= 1.0 - this->Request.LeastOpacity;
+  }
+  // Images of frames that needed more layers go, but for the one that was tried last.
+  const size_t used = static_cast<size_t>(this->Count) + 1;
+  while (this->Layers.size() > used)
+  {
+    this->Layers.back()->Release();
+    this->Layers.pop_back();
+  }
+  this->Built = true;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatLayers::BuildLayer(
+  vtkOpenGLRenderWindow* window, vtkPointSplatStages& stages, bool& empty)
+{
+  const vtkPointSplatLayersRequest& r = this->Request;
+  const size_t index = static_cast<size_t>(this->Count);
+  if (index == this->Layers.size())
+  {
+    this->Layers.emplace_back(new vtkPointSplatImages);
+  }
+  vtkPointSplatImages& images = *this->Layers[index];
+  bool colours = false;
+  // Only the rows that something can cover are emptied, and read.
+  glm::ivec4 rows(0, r.View.Size.y, r.View.Size.x - 1, -1);
+  for (const vtkPointSplatItem& item : r.Items)
+  {
+    colours = colours || item.Cloud->HasColours();
+    if (item.Window.x <= item.Window.z)
+    {
+      rows.y = std::min(rows.y, item.Window.y);
+      rows.w = std::max(rows.w, item.Window.w);
+    }
+  }
+  vtkPointSplatPeel peel;
+  peel.Gather = this->IsGathered(this->Count);
+  peel.SceneDepth = r.SceneDepth;
+  for (size_t k = index; k > 0 && peel.Previous.size() < 3; --k)
+  {
+    peel.Previous.push_back(this->Layers[k - 1].get());
+  }
+  images.Allocate(r.Compute, r.View.Size, colours || peel.Gather);
+  if (r.Compute)
+  {
+    images.ClearBuffers(rows);
+  }
+  empty = false;
+  const bool peeling = r.MaximumLayers > 1 || r.SceneDepth;
+  if (r.VoronoiScale >= 0.0f)
+  {
+    if (!this->Deferred.Reconstruct(
+          window, r.View, r.Items, images, this->DepthUnit, r.VoronoiScale))
+    {
+      this->Error = this->Deferred.GetError();
+      return false;
+    }
+    return true;
+  }
+  if (!stages.Reconstruct(window, r.View, r.Items, images, this->DepthUnit,
+        peeling ? &peel : nullptr, peeling ? &empty : nullptr))
+  {
+    this->Error = stages.GetError();
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatLayers::Identify(
+  vtkOpenGLRenderWindow* window, vtkPointSplatStages& stages, vtkPointSplatCloud::IdKind kind)
+{
+  if (this->IdentifiedKind == kind || this->Count == 0)
+  {
+    return true;
+  }
+  if (!stages.Identify(window, this->Request.View, this->Request.Items, *this->Layers[0], kind))
+  {
+    this->Error = stages.GetError();
+    return false;
+  }
+  this->IdentifiedKind = kind;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPointSplatLayers::GetMemorySize() const
+{
+  vtkIdType bytes = this->Deferred.GetMemorySize();
+  for (const auto& layer : this->Layers)
+  {
+    bytes += layer->GetMemorySize();
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatLayers::Release()
+{
+  for (auto& layer : this->Layers)
+  {
+    layer->Release();
+  }
+  this->Layers.clear();
+  this->Deferred.Release();
+  this->Count = 0;
+  this->Built = false;
+}
