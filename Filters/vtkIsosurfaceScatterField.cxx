@@ -38,6 +38,7 @@ constexpr double QuadraticPenalty = 1e-4;
 struct Directions
 {
   static constexpr int Number = 26;
+  static constexpr unsigned int All = (1u << Number) - 1;
   std::array<std::array<float, 3>, Number> Units;
 
   Directions()
@@ -61,23 +62,23 @@ struct Directions
   }
 };
 
-/// Whether offsets of given squared lengths leave no direction open.
-bool Surround(const float* x, const float* y, const float* z, const float* squared, int count)
+/// The directions in which no offset points, one bit each.
+unsigned int GetOpen(const float* x, const float* y, const float* z, const float* squared,
+  int count, unsigned int among = Directions::All)
 {
-  for (const auto& u : Directions::Get().Units)
+  for (int d = 0; d < Directions::Number; ++d)
   {
-    bool open = true;
-    for (int i = 0; i < count && open; ++i)
+    const auto& u = Directions::Get().Units[d];
+    for (int i = 0; i < count && (among >> d & 1u); ++i)
     {
       const float along = u[0] * x[i] + u[1] * y[i] + u[2] * z[i];
-      open = !(along > 0 && along * along > OpenCosine * OpenCosine * squared[i]);
-    }
-    if (open)
-    {
-      return false;
+      if (along > 0 && along * along > OpenCosine * OpenCosine * squared[i])
+      {
+        among &= ~(1u << d);
+      }
     }
   }
-  return true;
+  return among;
 }
 
 int CountWithin(const Neighborhood& around, float limit)
@@ -236,7 +237,7 @@ bool vtkIsosurfaceScatterField::Connect(vtkAlgorithm* self, double from, double 
     near[around.Center] = getClass(low) != getClass(high);
     const bool enough = byRadius
       ? count < around.Count
-      : Surround(around.X, around.Y, around.Z, around.SquaredDistance, count);
+      : !GetOpen(around.X, around.Y, around.Z, around.SquaredDistance, count);
     return near[around.Center] || enough || round > 0;
   };
   const double middle = 0.5 * (from + to);
@@ -259,8 +260,27 @@ bool vtkIsosurfaceScatterField::Connect(vtkAlgorithm* self, double from, double 
     return this->MakeNode(around, round, limit, this->Nodes[this->NodeOf[around.Center]]) ||
       (byRadius && round == 1);
   };
-  return this->Neighbors.Visit(
-    self, middle, to, first, connect, [&](Slot slot) { return near[slot] != 0; });
+  if (!this->Neighbors.Visit(
+        self, middle, to, first, connect, [&](Slot slot) { return near[slot] != 0; }))
+  {
+    return false;
+  }
+  // A sparse sample sees dense ones that do not see it.
+  for (const NodeData& node : this->Nodes)
+  {
+    for (const Slot slot : node.Links)
+    {
+      if (this->NodeOf[slot] != None)
+      {
+        std::vector<Slot>& back = this->Nodes[this->NodeOf[slot]].Links;
+        if (std::find(back.begin(), back.end(), node.Center) == back.end())
+        {
+          back.push_back(node.Center);
+        }
+      }
+    }
+  }
+  return true;
 }
 
 /// True if more neighbours are not needed.
@@ -269,7 +289,7 @@ bool vtkIsosurfaceScatterField::MakeNode(
 {
   const int count = CountWithin(around, limit);
   const bool surrounded =
-    Surround(around.X, around.Y, around.Z, around.SquaredDistance, count);
+    !GetOpen(around.X, around.Y, around.Z, around.SquaredDistance, count);
   const bool all = count < around.Count;
   // More neighbours than needed would only blur the fit.
   if (round == 0 || (surrounded && !node.Surrounded) || (limit < VTK_FLOAT_MAX && round == 1))
@@ -469,27 +489,47 @@ bool vtkIsosurfaceScatterField::Evaluate(
     value.Gradient[c] = (gradient[c] - value.Difference * slope[c]) / sum;
     finite = finite && std::isfinite(value.Gradient[c]);
   }
+  // Those linked may be beyond the reach of the weights.
+  for (const Slot slot : this->Nodes[node].Links)
+  {
+    (this->Values[slot] >= isovalue ? above : below) = true;
+  }
   value.Straddled = below && above;
   return finite;
 }
 
 bool vtkIsosurfaceScatterField::Surrounds(Node node, const double x[3]) const
 {
-  const NodeData& data = this->Nodes[node];
-  float offsets[3][SurroundingRank + 1], squared[SurroundingRank + 1];
-  const std::size_t count = std::min(data.Near.size(), SurroundingRank);
-  for (std::size_t i = 0; i <= count; ++i)
-  {
-    double p[3];
-    this->GetPosition(i < count ? data.Near[i] : data.Center, p);
-    squared[i] = 0;
-    for (int c = 0; c < 3; ++c)
+  unsigned int open = Directions::All;
+  auto look = [&](const NodeData& data) {
+    float offsets[3][SurroundingRank + 1], squared[SurroundingRank + 1];
+    const std::size_t count = std::min(data.Near.size(), SurroundingRank);
+    for (std::size_t i = 0; i <= count; ++i)
     {
-      offsets[c][i] = static_cast<float>(p[c] - x[c]);
-      squared[i] += offsets[c][i] * offsets[c][i];
+      double p[3];
+      this->GetPosition(i < count ? data.Near[i] : data.Center, p);
+      squared[i] = 0;
+      for (int c = 0; c < 3; ++c)
+      {
+        offsets[c][i] = static_cast<float>(p[c] - x[c]);
+        squared[i] += offsets[c][i] * offsets[c][i];
+      }
+    }
+    open = GetOpen(
+      offsets[0], offsets[1], offsets[2], squared, static_cast<int>(count) + 1, open);
+  };
+  const NodeData& data = this->Nodes[node];
+  look(data);
+  // Between a dense and a sparse side the sparse ones' neighbours tell more.
+  for (std::size_t i = 0; i < data.Links.size() && open; ++i)
+  {
+    const Node other = this->NodeOf[data.Links[i]];
+    if (other != None)
+    {
+      look(this->Nodes[other]);
     }
   }
-  return Surround(offsets[0], offsets[1], offsets[2], squared, static_cast<int>(count) + 1);
+  return !open;
 }
 
 VTK_ABI_NAMESPACE_END

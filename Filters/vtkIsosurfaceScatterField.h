@@ -142,11 +142,8 @@ void vtkIsosurfaceScatterField::VisitPairs(
     {
       continue;
     }
-    // Of two nodes that both have the link the first shows it.
-    const Node other = this->NodeOf[slot];
-    if (other == None || node < other ||
-      std::find(this->Nodes[other].Links.begin(), this->Nodes[other].Links.end(), data.Center) ==
-        this->Nodes[other].Links.end())
+    // Two nodes both have the link.
+    if (this->NodeOf[slot] == None || node < this->NodeOf[slot])
     {
       visit(Pair{ node, slot });
     }
