@@ -225,7 +225,7 @@ bool vtkIsosurfaceScatterField::Connect(vtkAlgorithm* self, double from, double 
     return std::upper_bound(isovalues.begin(), isovalues.end(), value) - isovalues.begin();
   };
 
-  std::vector<unsigned char> near(this->Values.size(), 0);
+  std::vector<unsigned char> beside(this->Values.size(), 0);
   auto mark = [&](const Neighborhood& around, int round) {
     const int count = CountWithin(around, limit);
     double low = this->Values[around.Center], high = low;
@@ -234,11 +234,11 @@ bool vtkIsosurfaceScatterField::Connect(vtkAlgorithm* self, double from, double 
       low = std::min(low, this->Values[around.Slots[i]]);
       high = std::max(high, this->Values[around.Slots[i]]);
     }
-    near[around.Center] = getClass(low) != getClass(high);
+    beside[around.Center] = getClass(low) != getClass(high);
     const bool enough = byRadius
       ? count < around.Count
       : !GetOpen(around.X, around.Y, around.Z, around.SquaredDistance, count);
-    return near[around.Center] || enough || round > 0;
+    return beside[around.Center] || enough || round > 0;
   };
   const double middle = 0.5 * (from + to);
   if (!this->Neighbors.Visit(self, from, middle, first, mark))
@@ -248,9 +248,9 @@ bool vtkIsosurfaceScatterField::Connect(vtkAlgorithm* self, double from, double 
 
   this->NodeOf.assign(this->Values.size(), None);
   Node nodes = 0;
-  for (std::size_t slot = 0; slot < near.size(); ++slot)
+  for (std::size_t slot = 0; slot < beside.size(); ++slot)
   {
-    if (near[slot])
+    if (beside[slot])
     {
       this->NodeOf[slot] = nodes++;
     }
@@ -261,7 +261,7 @@ bool vtkIsosurfaceScatterField::Connect(vtkAlgorithm* self, double from, double 
       (byRadius && round == 1);
   };
   if (!this->Neighbors.Visit(
-        self, middle, to, first, connect, [&](Slot slot) { return near[slot] != 0; }))
+        self, middle, to, first, connect, [&](Slot slot) { return beside[slot] != 0; }))
   {
     return false;
   }

@@ -94,7 +94,7 @@ public:
   /// Whether the node's sample is this process' own.
   bool IsOwn(Node node) const;
 
-  /// Moves `node` on to the one nearest to x, as far as it can be found downhill.
+  /// Moves `node` on to the one nearest to x, as far as each step leads nearer.
   void Approach(const double x[3], Node& node) const;
   /// The field at a position with `node` near; false where there is none.
   bool Evaluate(double isovalue, const double x[3], Node node, Value& value) const;
