@@ -2,137 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkIsosurfacePoints of scattered samples against closed forms: how far points are from the
 // surface, their normals, gaps and clumps.
-#include "vtkDoubleArray.h"
-#include "vtkIsosurfacePoints.h"
-#include "vtkMath.h"
-#include "vtkMinimalStandardRandomSequence.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
-#include "vtkStaticPointLocator.h"
+#include "ScatteredSamples.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <string>
-#include <vector>
+#include "vtkIdList.h"
+#include "vtkIntArray.h"
+#include "vtkIsosurfacePoints.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPointSplatArrays.h"
+#include "vtkSMPTools.h"
+#include "vtkStaticPointLocator.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
 namespace
 {
-int failures = 0;
-
-void AtMost(double value, double bound, const std::string& what)
-{
-  if (!(value <= bound))
-  {
-    std::fprintf(stderr, "FAILED: %s: %g is more than %g\n", what.c_str(), value, bound);
-    ++failures;
-  }
-}
-
-/// In the cube from -1 to 1.
-struct Field
-{
-  const char* Name;
-  double (*Get)(const double p[3]);
-  double Isovalue;
-
-  /// The difference to the isovalue, and its gradient.
-  double Evaluate(const double p[3], double gradient[3]) const
-  {
-    const double step = 1e-5;
-    for (int c = 0; c < 3; ++c)
-    {
-      double a[3] = { p[0], p[1], p[2] }, b[3] = { p[0], p[1], p[2] };
-      a[c] -= step;
-      b[c] += step;
-      gradient[c] = (this->Get(b) - this->Get(a)) / (2 * step);
-    }
-    return this->Get(p) - this->Isovalue;
-  }
-};
-
-double Ball(const double p[3])
-{
-  return p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
-}
-
-double Distance(const double p[3])
-{
-  return std::sqrt(Ball(p));
-}
-
-double Torus(const double p[3])
-{
-  const double q = std::sqrt(p[0] * p[0] + p[1] * p[1]) - 0.55;
-  return std::sqrt(q * q + p[2] * p[2]);
-}
-
-double Gyroid(const double p[3])
-{
-  const double a = 4.5;
-  return std::sin(a * p[0]) * std::cos(a * p[1]) + std::sin(a * p[1]) * std::cos(a * p[2]) +
-    std::sin(a * p[2]) * std::cos(a * p[0]);
-}
-
-double Metaballs(const double p[3])
-{
-  const double a[3] = { p[0] - 0.36, p[1], p[2] }, b[3] = { p[0] + 0.36, p[1], p[2] };
-  return std::exp(-6 * Ball(a)) + std::exp(-6 * Ball(b));
-}
-
-const Field fields[] = { { "sphere", Distance, 0.7 }, { "torus", Torus, 0.25 },
-  { "gyroid", Gyroid, 0.1 }, { "metaballs", Metaballs, 0.55 } };
-
-/// Ten times denser at one side than at the other, by a ramp or by a step.
-enum Density
-{
-  Uniform,
-  Ramp,
-  Step
-};
-
-double GetDensity(Density density, double x)
-{
-  // The mean is 1.
-  x = std::clamp(x, -1.0, 1.0);
-  return density == Uniform ? 1 : density == Ramp ? (5.5 + 4.5 * x) / 5.5 : (x < 0 ? 1 : 10) / 5.5;
-}
-
-double GetSpacing(Density density, int count, double x)
-{
-  return std::cbrt(8 / (count * GetDensity(density, x)));
-}
-
-vtkSmartPointer<vtkPolyData> Scatter(const Field& field, Density density, int count)
-{
-  vtkNew<vtkMinimalStandardRandomSequence> random;
-  random->SetSeed(7);
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkDoubleArray> values;
-  values->SetName("Field");
-  while (points->GetNumberOfPoints() < count)
-  {
-    double p[4];
-    for (double& x : p)
-    {
-      x = random->GetNextRangeValue(-1, 1);
-    }
-    if (GetDensity(density, p[0]) >= (p[3] + 1) / 2 * GetDensity(density, 1))
-    {
-      points->InsertNextPoint(p);
-      values->InsertNextValue(field.Get(p));
-    }
-  }
-  auto samples = vtkSmartPointer<vtkPolyData>::New();
-  samples->SetPoints(points);
-  samples->GetPointData()->SetScalars(values);
-  return samples;
-}
-
 double Quantile(std::vector<double>& values, double q)
 {
   std::sort(values.begin(), values.end());
@@ -246,10 +130,262 @@ void Accuracy(int count, double spacing)
     }
   }
 }
+
+/// What volumes' isosurfaces have, those of samples have too.
+void Outputs()
+{
+  vtkSmartPointer<vtkPolyData> samples = Scatter(fields[1], Ramp, 10000);
+  vtkNew<vtkIsosurfacePoints> filter;
+  filter->SetInputData(samples);
+  filter->SetNumberOfContours(3);
+  filter->SetValue(0, 0.3);
+  filter->SetValue(1, 0.2);
+  filter->SetValue(2, 0.25);
+  std::vector<double> first;
+  const std::string usual = vtkSMPTools::GetBackend();
+  for (const char* backend : { "Sequential", "STDThread", "TBB" })
+  {
+    if (vtkSMPTools::SetBackend(backend))
+    {
+      filter->Modified();
+      filter->Update();
+      const std::vector<double> all = GetNumbers(filter->GetOutput());
+      Expect(first.empty() || all == first, "points depend on threads");
+      first = all;
+    }
+  }
+  vtkSMPTools::SetBackend(usual.c_str());
+  vtkPolyData* output = filter->GetOutput();
+  vtkDataArray* isovalues = output->GetPointData()->GetArray(vtkPointSplatArrays::Isovalue);
+  Expect(output->GetPoints()->GetDataType() == VTK_FLOAT &&
+      vtkFloatArray::SafeDownCast(output->GetPointData()->GetNormals()) &&
+      vtkDoubleArray::SafeDownCast(isovalues) && output->GetNumberOfCells() == 0,
+    "types of the output");
+  vtkIdType counts[3] = { 0, 0, 0 };
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    output->GetPoint(i, x);
+    AtMost(std::abs(Torus(x) - isovalues->GetComponent(i, 0)), 0.03, "distance of each isovalue");
+    for (int v = 0; v < 3; ++v)
+    {
+      counts[v] += isovalues->GetComponent(i, 0) == filter->GetValue(v);
+    }
+  }
+  filter->BlockPerIsovalueOn();
+  filter->Update();
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  Expect(blocks && blocks->GetNumberOfBlocks() == 3, "a block for each isovalue");
+  for (unsigned int v = 0; blocks && v < 3; ++v)
+  {
+    Expect(vtkPolyData::SafeDownCast(blocks->GetBlock(v))->GetNumberOfPoints() == counts[v],
+      "the points of block " + std::to_string(v));
+  }
+
+  // Another array, component, type, and place far away; cells do not matter.
+  vtkNew<vtkUnstructuredGrid> grid;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkIntArray> pairs;
+  pairs->SetName("Pairs");
+  pairs->SetNumberOfComponents(2);
+  for (vtkIdType i = 0; i < samples->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    samples->GetPoint(i, x);
+    const int distance = static_cast<int>(std::lround(1e6 * Torus(x)));
+    points->InsertNextPoint(x[0] + 3e6, x[1] - 5e6, x[2]);
+    pairs->InsertNextTuple2(17, distance);
+  }
+  grid->SetPoints(points);
+  grid->GetPointData()->AddArray(pairs);
+  vtkNew<vtkIsosurfacePoints> other;
+  other->SetInputData(grid);
+  other->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Pairs");
+  other->SetArrayComponent(1);
+  other->SetValue(0, 250000);
+  other->Update();
+  output = other->GetOutput();
+  Expect(output->GetPoints()->GetDataType() == VTK_DOUBLE, "double far from the origin");
+  Expect(output->GetNumberOfPoints() > 500, "points far from the origin");
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    output->GetPoint(i, x);
+    x[0] -= 3e6;
+    x[1] += 5e6;
+    AtMost(std::abs(Torus(x) - 0.25), 0.02, "distance far from the origin");
+  }
+
+  // Progress goes up; and stops when asked to.
+  vtkNew<vtkCallbackCommand> watch;
+  double last = -1;
+  watch->SetClientData(&last);
+  watch->SetCallback([](vtkObject* self, unsigned long, void* before, void*) {
+    auto* algorithm = static_cast<vtkAlgorithm*>(self);
+    double& progress = *static_cast<double*>(before);
+    Expect(algorithm->GetProgress() >= progress, "progress goes back");
+    progress = algorithm->GetProgress();
+  });
+  const unsigned long tag = other->AddObserver(vtkCommand::ProgressEvent, watch);
+  other->SetPointSpacing(0.02);
+  other->Update();
+  Expect(last == 1, "progress ends with 1");
+  other->RemoveObserver(tag);
+  for (const double when : { 0.1, 0.3, 0.8 })
+  {
+    vtkNew<vtkCallbackCommand> stop;
+    double limit = when;
+    stop->SetClientData(&limit);
+    stop->SetCallback([](vtkObject* self, unsigned long, void* at, void*) {
+      auto* algorithm = static_cast<vtkAlgorithm*>(self);
+      if (algorithm->GetProgress() >= *static_cast<double*>(at))
+      {
+        algorithm->SetAbortExecute(1);
+      }
+    });
+    const unsigned long stopping = other->AddObserver(vtkCommand::ProgressEvent, stop);
+    other->Modified();
+    other->Update();
+    Expect(other->GetOutput()->GetNumberOfPoints() == 0, "an aborted filter's output is empty");
+    other->RemoveObserver(stopping);
+    other->SetAbortExecute(0);
+  }
+}
+
+/// Linear fields are met exactly, on a grid by its edges only if not corrected.
+void Linear()
+{
+  vtkNew<vtkStructuredGrid> grid;
+  grid->SetDimensions(9, 9, 9);
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> values;
+  values->SetName("Field");
+  const double slope[3] = { 1.0, 0.5, 0.25 };
+  for (int i = 0; i < 729; ++i)
+  {
+    const double x[3] = { i % 9 - 4.0, i / 9 % 9 - 4.0, i / 81 - 4.0 };
+    points->InsertNextPoint(x);
+    values->InsertNextValue(static_cast<float>(vtkMath::Dot(slope, x)));
+  }
+  grid->SetPoints(points);
+  grid->GetPointData()->SetScalars(values);
+  for (const bool correction : { false, true })
+  {
+    vtkNew<vtkIsosurfacePoints> filter;
+    filter->SetInputData(grid);
+    filter->SetValue(0, 0.1);
+    filter->SetCorrection(correction);
+    filter->Update();
+    vtkPolyData* output = filter->GetOutput();
+    Expect(output->GetNumberOfPoints() > 50, "points on a plane");
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      double x[3], n[3];
+      output->GetPoint(i, x);
+      output->GetPointData()->GetNormals()->GetTuple(i, n);
+      AtMost(std::abs(vtkMath::Dot(slope, x) - 0.1), 1e-4, "value on a plane");
+      AtMost(vtkMath::Norm(slope) * (1 - 1e-4), -vtkMath::Dot(slope, n), "normal of a plane");
+      int whole = 0;
+      for (const double coordinate : x)
+      {
+        whole += std::abs(coordinate - std::round(coordinate)) < 1e-5;
+      }
+      Expect(correction || whole >= 2, "a point off the grid's edges");
+    }
+  }
+
+  // Blanked samples are as good as none.
+  for (int i = 0; i < 729; ++i)
+  {
+    if (points->GetPoint(i)[2] > 0.5)
+    {
+      grid->BlankPoint(i);
+      values->SetValue(i, 1000);
+    }
+  }
+  vtkNew<vtkIsosurfacePoints> filter;
+  filter->SetInputData(grid);
+  filter->SetValue(0, 0.1);
+  Messages messages(filter);
+  filter->Update();
+  messages.Expect(0, 1, "324 are hidden", "blanked samples");
+  double bounds[6];
+  filter->GetOutput()->GetBounds(bounds);
+  AtMost(bounds[5], 0.3, "blanked samples");
+  Expect(filter->GetOutput()->GetNumberOfPoints() > 20, "points beside blanked samples");
+}
+
+/// Two clusters far from each other, with a value each.
+void Radius()
+{
+  vtkNew<vtkPolyData> samples;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> values;
+  for (int i = 0; i < 250; ++i)
+  {
+    points->InsertNextPoint(i % 5 + (i < 125 ? 0 : 10), i / 5 % 5, i / 25 % 5);
+    values->InsertNextValue(i < 125 ? 0.0f : 1.0f);
+  }
+  samples->SetPoints(points);
+  samples->GetPointData()->SetScalars(values);
+  vtkNew<vtkIsosurfacePoints> filter;
+  filter->SetInputData(samples);
+  filter->SetValue(0, 0.5);
+  filter->SetNumberOfNeighbors(128);
+  filter->Update();
+  Expect(filter->GetOutput()->GetNumberOfPoints() > 0, "points between two clusters");
+  filter->SetNeighborRadius(2.5);
+  filter->Update();
+  Expect(filter->GetOutput()->GetNumberOfPoints() == 0, "no points beyond NeighborRadius");
+}
+
+/// A process gives the points next to its own samples.
+void Pieces()
+{
+  vtkSmartPointer<vtkPolyData> samples = Scatter(fields[0], Uniform, 10000);
+  vtkNew<vtkPolyData> both;
+  vtkNew<vtkPoints> points;
+  for (const double side : { -1, 1 })
+  {
+    vtkNew<vtkPolyData> piece;
+    piece->ShallowCopy(samples);
+    vtkNew<vtkUnsignedCharArray> ghosts;
+    ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+    for (vtkIdType i = 0; i < piece->GetNumberOfPoints(); ++i)
+    {
+      ghosts->InsertNextValue(
+        piece->GetPoint(i)[0] * side > 0 ? 0 : vtkDataSetAttributes::DUPLICATEPOINT);
+    }
+    piece->GetPointData()->AddArray(ghosts);
+    vtkNew<vtkIsosurfacePoints> filter;
+    filter->SetInputData(piece);
+    filter->SetValue(0, fields[0].Isovalue);
+    Messages messages(filter);
+    filter->Update();
+    messages.Expect(0, 0, "", "duplicated points");
+    for (vtkIdType i = 0; i < filter->GetOutput()->GetNumberOfPoints(); ++i)
+    {
+      AtMost(-side * filter->GetOutput()->GetPoint(i)[0], 0.15, "a point of the other process");
+      points->InsertNextPoint(filter->GetOutput()->GetPoint(i));
+    }
+  }
+  vtkNew<vtkIsosurfacePoints> whole;
+  whole->SetInputData(samples);
+  whole->SetValue(0, fields[0].Isovalue);
+  whole->Update();
+  Expect(points->GetNumberOfPoints() == whole->GetOutput()->GetNumberOfPoints(),
+    "two processes give as many points as one");
+}
+
 }
 
 int TestIsosurfaceScatter(int, char*[])
 {
+  Outputs();
+  Linear();
+  Radius();
+  Pieces();
   Accuracy(10000, 0.0);
   Accuracy(50000, 0.0);
   Accuracy(50000, 0.03);
