@@ -30,6 +30,9 @@ constexpr double ReachRank = 0.5;
 constexpr int SpacingRank = 26;
 /// ... and tell whether a position is surrounded.
 constexpr std::size_t SurroundingRank = 32;
+/// Samples whose leaf has no isovalue within so many diagonals of its box are not looked at;
+/// SpacingRank neighbours are within about half of that.
+constexpr double QuietDiagonals = 0.75;
 /// Penalties of the fit, in the sum of its weights, in units of the neighbours' farthest distance.
 constexpr double LinearPenalty = 1e-7;
 constexpr double QuadraticPenalty = 1e-4;
@@ -212,6 +215,52 @@ vtkIsosurfaceScatterField::Skipped vtkIsosurfaceScatterField::SetSamples(
   return skipped;
 }
 
+/// Marks samples whose leaf has an isovalue within `diagonals` of its box, and not less than `least`.
+template <typename Classifier>
+void vtkIsosurfaceScatterField::MarkLeaves(const Classifier& getClass, double diagonals,
+  double least, std::vector<unsigned char>& marks) const
+{
+  struct Range
+  {
+    std::ptrdiff_t Low = std::numeric_limits<std::ptrdiff_t>::max(), High = -1;
+  };
+  const Slot size = vtkPointSplatNeighbors::LeafSize;
+  const vtkIdType leaves = this->Neighbors.GetNumberOfSlots() / size;
+  std::vector<Range> ranges(leaves);
+  vtkSMPTools::For(0, leaves, [&](vtkIdType begin, vtkIdType end) {
+    for (Slot slot = static_cast<Slot>(begin) * size; slot < static_cast<Slot>(end) * size; ++slot)
+    {
+      if (this->Neighbors.GetId(slot) >= 0)
+      {
+        Range& range = ranges[slot / size];
+        const std::ptrdiff_t sampleClass = getClass(this->Values[slot]);
+        range.Low = std::min(range.Low, sampleClass);
+        range.High = std::max(range.High, sampleClass);
+      }
+    }
+  });
+  vtkSMPTools::For(0, leaves, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType l = begin; l < end; ++l)
+    {
+      const Slot leaf = static_cast<Slot>(l);
+      int count;
+      const double distance = std::max(diagonals * this->Neighbors.GetDiagonal(leaf, count), least);
+      // The size of a leaf of few does not tell how far their neighbours are.
+      bool quiet = 2 * count >= vtkPointSplatNeighbors::LeafSize && ranges[l].Low == ranges[l].High;
+      if (quiet)
+      {
+        this->Neighbors.VisitLeaves(leaf, distance, [&](Slot other) {
+          return quiet = ranges[other].Low == ranges[l].Low && ranges[other].High == ranges[l].Low;
+        });
+      }
+      for (Slot slot = leaf * size; slot < (leaf + 1) * size; ++slot)
+      {
+        marks[slot] = !quiet && this->Neighbors.GetId(slot) >= 0;
+      }
+    }
+  });
+}
+
 bool vtkIsosurfaceScatterField::Connect(vtkAlgorithm* self, double from, double to,
   const std::vector<double>& isovalues, int k, double radius)
 {
@@ -225,7 +274,10 @@ bool vtkIsosurfaceScatterField::Connect(vtkAlgorithm* self, double from, double 
     return std::upper_bound(isovalues.begin(), isovalues.end(), value) - isovalues.begin();
   };
 
+  // Where whole leaves around have values on one side there is no need to look at each.
   std::vector<unsigned char> beside(this->Values.size(), 0);
+  this->MarkLeaves(getClass, QuietDiagonals * std::cbrt(static_cast<double>(first) / SpacingRank),
+    byRadius ? radius : 0, beside);
   auto mark = [&](const Neighborhood& around, int round) {
     const int count = CountWithin(around, limit);
     double low = this->Values[around.Center], high = low;
@@ -241,7 +293,8 @@ bool vtkIsosurfaceScatterField::Connect(vtkAlgorithm* self, double from, double 
     return beside[around.Center] || enough || round > 0;
   };
   const double middle = 0.5 * (from + to);
-  if (!this->Neighbors.Visit(self, from, middle, first, mark))
+  if (!this->Neighbors.Visit(
+        self, from, middle, first, mark, [&](Slot slot) { return beside[slot] != 0; }))
   {
     return false;
   }
