@@ -354,17 +354,15 @@ bool vtkIsosurfaceScatterField::MakeNode(
   {
     node.Links.clear();
   }
-  const bool complete = Link(around, count, node.Links);
-  return all || round == 2 || (node.Surrounded && (complete || round == 1));
+  Link(around, count, node.Links);
+  return all || round == 2 || node.Surrounded;
 }
 
-/// Adds those that are not hidden; true if what is farther than all given ones is hidden.
-bool vtkIsosurfaceScatterField::Link(
+/// Adds those that are not hidden.
+void vtkIsosurfaceScatterField::Link(
   const Neighborhood& around, int count, std::vector<Slot>& links)
 {
   const float *x = around.X, *y = around.Y, *z = around.Z, *squared = around.SquaredDistance;
-  std::array<float, Directions::Number> nearest; // squared distance to where all is hidden
-  nearest.fill(std::numeric_limits<float>::infinity());
   for (int j = 0; j < count; ++j)
   {
     bool hidden = false;
@@ -373,25 +371,11 @@ bool vtkIsosurfaceScatterField::Link(
       hidden = squared[k] - (x[k] * x[j] + y[k] * y[j] + z[k] * z[j]) <=
         HidingTolerance * squared[j];
     }
-    if (hidden)
-    {
-      continue;
-    }
-    if (std::find(links.begin(), links.end(), around.Slots[j]) == links.end())
+    if (!hidden && std::find(links.begin(), links.end(), around.Slots[j]) == links.end())
     {
       links.push_back(around.Slots[j]);
     }
-    for (int d = 0; d < Directions::Number; ++d)
-    {
-      const auto& u = Directions::Get().Units[d];
-      const float along = u[0] * x[j] + u[1] * y[j] + u[2] * z[j];
-      if (along > 0)
-      {
-        nearest[d] = std::min(nearest[d], squared[j] / along * (squared[j] / along));
-      }
-    }
   }
-  return count > 0 && *std::max_element(nearest.begin(), nearest.end()) <= squared[count - 1];
 }
 
 void vtkIsosurfaceScatterField::MakeFit(

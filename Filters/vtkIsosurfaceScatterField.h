@@ -122,7 +122,7 @@ private:
   void MarkLeaves(const Classifier& getClass, double diagonals, double least,
     std::vector<unsigned char>& marks) const;
   bool MakeNode(const Neighborhood& around, int round, float limit, NodeData& node) const;
-  static bool Link(const Neighborhood& around, int count, std::vector<Slot>& links);
+  static void Link(const Neighborhood& around, int count, std::vector<Slot>& links);
   void MakeFit(const Neighborhood& around, int count, NodeData& node) const;
 
   vtkPointSplatNeighbors Neighbors;
