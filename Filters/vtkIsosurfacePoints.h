@@ -42,7 +42,7 @@
  *    unusable sample around, and where the steps do not settle within half a voxel.
  *
  * Stages of scattered samples (after Rosenthal, Linsen 2006, Direct isosurface extraction from
- * scattered volume data; the paper's independent octant neighbours are links here):
+ * scattered volume data: points by linear interpolation between pairs of neighbours):
  * 1. *Links.* Around each sample its nearest neighbours (NumberOfNeighbors, or those within
  *    NeighborRadius) are looked up; where an isovalue lies among their values, the sample is
  *    linked to those that no third sample hides (the Gabriel graph; a grid's edges).
@@ -70,7 +70,8 @@
  * Bad input of scattered samples: those that are hidden, have coordinates or a value that is not
  * finite, or lie where an earlier one lies, take no part and are counted in one warning. Of points
  * only those are given whose nearest sample is this process' own (not DUPLICATEPOINT). Samples in a
- * plane or on a line give points on their pairs only.
+ * plane or on a line give points on their pairs only. Where samples are much denser along one
+ * direction than along another, as in a boundary layer, gaps are as wide as the wider spacing.
  *
  * Isovalues that are not finite are left out and reported. A missing array, or an image that is
  * no volume, is an error, and the output empty; less than two samples are a warning.

@@ -9,12 +9,12 @@
  * 1. *Slots.* Samples that are not hidden, at finite coordinates and with a finite value go into
  *    vtkPointSplatNeighbors; of samples at the same position the first counts.
  * 2. *Nodes.* A sample becomes a node where an isovalue lies between the values around it; all
- *    others are left alone. (Rosenthal, Linsen 2006, Direct isosurface extraction from scattered
- *    volume data, likewise looks for the samples next to the surface first.)
+ *    others are left alone, most of them by whole leaves of the tree.
  * 3. *Links.* Of a node's neighbours j those are its links that no other sample k hides, that is,
- *    k is not in the ball that has the node and j as poles (the Gabriel graph, a part of the
- *    natural neighbours' graph). A grid's links are its edges. Where the nearest neighbours leave
- *    directions open, as at a step of the density, more of them are asked for.
+ *    the angle at k between the node and j is less than a right one (the Gabriel graph, a part of
+ *    the natural neighbours' graph). A grid's links are its edges. Where the nearest neighbours
+ *    leave directions open, as at a step of the density, more of them are asked for. The pairs of
+ *    Rosenthal, Linsen 2006 are chosen by an angle criterion, too.
  * 4. *Fits.* A polynomial of second degree is fitted to the node's neighbours by least squares
  *    with weights falling with distance; a slight penalty on its second degree leaves the linear
  *    fit where the neighbours tell no more, as those on a plane.
