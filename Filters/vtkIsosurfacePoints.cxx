@@ -12,19 +12,19 @@
 #include "vtkInformationVector.h"
 #include "vtkIsosurfaceEdges.h"
 #include "vtkIsosurfaceSamples.h"
+#include "vtkIsosurfaceScatter.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
 #include "vtkPointSplatArrays.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <memory>
 #include <numeric>
 #include <sstream>
 
@@ -91,6 +91,33 @@ bool NeedsDouble(vtkImageData* image)
     least = std::min(least, std::abs(image->GetSpacing()[c / 2]));
   }
   return largest * std::numeric_limits<float>::epsilon() > 2 * Resolution * least;
+}
+
+/// The same for scattered samples, with the spacing they would have if they filled their bounds.
+bool NeedsDouble(vtkPointSet* samples)
+{
+  double bounds[6], largest = 0, diagonal = 0;
+  samples->GetBounds(bounds);
+  for (int c = 0; c < 3; ++c)
+  {
+    largest = std::max({ largest, std::abs(bounds[2 * c]), std::abs(bounds[2 * c + 1]) });
+    diagonal = std::max(diagonal, bounds[2 * c + 1] - bounds[2 * c]);
+  }
+  const double spacing = diagonal / std::cbrt(static_cast<double>(samples->GetNumberOfPoints()));
+  return largest * std::numeric_limits<float>::epsilon() > 2 * Resolution * spacing;
+}
+
+/// An array that can be read through a pointer to its type.
+vtkSmartPointer<vtkDataArray> GetContiguous(vtkDataArray* array)
+{
+  vtkSmartPointer<vtkDataArray> contiguous = array;
+  if (!array->HasStandardMemoryLayout() || array->GetDataType() == VTK_BIT)
+  {
+    contiguous = vtkSmartPointer<vtkDoubleArray>::New();
+    contiguous->DeepCopy(array);
+    contiguous->SetName(array->GetName());
+  }
+  return contiguous;
 }
 
 template <typename T>
@@ -208,7 +235,9 @@ vtkMTimeType vtkIsosurfacePoints::GetMTime()
 
 int vtkIsosurfacePoints::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
   return 1;
 }
 
@@ -262,7 +291,8 @@ int vtkIsosurfacePoints::RequestUpdateExtent(
 }
 
 /// The array to contour with contiguous values, or null after an error.
-vtkDataArray* vtkIsosurfacePoints::GetScalars(vtkInformationVector** inputs, vtkImageData* image)
+vtkSmartPointer<vtkDataArray> vtkIsosurfacePoints::GetScalars(
+  vtkInformationVector** inputs, vtkDataSet* input)
 {
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* scalars = this->GetInputArrayToProcess(0, inputs, association);
@@ -277,10 +307,10 @@ vtkDataArray* vtkIsosurfacePoints::GetScalars(vtkInformationVector** inputs, vtk
   }
   const std::string name = scalars->GetName() ? scalars->GetName() : "(without name)";
   if (association != vtkDataObject::FIELD_ASSOCIATION_POINTS ||
-    scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
+    scalars->GetNumberOfTuples() != input->GetNumberOfPoints())
   {
     vtkErrorMacro("The array \"" << name << "\" has " << scalars->GetNumberOfTuples()
-                                 << " tuples for " << image->GetNumberOfPoints()
+                                 << " tuples for " << input->GetNumberOfPoints()
                                  << " points; an array with one value a point is needed.");
     return nullptr;
   }
@@ -291,15 +321,32 @@ vtkDataArray* vtkIsosurfacePoints::GetScalars(vtkInformationVector** inputs, vtk
                                  << scalars->GetNumberOfComponents() << ".");
     return nullptr;
   }
-  return scalars;
+  return GetContiguous(scalars);
 }
 
 int vtkIsosurfacePoints::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkImageData* image = vtkImageData::GetData(inputs[0]);
   vtkDataObject* output = vtkDataObject::GetData(outputs);
   output->Initialize();
+  if (this->GetNumberOfContours() == 0)
+  {
+    vtkWarningMacro("There is no isovalue; set one by SetValue.");
+  }
+  if (vtkImageData* image = vtkImageData::GetData(inputs[0]))
+  {
+    this->ExtractVolume(inputs, image, output);
+  }
+  else
+  {
+    this->ExtractScatter(inputs, vtkPointSet::GetData(inputs[0]), output);
+  }
+  return 1;
+}
+
+void vtkIsosurfacePoints::ExtractVolume(
+  vtkInformationVector** inputs, vtkImageData* image, vtkDataObject* output)
+{
   const int* dimensions = image->GetDimensions();
   if (dimensions[0] < 2 || dimensions[1] < 2 || dimensions[2] < 2)
   {
@@ -307,22 +354,12 @@ int vtkIsosurfacePoints::RequestData(
                                    << dimensions[2]
                                    << " samples; a volume with at least 2 along each axis is "
                                       "needed.");
-    return 1;
+    return;
   }
   vtkSmartPointer<vtkDataArray> scalars = this->GetScalars(inputs, image);
   if (!scalars)
   {
-    return 1;
-  }
-  if (!scalars->HasStandardMemoryLayout() || scalars->GetDataType() == VTK_BIT)
-  {
-    vtkNew<vtkDoubleArray> copy;
-    copy->DeepCopy(scalars);
-    scalars = copy;
-  }
-  if (this->GetNumberOfContours() == 0)
-  {
-    vtkWarningMacro("There is no isovalue; set one by SetValue.");
+    return;
   }
   const vtkIsosurfaceGrid grid = DescribeGrid(image, scalars->GetNumberOfComponents());
   const double finest = GetFinestSpacing(grid);
@@ -332,13 +369,65 @@ int vtkIsosurfacePoints::RequestData(
                                     << " is finer than a voxel can be divided; taking " << finest
                                     << ".");
   }
-  this->Extract(grid, scalars, NeedsDouble(image), output);
-  this->UpdateProgress(1.0);
-  return 1;
+  auto make = [&](const std::vector<double>& isovalues) {
+    std::unique_ptr<vtkIsosurfaceExtraction> extraction;
+    switch (scalars->GetDataType())
+    {
+      vtkTemplateMacro(extraction = MakeExtraction(grid,
+                         static_cast<const VTK_TT*>(scalars->GetVoidPointer(0)) +
+                           this->ArrayComponent,
+                         isovalues, this->PointSpacing));
+    }
+    return extraction;
+  };
+  // As many isovalues in one sweep as a class can count.
+  this->Extract(make, 254, NeedsDouble(image), output);
+}
+
+void vtkIsosurfacePoints::ExtractScatter(
+  vtkInformationVector** inputs, vtkPointSet* samples, vtkDataObject* output)
+{
+  const vtkIdType number = samples->GetNumberOfPoints();
+  std::unique_ptr<vtkIsosurfaceScatterField> field =
+    std::make_unique<vtkIsosurfaceScatterField>();
+  if (number > 0)
+  {
+    vtkSmartPointer<vtkDataArray> scalars = this->GetScalars(inputs, samples);
+    if (!scalars)
+    {
+      return;
+    }
+    const vtkIsosurfaceScatterField::Skipped skipped =
+      field->SetSamples(GetContiguous(samples->GetPoints()->GetData()), scalars,
+        this->ArrayComponent, GetGhosts(samples->GetPointData(), number));
+    if (skipped.Points + skipped.Values + skipped.Hidden + skipped.Duplicates > 0)
+    {
+      vtkWarningMacro("Of " << number << " samples " << skipped.Points
+                            << " have coordinates that are not finite, " << skipped.Values
+                            << " have values of the array \""
+                            << (scalars->GetName() ? scalars->GetName() : "(without name)")
+                            << "\" that are not finite, " << skipped.Hidden << " are hidden ("
+                            << vtkDataSetAttributes::GhostArrayName() << "), and "
+                            << skipped.Duplicates
+                            << " lie where another one lies; they take no part.");
+    }
+  }
+  if (field->GetNumberOfSamples() < 2)
+  {
+    vtkWarningMacro("The input has " << field->GetNumberOfSamples()
+                                     << " usable samples; an isosurface lies between two at "
+                                        "least.");
+  }
+  auto make = [&](const std::vector<double>& isovalues) {
+    return std::make_unique<vtkIsosurfaceScatter>(std::move(field), isovalues,
+      vtkIsosurfaceScatter::Settings{ this->PointSpacing, this->NumberOfNeighbors,
+        this->NeighborRadius, this->Correction });
+  };
+  this->Extract(make, VTK_INT_MAX, NeedsDouble(samples), output);
 }
 
 void vtkIsosurfacePoints::Extract(
-  const vtkIsosurfaceGrid& grid, vtkDataArray* scalars, bool precise, vtkDataObject* output)
+  const Factory& make, std::size_t most, bool precise, vtkDataObject* output)
 {
   const int number = static_cast<int>(this->GetNumberOfContours());
   std::vector<int> order;
@@ -357,8 +446,6 @@ void vtkIsosurfacePoints::Extract(
   std::stable_sort(order.begin(), order.end(),
     [this](int a, int b) { return this->GetValue(a) < this->GetValue(b); });
 
-  // As many isovalues in one sweep as a class can count.
-  const std::size_t most = 254;
   const std::size_t sweeps = (order.size() + most - 1) / most;
   std::vector<std::unique_ptr<vtkIsosurfaceExtraction>> extractions;
   std::vector<vtkIdType> counts(number, 0);
@@ -369,14 +456,7 @@ void vtkIsosurfacePoints::Extract(
     {
       isovalues.push_back(this->GetValue(order[i]));
     }
-    std::unique_ptr<vtkIsosurfaceExtraction> extraction;
-    switch (scalars->GetDataType())
-    {
-      vtkTemplateMacro(extraction = MakeExtraction(grid,
-                         static_cast<const VTK_TT*>(scalars->GetVoidPointer(0)) +
-                           this->ArrayComponent,
-                         isovalues, this->PointSpacing));
-    }
+    std::unique_ptr<vtkIsosurfaceExtraction> extraction = make(isovalues);
     std::vector<vtkIdType> found;
     if (!extraction->Find(this, 0.7 * s / sweeps, 0.7 * (s + 1) / sweeps, found))
     {
@@ -423,6 +503,7 @@ void vtkIsosurfacePoints::Extract(
     }
   }
 
+  this->UpdateProgress(1.0);
   if (auto* polyData = vtkPolyData::SafeDownCast(output))
   {
     surfaces[0].MoveTo(polyData);
@@ -450,6 +531,9 @@ void vtkIsosurfacePoints::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PointSpacing: " << this->PointSpacing << "\n";
   os << indent << "BlockPerIsovalue: " << (this->BlockPerIsovalue ? "On" : "Off") << "\n";
   os << indent << "ArrayComponent: " << this->ArrayComponent << "\n";
+  os << indent << "NumberOfNeighbors: " << this->NumberOfNeighbors << "\n";
+  os << indent << "NeighborRadius: " << this->NeighborRadius << "\n";
+  os << indent << "Correction: " << (this->Correction ? "On" : "Off") << "\n";
 }
 
 VTK_ABI_NAMESPACE_END

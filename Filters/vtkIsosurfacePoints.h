@@ -2,20 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkIsosurfacePoints
- * @brief   oriented points on isosurfaces of a volume, without triangles
+ * @brief   oriented points on isosurfaces of a volume or of scattered samples, without triangles
  *
- * Input: a vtkImageData with at least two samples along each axis, and a point array of any
+ * Input: a vtkImageData with at least two samples along each axis, or scattered samples, which
+ * are the points of any vtkPointSet (its cells do not matter); and a point array of any
  * scalar type, set by SetInputArrayToProcess (the active scalars by default); of an array with
  * more components ArrayComponent is taken.
  *
  * Output: a vtkPolyData without cells, or a vtkMultiBlockDataSet with one for each isovalue
  * (BlockPerIsovalue), with
  * - points, isovalue after isovalue in the order given: float, or double where floats would
- *   not resolve a thousandth of a voxel because the volume lies far from the origin;
+ *   not resolve a thousandth of a voxel because the volume lies far from the origin (of
+ *   scattered samples, a thousandth of what would be their spacing if their bounds were full);
  * - active normals (3 floats, unit length) against the gradient, as vtkFlyingEdges3D has them;
  * - `Isovalue` (1 double), in the unit of the scalars.
  *
- * Stages without PointSpacing:
+ * Stages of volumes without PointSpacing:
  * 1. *Sweep.* Each sample's class is the number of isovalues that it reaches, one byte. Slices
  *    in parallel, rows are compared eight samples at a time with themselves one further on, with
  *    the next row and the next slice: all isovalues are found in one sweep. (The trimming of
@@ -26,7 +28,7 @@
  *    normal from central differences at the edge's ends, interpolated alike. These are the
  *    points and normals of vtkFlyingEdges3D.
  *
- * Stages with PointSpacing s (world units):
+ * Stages of volumes with PointSpacing s (world units):
  * 1. *Candidates.* Each crossed cell is divided until sub-cells are no larger than s / 2.5, and
  *    the crossings of the sub-cells' edges with the trilinear interpolant are collected. A voxel
  *    is divided by at most 64 along an axis.
@@ -39,11 +41,40 @@
  *    differences; the normal is its gradient. It is trilinear in a cell that has an
  *    unusable sample around, and where the steps do not settle within half a voxel.
  *
- * Bad input: no edge (with PointSpacing: no cell) that touches a sample that is hidden
+ * Stages of scattered samples (after Rosenthal, Linsen 2006, Direct isosurface extraction from
+ * scattered volume data: points by linear interpolation between pairs of neighbours):
+ * 1. *Links.* Around each sample its nearest neighbours (NumberOfNeighbors, or those within
+ *    NeighborRadius) are looked up; where an isovalue lies among their values, the sample is
+ *    linked to those that no third sample hides (the Gabriel graph; a grid's edges).
+ * 2. *Fits.* To the same samples' neighbours a polynomial of second degree is fitted by least
+ *    squares with weights falling with distance; the field is the fits' mean with smooth weights
+ *    of compact support. (Moving least squares, but solved once a sample and not once a point.)
+ * 3. *Pairs.* On each link that the isovalue separates the point by linear interpolation,
+ *    and the gradient of the fits at the link's ends interpolated alike. With Correction, Newton
+ *    steps move the point onto the field's isosurface and the gradient is the field's, unless
+ *    they leave half the link's length or the field's samples on either side.
+ * 4. *Thinning.* As of volumes, in a random but always equal order, at 0.8 s; without PointSpacing
+ *    s is the edge of a sample's share of space (density to the power of -1/3) and varies
+ *    with it. s is at least a sixteenth of it.
+ * 5. *Growing*, with Correction. Around each point, at s, ten places in the tangent plane
+ *    are moved onto the field's isosurface by Newton steps, and are kept if no other point is
+ *    nearer than 0.8 s, until there is none left: this closes the gaps between links, and makes
+ *    points denser than the samples if s is less than their spacing. Places not surrounded by
+ *    samples on all sides, or without samples on either side of the isovalue, are left out.
+ * Without Correction there are only the points of stage 3 as thinned by stage 4.
+ *
+ * Bad input of volumes: no edge (with PointSpacing: no cell) that touches a sample that is hidden
  * (vtkGhostType has HIDDENPOINT) or not finite gives points, nor one whose cells are all hidden
  * or another process' (HIDDENCELL, DUPLICATECELL). Such samples are left out of gradients.
+ *
+ * Bad input of scattered samples: those that are hidden, have coordinates or a value that is not
+ * finite, or lie where an earlier one lies, take no part and are counted in one warning. Of points
+ * only those are given whose nearest sample is this process' own (not DUPLICATEPOINT). Samples in a
+ * plane or on a line give points on their pairs only. Where samples are much denser along one
+ * direction than along another, as in a boundary layer, gaps are as wide as the wider spacing.
+ *
  * Isovalues that are not finite are left out and reported. A missing array, or an image that is
- * no volume, is an error, and the output empty.
+ * no volume, is an error, and the output empty; less than two samples are a warning.
  *
  * The filter reports progress and can be aborted, with an empty output then.
  */
@@ -53,13 +84,20 @@
 #include "vtkFiltersPointSplattingModule.h" // For export macro
 #include "vtkPointSplattingABI.h"
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // For arguments of private functions
+
+#include <functional> // For arguments of private functions
+#include <memory>     // For arguments of private functions
+#include <vector>     // For arguments of private functions
 
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkContourValues;
 class vtkDataArray;
+class vtkDataSet;
 class vtkImageData;
-struct vtkIsosurfaceGrid;
+class vtkIsosurfaceExtraction;
+class vtkPointSet;
 
 class VTKFILTERSPOINTSPLATTING_EXPORT vtkIsosurfacePoints : public vtkPolyDataAlgorithm
 {
@@ -86,7 +124,7 @@ public:
   ///@{
   /**
    * The wanted distance between neighbouring points in world units; 0, the default, gives one
-   * point for each grid edge that is crossed.
+   * point for each grid edge that is crossed, or points about as dense as the scattered samples.
    */
   vtkSetClampMacro(PointSpacing, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(PointSpacing, double);
@@ -110,6 +148,37 @@ public:
   vtkGetMacro(ArrayComponent, int);
   ///@}
 
+  ///@{
+  /**
+   * How many of the nearest scattered samples are a sample's neighbours, 6 to 128; 26 by default.
+   * Four times as many are looked up (up to 128) where these leave directions open. More neighbours
+   * smooth noise away, and small features as well.
+   */
+  vtkSetClampMacro(NumberOfNeighbors, int, 6, 128);
+  vtkGetMacro(NumberOfNeighbors, int);
+  ///@}
+
+  ///@{
+  /**
+   * If not 0 (default), a scattered sample's neighbours are those within this radius (world units)
+   * instead, of more than 128 the nearest: isosurfaces then do not bridge wider gaps between
+   * samples. For particles, the radius of their smoothing kernel.
+   */
+  vtkSetClampMacro(NeighborRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(NeighborRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether points between scattered samples are moved onto the field fitted to them, and gaps
+   * filled on it; on by default. Off, points lie where values along pairs of samples
+   * are the isovalue by linear interpolation.
+   */
+  vtkSetMacro(Correction, bool);
+  vtkGetMacro(Correction, bool);
+  vtkBooleanMacro(Correction, bool);
+  ///@}
+
 protected:
   vtkIsosurfacePoints();
   ~vtkIsosurfacePoints() override;
@@ -126,14 +195,23 @@ private:
   vtkIsosurfacePoints(const vtkIsosurfacePoints&) = delete;
   void operator=(const vtkIsosurfacePoints&) = delete;
 
-  vtkDataArray* GetScalars(vtkInformationVector** inputs, vtkImageData* image);
-  void Extract(const vtkIsosurfaceGrid& grid, vtkDataArray* scalars, bool precise,
-    vtkDataObject* output);
+  /// Makes what finds the points for isovalues that are sorted ascending.
+  using Factory =
+    std::function<std::unique_ptr<vtkIsosurfaceExtraction>(const std::vector<double>&)>;
+
+  vtkSmartPointer<vtkDataArray> GetScalars(vtkInformationVector** inputs, vtkDataSet* input);
+  void ExtractVolume(vtkInformationVector** inputs, vtkImageData* image, vtkDataObject* output);
+  void ExtractScatter(vtkInformationVector** inputs, vtkPointSet* samples, vtkDataObject* output);
+  /// As many isovalues at once as `most`.
+  void Extract(const Factory& make, std::size_t most, bool precise, vtkDataObject* output);
 
   vtkContourValues* ContourValues;
   double PointSpacing = 0;
   bool BlockPerIsovalue = false;
   int ArrayComponent = 0;
+  int NumberOfNeighbors = 26;
+  double NeighborRadius = 0;
+  bool Correction = true;
 };
 
 VTK_ABI_NAMESPACE_END

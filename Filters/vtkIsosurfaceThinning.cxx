@@ -3,7 +3,6 @@
 #include "vtkIsosurfaceThinning.h"
 
 #include <cmath>
-#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -38,7 +37,8 @@ void vtkIsosurfaceThinning::Grow()
   }
 }
 
-bool vtkIsosurfaceThinning::HasNear(const Sample& sample, const std::int64_t cube[3]) const
+bool vtkIsosurfaceThinning::HasNear(
+  const Sample& sample, double distance, const std::int64_t cube[3]) const
 {
   std::int32_t other = this->Table[this->Locate(GetKey(cube))].First;
   for (; other != End; other = this->Next[other])
@@ -51,7 +51,7 @@ bool vtkIsosurfaceThinning::HasNear(const Sample& sample, const std::int64_t cub
       squared += d * d;
       side += near.Side[c] * sample.Side[c];
     }
-    if (squared < this->Distance * this->Distance && side >= 0)
+    if (squared < distance * distance && side >= 0)
     {
       return true;
     }
@@ -59,7 +59,7 @@ bool vtkIsosurfaceThinning::HasNear(const Sample& sample, const std::int64_t cub
   return false;
 }
 
-bool vtkIsosurfaceThinning::HasNear(const Sample& sample) const
+bool vtkIsosurfaceThinning::HasNear(const Sample& sample, double distance) const
 {
   if (this->Samples.empty())
   {
@@ -79,7 +79,7 @@ bool vtkIsosurfaceThinning::HasNear(const Sample& sample) const
     {
       cube[c] = home[c] + (corner >> c & 1 ? step[c] : 0);
     }
-    if (this->HasNear(sample, cube))
+    if (this->HasNear(sample, distance, cube))
     {
       return true;
     }
@@ -104,16 +104,6 @@ void vtkIsosurfaceThinning::Add(const Sample& sample)
   this->Next.push_back(entry.First);
   entry = { key, static_cast<std::int32_t>(this->Samples.size()) };
   this->Samples.push_back(sample);
-}
-
-void vtkIsosurfaceThinning::Shuffle(std::vector<Sample>& samples)
-{
-  std::uint64_t state = 0x2545F4914F6CDD1Dull;
-  for (std::size_t i = samples.size(); i > 1; --i)
-  {
-    state = state * 6364136223846793005ull + 1442695040888963407ull;
-    std::swap(samples[i - 1], samples[(state >> 33) % i]);
-  }
 }
 
 VTK_ABI_NAMESPACE_END

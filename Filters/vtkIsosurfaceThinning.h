@@ -4,7 +4,7 @@
  * @class   vtkIsosurfaceThinning
  * @brief   points of one isosurface of which no two are nearer than a distance
  *
- * Internal to vtkIsosurfaceSamples. A hash table of cubes, with twice that distance as their
+ * Internal to vtkIsosurfaceSamples and vtkIsosurfaceScatter. A hash table of cubes, with twice that distance as their
  * side, finds what is near in eight of them.
  */
 #ifndef vtkIsosurfaceThinning_h
@@ -14,6 +14,7 @@
 #include "vtkType.h"
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -33,13 +34,24 @@ public:
   }
 
   /// Whether one that was added lies near, on the same side of the surface.
-  bool HasNear(const Sample& sample) const;
+  bool HasNear(const Sample& sample) const { return this->HasNear(sample, this->Distance); }
+  /// The same with a lesser distance.
+  bool HasNear(const Sample& sample, double distance) const;
   void Add(const Sample& sample);
 
   const std::vector<Sample>& GetSamples() const { return this->Samples; }
 
   /// The same random order for the same number, everywhere.
-  static void Shuffle(std::vector<Sample>& samples);
+  template <typename T>
+  static void Shuffle(std::vector<T>& items)
+  {
+    std::uint64_t state = 0x2545F4914F6CDD1Dull;
+    for (std::size_t i = items.size(); i > 1; --i)
+    {
+      state = state * 6364136223846793005ull + 1442695040888963407ull;
+      std::swap(items[i - 1], items[(state >> 33) % i]);
+    }
+  }
 
 private:
   static constexpr std::int32_t End = -1;
@@ -50,7 +62,7 @@ private:
   };
 
   static std::int64_t GetKey(const std::int64_t cube[3]);
-  bool HasNear(const Sample& sample, const std::int64_t cube[3]) const;
+  bool HasNear(const Sample& sample, double distance, const std::int64_t cube[3]) const;
   /// The entry with a key, or the free one where it would be.
   std::size_t Locate(std::int64_t key) const;
   void Grow();

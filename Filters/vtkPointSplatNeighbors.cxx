@@ -50,18 +50,6 @@ void GetBounds(const Item* begin, const Item* end, double bounds[6])
     }
   }
 }
-
-/// The squared distance of two boxes.
-double SquaredDistance(const double a[6], const double b[6])
-{
-  double sum = 0;
-  for (int c = 0; c < 3; ++c)
-  {
-    const double d = std::max({ a[c] - b[c + 3], b[c] - a[c + 3], 0.0 });
-    sum += d * d;
-  }
-  return sum;
-}
 }
 
 /// Splits the items into leaves: the first levels by tasks side by side, the rest within a task.
@@ -298,6 +286,34 @@ void vtkPointSplatNeighbors::Build(vtkDataArray* points, const unsigned char* us
   });
 }
 
+/// The squared distance of two boxes.
+double vtkPointSplatNeighbors::GetSquaredDistance(const double a[6], const double b[6])
+{
+  double sum = 0;
+  for (int c = 0; c < 3; ++c)
+  {
+    const double d = std::max({ a[c] - b[c + 3], b[c] - a[c + 3], 0.0 });
+    sum += d * d;
+  }
+  return sum;
+}
+
+void vtkPointSplatNeighbors::GetBox(std::uint32_t leaf, double bounds[6]) const
+{
+  for (int c = 0; c < 6; ++c)
+  {
+    bounds[c] = this->Leaves[leaf].Origin[c % 3] + this->Leaves[leaf].Bounds[c];
+  }
+}
+
+double vtkPointSplatNeighbors::GetDiagonal(Slot leaf, int& count) const
+{
+  count = this->Leaves[leaf].Count;
+  const float* b = this->Leaves[leaf].Bounds;
+  const double d[3] = { double(b[3]) - b[0], double(b[4]) - b[1], double(b[5]) - b[2] };
+  return std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+}
+
 void vtkPointSplatNeighbors::GetPosition(Slot slot, double x[3]) const
 {
   const Leaf& leaf = this->Leaves[slot / LeafSize];
@@ -420,7 +436,7 @@ void vtkPointSplatNeighbors::SearchLeaf(
   for (std::uint32_t n = 0; n < numberOfNodes;)
   {
     const Node& node = this->Nodes[n];
-    if (!(SquaredDistance(bounds, node.Bounds) <= worst))
+    if (!(GetSquaredDistance(bounds, node.Bounds) <= worst))
     {
       n = node.Skip;
       continue;

@@ -84,6 +84,15 @@ public:
     return this->Visit(self, from, to, k, visit, [](Slot) { return true; });
   }
 
+  /**
+   * Calls visit(other) for each leaf, among them itself, whose box is within `distance` of a
+   * leaf's box, until it returns false. Slots slot / LeafSize are in the same leaf.
+   */
+  template <typename Visitor>
+  void VisitLeaves(Slot leaf, double distance, const Visitor& visit) const;
+  /// The diagonal of a leaf's box, and how many slots it has.
+  double GetDiagonal(Slot leaf, int& count) const;
+
 private:
   struct Node
   {
@@ -110,6 +119,9 @@ private:
 
   static constexpr unsigned int AllLanes = (1u << LeafSize) - 1;
 
+  void GetBox(std::uint32_t leaf, double bounds[6]) const;
+  static double GetSquaredDistance(const double a[6], const double b[6]);
+
   // spread: at most one neighbour a leaf.
   void SearchLeaf(
     std::uint32_t leaf, unsigned int lanes, int k, bool spread, Scratch& scratch) const;
@@ -122,6 +134,28 @@ private:
   std::vector<vtkIdType> Ids;
   std::vector<Slot> SlotOfPoint;
 };
+
+template <typename Visitor>
+void vtkPointSplatNeighbors::VisitLeaves(Slot leaf, double distance, const Visitor& visit) const
+{
+  double box[6];
+  this->GetBox(leaf, box);
+  const std::uint32_t numberOfNodes = static_cast<std::uint32_t>(this->Nodes.size());
+  for (std::uint32_t n = 0; n < numberOfNodes;)
+  {
+    const Node& node = this->Nodes[n];
+    if (!(GetSquaredDistance(box, node.Bounds) <= distance * distance))
+    {
+      n = node.Skip;
+      continue;
+    }
+    if (node.Leaf != None && !visit(node.Leaf))
+    {
+      return;
+    }
+    ++n;
+  }
+}
 
 template <typename Visitor, typename Predicate>
 bool vtkPointSplatNeighbors::Visit(vtkAlgorithm* self, double from, double to, int k,

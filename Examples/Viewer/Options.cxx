@@ -269,7 +269,7 @@ Options Options::Parse(int argc, char* argv[])
 //------------------------------------------------------------------------------
 std::string Options::HelpText()
 {
-  return R"(splatview: draws point clouds, and isosurfaces of volumes as such, as smooth surfaces
+  return R"(splatview: draws point clouds, and isosurfaces as such, as smooth surfaces
 
   splatview [FILES] [options]
 
@@ -283,9 +283,9 @@ FILES  points: .vtp .ply .obj .stl .xyz .pts .txt .csv .vtu .vts .vtk .vtm
 
 What is drawn
   --iso V[,V...]       isovalues of volumes; default: a quarter, half and three quarters of
-                       the range
+                       the range. Or of points that are samples of an array
   --spacing S          wanted distance between isosurface points, world units; default: the
-                       grid's
+                       grid's or samples'
   --magnify N          resample volumes N times finer first, cubically (1 to 16)
   --array NAME         point array to contour, or to colour points by
   --normals WHICH      keep (default) or estimate

@@ -91,6 +91,51 @@ Surface& AddSurface(
   return scene.Surfaces.back();
 }
 
+/**
+ * Makes the array that is to have isosurfaces the active scalars.
+ */
+void ChooseScalars(const Options& options, const std::string& name, vtkDataSet* data)
+{
+  if (!options.Array.empty() &&
+    data->GetPointData()->SetActiveScalars(options.Array.c_str()) < 0)
+  {
+    throw NoSuchArray(name, options.Array, data);
+  }
+  if (!data->GetPointData()->GetScalars())
+  {
+    throw UserError(name + ": has no scalars; name an array by --array");
+  }
+}
+
+/**
+ * The active scalars' isosurfaces, one actor each.
+ */
+void AddIsosurfaces(Scene& scene, const Options& options, const std::string& name, vtkDataSet* data,
+  const std::vector<double>& isovalues)
+{
+  double range[2];
+  data->GetPointData()->GetScalars()->GetFiniteRange(range);
+  for (double isovalue : isovalues)
+  {
+    vtkNew<vtkIsosurfacePoints> points;
+    points->SetInputData(data);
+    points->SetValue(0, isovalue);
+    points->SetPointSpacing(options.Spacing);
+    ShowProgress(points, "isosurface", options.Quiet);
+    points->Update();
+    if (points->GetOutput()->GetNumberOfPoints() == 0)
+    {
+      std::ostringstream text;
+      text << name << ": isovalue " << isovalue << " gives no points; the values are from "
+           << range[0] << " to " << range[1];
+      throw UserError(text.str());
+    }
+    Surface& surface = AddSurface(scene, options, name, points->GetOutput());
+    surface.Isovalue = isovalue;
+    surface.Normals = "gradient";
+  }
+}
+
 void AddVolume(Scene& scene, const Options& options, const std::string& name, vtkImageData* volume)
 {
   vtkSmartPointer<vtkImageData> image = volume;
@@ -99,15 +144,7 @@ void AddVolume(Scene& scene, const Options& options, const std::string& name, vt
   {
     throw UserError(name + ": is no volume");
   }
-  if (!options.Array.empty() &&
-    image->GetPointData()->SetActiveScalars(options.Array.c_str()) < 0)
-  {
-    throw NoSuchArray(name, options.Array, image);
-  }
-  if (!image->GetPointData()->GetScalars())
-  {
-    throw UserError(name + ": has no scalars; name an array by --array");
-  }
+  ChooseScalars(options, name, image);
   if (options.Magnify > 1)
   {
     vtkNew<vtkImageResample> resample;
@@ -128,32 +165,16 @@ void AddVolume(Scene& scene, const Options& options, const std::string& name, vt
   {
     isovalues.push_back(range[0] + 0.25 * quarter * (range[1] - range[0]));
   }
-  for (double isovalue : isovalues)
-  {
-    vtkNew<vtkIsosurfacePoints> points;
-    points->SetInputData(image);
-    points->SetValue(0, isovalue);
-    points->SetPointSpacing(options.Spacing);
-    ShowProgress(points, "isosurface", options.Quiet);
-    points->Update();
-    if (points->GetOutput()->GetNumberOfPoints() == 0)
-    {
-      std::ostringstream text;
-      text << name << ": isovalue " << isovalue << " gives no points; the values are from "
-           << range[0] << " to " << range[1];
-      throw UserError(text.str());
-    }
-    Surface& surface = AddSurface(scene, options, name, points->GetOutput());
-    surface.Isovalue = isovalue;
-    surface.Normals = "gradient";
-  }
+  AddIsosurfaces(scene, options, name, image, isovalues);
 }
 
 void AddPoints(Scene& scene, const Options& options, const std::string& name, vtkDataSet* data)
 {
   if (!options.Isovalues.empty())
   {
-    throw UserError(name + ": --iso is for volumes, and this file has none");
+    ChooseScalars(options, name, data);
+    AddIsosurfaces(scene, options, name, data, options.Isovalues);
+    return;
   }
   vtkDataArray* named =
     options.Array.empty() ? nullptr : data->GetPointData()->GetArray(options.Array.c_str());

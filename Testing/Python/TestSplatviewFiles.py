@@ -20,6 +20,7 @@ from vtkmodules.vtkIOImage import vtkMetaImageWriter
 from vtkmodules.vtkIOLegacy import vtkDataSetWriter
 from vtkmodules.vtkIOPLY import vtkPLYWriter
 from vtkmodules.vtkIOXML import (
+    vtkXMLImageDataReader,
     vtkXMLImageDataWriter,
     vtkXMLMultiBlockDataWriter,
     vtkXMLPolyDataWriter,
@@ -402,6 +403,28 @@ class TestVolumes(SplatviewTest):
     def test_array(self):
         report, _ = self.draw("v.vti", "--array", "negative", "--iso", "-4")
         self.assert_bounds(report["surfaces"][0], (-4, 4) * 3, 0.05)
+
+    def test_points_are_samples(self):
+        # The same volume without its grid.
+        reader = vtkXMLImageDataReader()
+        reader.SetFileName(self.path("v.vti"))
+        reader.Update()
+        volume = reader.GetOutput()
+        points = vtkPoints()
+        for i in range(volume.GetNumberOfPoints()):
+            points.InsertNextPoint(volume.GetPoint(i))
+        samples = vtkUnstructuredGrid()
+        samples.SetPoints(points)
+        samples.GetPointData().ShallowCopy(volume.GetPointData())
+        writer = vtkXMLUnstructuredGridWriter()
+        writer.SetInputData(samples)
+        writer.SetFileName(self.path("samples.vtu"))
+        writer.Write()
+        report, _ = self.draw("samples.vtu", "--array", "negative", "--iso", "-4,-3")
+        outer, inner = report["surfaces"]
+        self.assertEqual((outer["isovalue"], outer["normals"]), (-4, "gradient"))
+        self.assert_bounds(outer, (-4, 4) * 3, 0.05)
+        self.assert_bounds(inner, (-3, 3) * 3, 0.05)
 
 
 if __name__ == "__main__":
