@@ -237,7 +237,7 @@ void vtkPointSplatStages::DrawQuads(
   glBindVertexArray(buffers.VertexArray);
   glBindBuffer(GL_ARRAY_BUFFER, buffers.Splats);
   glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, stride, at(0));
-  glVertexAttribIPointer(1, 2, GL_UNSIGNED_INT, stride, at(16));
+  glVertexAttribIPointer(1, 3, GL_UNSIGNED_INT, stride, at(16));
   glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, stride, at(28));
   const bool axes = !item.Cloud->IsCircular();
   if (axes)

@@ -20,14 +20,14 @@ uniform float PrefilterRadius; // pixels
 uniform bool HasColours;
 uniform int SumStride;         // ints a pixel
 
-void add(Splat q, uint index, int at, float r2, float behind)
+void add(Splat q, uint index, int at, Hit hit, float behind)
 {
   if (sums[at] > WeightLimit)
   {
     return; // so many splats share this pixel that no further one can be seen
   }
-  float weight = max(floor(WeightScale * kernelWeight(r2, KernelSupport) + 0.5), 1.0);
-  ivec3 n = ivec3(round(weight * q.normal));
+  float weight = max(floor(WeightScale * kernelWeight(hit.r2, KernelSupport) + 0.5), 1.0);
+  ivec3 n = ivec3(round(weight * normalAt(q, hit.uv)));
   int depth = int(round(weight * clamp(behind / DepthUnit, -1.0, 1.0)));
   atomicAdd(sums[at], int(weight));
   atomicAdd(sums[at + 1], packSums(n.x, n.y));
@@ -48,11 +48,11 @@ void drawPixel(Splat q, uint index, ivec2 pixel)
   {
     return;
   }
-  float r2;
-  float depth;
-  if (intersect(q, vec2(pixel) + 0.5, KernelSupport, r2, depth) && sameLayer(q, depth, nearest))
+  Hit hit;
+  if (intersect(q, vec2(pixel) + 0.5, KernelSupport, hit) &&
+    sameLayer(q, hit.depth, nearest))
   {
-    add(q, index, SumStride * at, r2, depth - decodeDepth(nearest));
+    add(q, index, SumStride * at, hit, hit.depth - decodeDepth(nearest));
   }
 }
 

@@ -20,15 +20,15 @@ void main()
 {
   Splat q = fragmentSplat();
   uint nearest = texelFetch(Depths, ivec2(gl_FragCoord.xy), 0).r;
-  float r2;
-  float depth;
-  if (!intersect(q, gl_FragCoord.xy, KernelSupport, r2, depth) || !sameLayer(q, depth, nearest))
+  Hit hit;
+  if (!intersect(q, gl_FragCoord.xy, KernelSupport, hit) ||
+    !sameLayer(q, hit.depth, nearest))
   {
     discard;
   }
   // As in the fixed-point sums, a weight never vanishes inside the support.
-  float weight = max(kernelWeight(r2, KernelSupport), 1.0 / 4096.0);
-  float behind = clamp((depth - decodeDepth(nearest)) / DepthUnit, -1.0, 1.0);
-  weightAndNormal = weight * vec4(1.0, q.normal);
+  float weight = max(kernelWeight(hit.r2, KernelSupport), 1.0 / 4096.0);
+  float behind = clamp((hit.depth - decodeDepth(nearest)) / DepthUnit, -1.0, 1.0);
+  weightAndNormal = weight * vec4(1.0, normalAt(q, hit.uv));
   depthAndColour = weight * vec4(behind, splatColour);
 }

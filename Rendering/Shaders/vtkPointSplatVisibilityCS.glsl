@@ -16,11 +16,10 @@ uniform float CoverageRadius; // pixels: below, a disk might miss every pixel
 
 void drawPixel(Splat q, uint index, ivec2 pixel)
 {
-  float r2;
-  float depth;
-  if (intersect(q, vec2(pixel) + 0.5, DiskReach, r2, depth))
+  Hit hit;
+  if (intersect(q, vec2(pixel) + 0.5, DiskReach, hit))
   {
-    atomicMin(depths[pixelIndex(pixel)], encodeDepth(depth, q.tag));
+    atomicMin(depths[pixelIndex(pixel)], encodeDepth(hit.depth, q.tag));
   }
 }
 

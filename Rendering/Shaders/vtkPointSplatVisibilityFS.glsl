@@ -14,12 +14,11 @@ layout(location = 0) out uint nearestDepth;
 void main()
 {
   Splat q = fragmentSplat();
-  float r2;
-  float depth;
-  if (!intersect(q, gl_FragCoord.xy, DiskReach, r2, depth))
+  Hit hit;
+  if (!intersect(q, gl_FragCoord.xy, DiskReach, hit))
   {
     discard;
   }
-  nearestDepth = encodeDepth(depth, q.tag);
-  gl_FragDepth = clamp(depth / DepthRange.y, 0.0, 1.0);
+  nearestDepth = encodeDepth(hit.depth, q.tag);
+  gl_FragDepth = clamp(hit.depth / DepthRange.y, 0.0, 1.0);
 }
