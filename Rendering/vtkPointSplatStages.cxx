@@ -15,7 +15,7 @@ namespace
 // neighbours' Voronoi cells in the tangent plane leave cracks where the surface
 // bends and is seen at a flat angle.
 constexpr float DiskReach = 1.15f;
-// The least radius, in pixels, of a disk's image in the visibility pass. Disks
+// The least radius, in pixels, of a splat's image in the visibility pass. Splats
 // cover the surface together; widening each to a pixel would widen silhouettes.
 constexpr float CoverageRadius = 0.1f;
 // The prefilter's radius, in pixels, in the accumulation pass. Guennebaud, section

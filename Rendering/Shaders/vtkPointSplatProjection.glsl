@@ -91,8 +91,8 @@ struct Hit
 // section 4). But where a splat turns away from the viewer before its rim (turning:
 // how far the normal turns until there), it has the silhouette on it, and such an
 // ellipse would stand out over that: it is a disk of that radius about the centre.
-// margin: how far the ellipse may lie outside the splat's own plane in the image.
-void widen(inout Splat q, float radius, float turning, out vec2 margin)
+// along, across: how far the ellipse's axes reach along x and y.
+void widen(inout Splat q, float radius, float turning, out vec2 along, out vec2 across)
 {
   float aa = dot(q.s.xy, q.s.xy);
   float ab = dot(q.s.xy, q.t.xy);
@@ -103,7 +103,8 @@ void widen(inout Splat q, float radius, float turning, out vec2 margin)
   float shortest = max(0.5 * (aa + bb) - root, 0.0);
   q.narrow = vec4(1.0, 0.0, 0.0, 1.0) / radius;
   q.lean = vec2(0.0);
-  margin = vec2(0.0);
+  along = vec2(0.0);
+  across = vec2(0.0);
   if (shortest >= radius * radius || longest <= radius * radius ||
     shortest < turning * turning * longest)
   {
@@ -114,7 +115,8 @@ void widen(inout Splat q, float radius, float turning, out vec2 margin)
   q.lean = l > 0.0 ? e / l : vec2(1.0, 0.0);
   vec2 axis = normalize(q.lean.x * q.s.xy + q.lean.y * q.t.xy);
   q.narrow = vec4(axis * inversesqrt(longest), vec2(-axis.y, axis.x) / radius);
-  margin = abs(axis.yx) * radius;
+  along = abs(axis) * sqrt(longest);
+  across = abs(axis.yx) * radius;
 }
 
 // Widens a box, in pixels about the centre, by that of the ellipse u^2 + v^2 <= r^2
@@ -222,8 +224,8 @@ bool project(vec3 positionMC, uvec3 shape, vec3 axis1MC, vec3 axis2MC, float rad
   float lowest = -0.5 * reach * reach * scale * max(mean + root, 0.0);
   float highest = -0.5 * reach * reach * scale * min(mean - root, 0.0);
   // The gradient of h + K(q, q) / 2, in terms of the basis that is dual to s, t, m.
-  vec3 across = cross(q.sVC, q.tVC);
-  float turn = Turn * sign(dot(across, q.mVC)) / max(length(across), 1e-30);
+  vec3 st = cross(q.sVC, q.tVC);
+  float turn = Turn * sign(dot(st, q.mVC)) / max(length(st), 1e-30);
   vec3 dualS = turn * cross(q.tVC, q.mVC);
   vec3 dualT = turn * cross(q.mVC, q.sVC);
   q.turnS = q.bend.x * dualS + q.bend.y * dualT;
@@ -250,26 +252,27 @@ bool project(vec3 positionMC, uvec3 shape, vec3 axis1MC, vec3 axis2MC, float rad
   q.t.xy -= q.centre * q.t.z;
   q.m.xy -= q.centre * q.m.z;
 
-  vec2 margin;
-  widen(q, least, reach * scale * (abs(mean) + root), margin);
+  vec2 along;
+  vec2 across;
+  widen(q, least, reach * scale * (abs(mean) + root), along, across);
   vec2 low = vec2(-least * reach);
   vec2 high = -low;
   // The cap lies between the disks at its least and its greatest height.
   addDisk(q, lowest, reach, low, high);
   addDisk(q, highest, reach, low, high);
-  low += q.centre - margin * reach;
-  high += q.centre + margin * reach;
+  // In perspective an end of the ellipse may reach farther than the other.
+  along *= reach;
+  across *= reach * reach * across;
+  low = max(-low, along);
+  high = max(high, along);
+  low = -sqrt(low * low + across);
+  high = sqrt(high * high + across);
   // Clamped before the conversion: out of an int's range it is undefined.
-  low = clamp(low, vec2(Window.xy) - 1.0, vec2(Window.zw) + 2.0);
-  high = clamp(high, vec2(Window.xy) - 1.0, vec2(Window.zw) + 2.0);
+  low = clamp(q.centre + low, vec2(Window.xy) - 1.0, vec2(Window.zw) + 2.0);
+  high = clamp(q.centre + high, vec2(Window.xy) - 1.0, vec2(Window.zw) + 2.0);
   // The pixels whose centres, at half integers, lie inside.
   q.box = ivec4(max(ivec2(ceil(low - 0.5)), Window.xy), min(ivec2(floor(high - 0.5)), Window.zw));
   return all(lessThanEqual(q.box.xy, q.box.zw));
-}
-
-float bendForm(Splat q, vec2 a, vec2 b)
-{
-  return q.bend.x * a.x * b.x + q.bend.y * (a.x * b.y + a.y * b.x) + q.bend.z * a.y * b.y;
 }
 
 // Where the ray through a pixel's centre meets the splat.
@@ -287,9 +290,11 @@ bool intersect(Splat q, vec2 pixel, float reach, out Hit hit)
   // h + K(q, q) / 2 = 0 along it: alpha tau^2 + beta tau + gamma = 0. Of two hits
   // the one that tends to the plane's as the bend goes to zero, in the form that is
   // stable there.
-  float alpha = 0.5 * bendForm(q, c.xy, c.xy);
-  float beta = c.z + bendForm(q, x.xy, c.xy);
-  float gamma = x.z + 0.5 * bendForm(q, x.xy, x.xy);
+  vec2 Kc = q.bend.xy * c.x + q.bend.yz * c.y;
+  vec2 Kx = q.bend.xy * x.x + q.bend.yz * x.y;
+  float alpha = 0.5 * dot(Kc, c.xy);
+  float beta = c.z + dot(Kc, x.xy);
+  float gamma = x.z + 0.5 * dot(Kx, x.xy);
   float discriminant = beta * beta - 4.0 * alpha * gamma;
   float root = sqrt(max(discriminant, 0.0));
   x -= 2.0 * gamma / (beta + (beta < 0.0 ? -root : root)) * c;
