@@ -20,6 +20,9 @@ inline constexpr const char* Axis2 = "SplatAxis2";
 ///@}
 /// 3 floats, unit length: the normal of a disk's plane, where it is not the point normal.
 inline constexpr const char* PlaneNormal = "SplatPlaneNormal";
+/// 6 floats, XX, YY, ZZ, XY, YZ, XZ, 1 / world units: the second fundamental form, by which the
+/// normal changes from point to point, in the tangent plane. Its sign goes by the normal's.
+inline constexpr const char* Curvature = "SplatCurvature";
 /// 1 int: the minimal independent group that a splat belongs to.
 inline constexpr const char* Group = "SplatGroup";
 /// 1 float, 0 (in shadow) to 1 (lit).

@@ -13,6 +13,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPointSplatArrays.h"
+#include "vtkPointSplatCurvature.h"
 #include "vtkPointSplatDisk.h"
 #include "vtkPointSplatNeighbors.h"
 #include "vtkPointSplatNormals.h"
@@ -114,6 +115,7 @@ struct Disks
     , Witnesses(std::size_t(NumberOfWitnesses) * slots, vtkPointSplatNeighbors::None)
     , Axes(elliptical ? std::size_t(6) * slots : 0)
     , Planes(elliptical ? 0 : std::size_t(3) * slots)
+    , Curvatures(elliptical ? 0 : std::size_t(6) * slots, 0.0f)
   {
   }
 
@@ -168,6 +170,7 @@ struct Disks
   std::vector<Slot> Witnesses;
   std::vector<float> Axes; // both, unless circular
   std::vector<float> Planes; // their normals, if circular
+  std::vector<float> Curvatures; // tensors, if circular
 };
 }
 
@@ -207,6 +210,11 @@ int vtkPointSplatEstimation::RequestData(
   planes->SetName(vtkPointSplatArrays::PlaneNormal);
   planes->SetNumberOfComponents(3);
   planes->SetNumberOfTuples(elliptical ? 0 : numberOfPoints);
+
+  vtkNew<vtkFloatArray> curvatures;
+  curvatures->SetName(vtkPointSplatArrays::Curvature);
+  curvatures->SetNumberOfComponents(6);
+  curvatures->SetNumberOfTuples(elliptical ? 0 : numberOfPoints);
 
   if (numberOfPoints > 0)
   {
@@ -288,6 +296,13 @@ int vtkPointSplatEstimation::RequestData(
     Disks disks(slots, elliptical);
     float limit = std::numeric_limits<float>::max();
     auto measure = [&](const vtkPointSplatNeighbors::Neighborhood& around, int round) {
+      const Slot s = around.Center;
+      if (round == 0 && !elliptical)
+      {
+        vtkPointSplatCurvature curvature;
+        curvature.Estimate(around, slotNormals.data());
+        std::copy_n(curvature.Tensor, 6, disks.Curvatures.data() + std::size_t(6) * s);
+      }
       vtkPointSplatDisk disk;
       const bool closed = disk.Estimate(
         around, slotNormals.data(), elliptical, this->NumberOfNeighbors, round == 1, limit);
@@ -296,7 +311,6 @@ int vtkPointSplatEstimation::RequestData(
         // More neighbours may tell; in the last round, the border's disk of the one before stands.
         return round == 2;
       }
-      const Slot s = around.Center;
       disks.Length[s] = disk.Length1 > 0 ? disk.Length1 : LoneRadius;
       disks.Size[s] = disk.Spacing > 0 ? std::sqrt(disk.Length1 * disk.Length2) / disk.Spacing : 0;
       for (int w = 0; w < NumberOfWitnesses && around.Count >= NumberOfWitnesses; ++w)
@@ -307,6 +321,11 @@ int vtkPointSplatEstimation::RequestData(
       if (!elliptical)
       {
         std::copy(disk.Normal, disk.Normal + 3, disks.Planes.data() + std::size_t(3) * s);
+        if (!std::equal(disk.Normal, disk.Normal + 3, slotNormals.data() + std::size_t(3) * s))
+        {
+          // The normals are not the surface's, nor is what they tell of its curvature.
+          std::fill_n(disks.Curvatures.data() + std::size_t(6) * s, 6, 0.0f);
+        }
       }
       else
       {
@@ -345,6 +364,11 @@ int vtkPointSplatEstimation::RequestData(
           sizes[0]->SetValue(id, length);
           const float* plane = drawn ? disks.Planes.data() + std::size_t(3) * s : n + 3 * id;
           std::copy(plane, plane + 3, planes->GetPointer(3 * id));
+          for (int c = 0; c < 6; ++c)
+          {
+            curvatures->SetValue(
+              6 * id + c, drawn ? disks.Curvatures[std::size_t(6) * s + c] : 0.0f);
+          }
         }
         else
         {
@@ -367,15 +391,23 @@ int vtkPointSplatEstimation::RequestData(
   output->GetPointData()->PassData(input->GetPointData());
   output->GetFieldData()->PassData(input->GetFieldData());
   for (const char* name : { vtkPointSplatArrays::Radius, vtkPointSplatArrays::Axis1,
-         vtkPointSplatArrays::Axis2, vtkPointSplatArrays::PlaneNormal })
+         vtkPointSplatArrays::Axis2, vtkPointSplatArrays::PlaneNormal,
+         vtkPointSplatArrays::Curvature })
   {
     // Of an earlier estimation, possibly of the other shape.
     output->GetPointData()->RemoveArray(name);
   }
   output->GetPointData()->SetNormals(normals);
   output->GetPointData()->AddArray(sizes[0]);
-  output->GetPointData()->AddArray(
-    elliptical ? sizes[1].GetPointer() : planes.GetPointer());
+  if (elliptical)
+  {
+    output->GetPointData()->AddArray(sizes[1]);
+  }
+  else
+  {
+    output->GetPointData()->AddArray(planes);
+    output->GetPointData()->AddArray(curvatures);
+  }
   this->UpdateProgress(1.0);
   return 1;
 }

@@ -15,8 +15,10 @@
  * - the active normals (3 floats, unit length): those of the input, normalised and with their
  *   sign, where they are finite and not zero, otherwise estimated;
  * - `SplatRadius` (1 float, world units) and `SplatPlaneNormal` (3 floats, unit length: the
- *   normal of the disk's plane, the point's normal but for stage 4's exception) if Shape is
- *   Circular, or
+ *   normal of the disk's plane, the point's normal but for stage 4's exception) and
+ *   `SplatCurvature` (6 floats, XX, YY, ZZ, XY, YZ, XZ, 1 / world units: the second fundamental
+ *   form as a tensor across the normal, 1 / R on a sphere with outward normals; 0 where it is
+ *   not known) if Shape is Circular, or
  * - `SplatAxis1`, `SplatAxis2` (3 floats each, world units) if it is Elliptical: the half axes,
  *   perpendicular to each other and to the normal, the first the longer.
  * A mapper's blending kernel reaches 1.5 to 2 times farther than these.
@@ -48,6 +50,10 @@
  *    Where the whole cloud is as regular as a mesh's vertices are, vertices much farther than
  *    usual are left out: there is a hole in the surface. In random samplings such are gaps to
  *    be closed.
+ *    Circular disks also get the surface's *curvature*: the second fundamental form that fits
+ *    the NumberOfNeighbors nearest ones' normals and heights over the tangent plane best, by
+ *    least squares (vtkPointSplatCurvature.h has the equations). What those do not agree on is
+ *    left out, since noise has no curvature, and a tenth of the rest.
  * 5. *Bound.* No disk is larger than the distance to the farthest neighbour looked at, nor than four
  *    times those of its neighbours, which keeps outliers small. With no neighbour at all, for a
  *    lone point, the radius is 0.1.

@@ -2,25 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatCloud.h"
 
-#include "vtkArrayDispatch.h"
-#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
-#include "vtkDataArrayRange.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
-#include "vtkPointSplatArrays.h"
-#include "vtkPointSplatEstimation.h"
 #include "vtkPointSplatMapper.h"
+#include "vtkPointSplatPacking.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -30,236 +25,6 @@
 
 namespace
 {
-uint32_t Bits(double value)
-{
-  const float single = static_cast<float>(value);
-  uint32_t bits;
-  std::memcpy(&bits, &single, sizeof(bits));
-  return bits;
-}
-
-/**
- * A unit vector as two coordinates on an octahedron, 16 bits each; see
- * decodeNormal() in vtkPointSplatProjection.glsl.
- */
-uint32_t CodeNormal(const double n[3])
-{
-  const double sum = std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]);
-  double x = n[0] / sum;
-  double y = n[1] / sum;
-  if (n[2] < 0.0)
-  {
-    const double folded = std::copysign(1.0 - std::abs(y), x);
-    y = std::copysign(1.0 - std::abs(x), y);
-    x = folded;
-  }
-  const auto quantise = [](double v) {
-    return static_cast<uint32_t>(static_cast<uint16_t>(static_cast<int16_t>(std::lround(v * 32767.0))));
-  };
-  return quantise(x) | (quantise(y) << 16);
-}
-
-bool Finite(const double v[3])
-{
-  return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
-}
-
-/**
- * The arrays of one block that make its splats.
- */
-struct Arrays
-{
-  vtkSmartPointer<vtkDataArray> Points;
-  vtkSmartPointer<vtkDataArray> Normals;
-  vtkSmartPointer<vtkDataArray> Radius;
-  vtkSmartPointer<vtkDataArray> Plane; // or none
-  vtkSmartPointer<vtkDataArray> Axis1;
-  vtkSmartPointer<vtkDataArray> Axis2;
-  vtkUnsignedCharArray* Ghosts = nullptr;
-};
-
-/**
- * An array of the wanted shape, or an error that says what is wrong with it.
- */
-vtkDataArray* Wanted(vtkPointSplatMapper* mapper, vtkPointSet* data, vtkDataArray* array, int components)
-{
-  const char* name = array && array->GetName() ? array->GetName() : "Normals";
-  if (array &&
-    (array->GetNumberOfComponents() != components ||
-      array->GetNumberOfTuples() != data->GetNumberOfPoints()))
-  {
-    vtkErrorWithObjectMacro(mapper, << "The point array " << name << " has "
-                                    << array->GetNumberOfTuples() << " tuples of "
-                                    << array->GetNumberOfComponents() << " components, not "
-                                    << data->GetNumberOfPoints() << " of " << components
-                                    << ". It is not used: rename or remove it.");
-    return nullptr;
-  }
-  return array;
-}
-
-Arrays Collect(vtkPointSplatMapper* mapper, vtkPointSet* data)
-{
-  Arrays a;
-  a.Points = data->GetPoints()->GetData();
-  a.Ghosts = vtkArrayDownCast<vtkUnsignedCharArray>(
-    data->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  if (a.Ghosts && a.Ghosts->GetNumberOfTuples() != data->GetNumberOfPoints())
-  {
-    a.Ghosts = nullptr;
-  }
-  vtkPointData* given = data->GetPointData();
-  a.Normals = Wanted(mapper, data, given->GetNormals(), 3);
-  a.Radius = Wanted(mapper, data, given->GetArray(vtkPointSplatArrays::Radius), 1);
-  a.Plane = Wanted(mapper, data, given->GetArray(vtkPointSplatArrays::PlaneNormal), 3);
-  a.Axis1 = Wanted(mapper, data, given->GetArray(vtkPointSplatArrays::Axis1), 3);
-  a.Axis2 = Wanted(mapper, data, given->GetArray(vtkPointSplatArrays::Axis2), 3);
-  if (!a.Axis1 || !a.Axis2)
-  {
-    a.Axis1 = a.Axis2 = nullptr;
-  }
-  if (!a.Normals || (!a.Radius && !a.Axis1))
-  {
-    vtkNew<vtkPolyData> bare;
-    bare->SetPoints(data->GetPoints());
-    if (a.Normals)
-    {
-      bare->GetPointData()->SetNormals(a.Normals);
-    }
-    if (a.Ghosts)
-    {
-      bare->GetPointData()->AddArray(a.Ghosts);
-    }
-    vtkNew<vtkPointSplatEstimation> estimation;
-    // What it leaves out the mapper leaves out too, and reports: once is enough.
-    vtkNew<vtkCallbackCommand> silence;
-    estimation->AddObserver(vtkCommand::WarningEvent, silence);
-    estimation->SetInputData(bare);
-    estimation->Update();
-    vtkPointData* estimated = estimation->GetOutput()->GetPointData();
-    a.Normals = estimated->GetNormals();
-    if (!a.Radius && !a.Axis1)
-    {
-      a.Radius = estimated->GetArray(vtkPointSplatArrays::Radius);
-      a.Plane = estimated->GetArray(vtkPointSplatArrays::PlaneNormal);
-    }
-  }
-  return a;
-}
-
-/**
- * Packs a block's splats. Valid gets 1 for each point that can be drawn; the
- * caller closes the gaps that the others leave.
- */
-struct PackWorker
-{
-  template <typename PointArray, typename NormalArray>
-  void operator()(PointArray* pointArray, NormalArray* normalArray, const Arrays& a,
-    const std::array<double, 3>& origin, bool circular, uint32_t* splats, unsigned char* valid)
-  {
-    const auto points = vtk::DataArrayTupleRange<3>(pointArray);
-    const auto normals = vtk::DataArrayTupleRange<3>(normalArray);
-    const vtkIdType words = circular ? 8 : 16;
-    vtkSMPTools::For(0, points.size(), [&](vtkIdType begin, vtkIdType end) {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        valid[i] = 0;
-        const double p[3] = { static_cast<double>(points[i][0]) - origin[0],
-          static_cast<double>(points[i][1]) - origin[1],
-          static_cast<double>(points[i][2]) - origin[2] };
-        double n[3] = { static_cast<double>(normals[i][0]), static_cast<double>(normals[i][1]),
-          static_cast<double>(normals[i][2]) };
-        const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-        const unsigned char ghost =
-          a.Ghosts ? a.Ghosts->GetValue(i) & (vtkDataSetAttributes::HIDDENPOINT |
-                                               vtkDataSetAttributes::DUPLICATEPOINT)
-                   : 0;
-        if (ghost || !Finite(p) || !(length > 0.0) || !std::isfinite(length))
-        {
-          continue;
-        }
-        double radius = 0.0;
-        double axis1[3] = { 0.0, 0.0, 0.0 };
-        double axis2[3] = { 0.0, 0.0, 0.0 };
-        if (a.Axis1)
-        {
-          a.Axis1->GetTuple(i, axis1);
-          a.Axis2->GetTuple(i, axis2);
-          radius = std::sqrt(
-            std::max(axis1[0] * axis1[0] + axis1[1] * axis1[1] + axis1[2] * axis1[2],
-              axis2[0] * axis2[0] + axis2[1] * axis2[1] + axis2[2] * axis2[2]));
-          if (!Finite(axis1) || !Finite(axis2))
-          {
-            continue;
-          }
-        }
-        else
-        {
-          radius = a.Radius->GetComponent(i, 0);
-          if (!circular)
-          {
-            // Beside blocks of ellipses, a disk is an ellipse of two equal axes.
-            const int least = std::abs(n[0]) < std::abs(n[1])
-              ? (std::abs(n[0]) < std::abs(n[2]) ? 0 : 2)
-              : (std::abs(n[1]) < std::abs(n[2]) ? 1 : 2);
-            double other[3] = { 0.0, 0.0, 0.0 };
-            other[least] = 1.0;
-            vtkMath::Cross(n, other, axis1);
-            vtkMath::Normalize(axis1);
-            vtkMath::Cross(n, axis1, axis2);
-            vtkMath::Normalize(axis2);
-            vtkMath::MultiplyScalar(axis1, radius);
-            vtkMath::MultiplyScalar(axis2, radius);
-          }
-        }
-        if (!(radius > 0.0) || !std::isfinite(radius))
-        {
-          continue;
-        }
-        valid[i] = 1;
-        const double normal[3] = { n[0] / length, n[1] / length, n[2] / length };
-        double plane[3] = { normal[0], normal[1], normal[2] };
-        if (a.Axis1)
-        {
-          // Whatever side the axes' product has, the plane shows the normal's.
-          vtkMath::Cross(axis1, axis2, plane);
-        }
-        else if (a.Plane)
-        {
-          a.Plane->GetTuple(i, plane);
-        }
-        if (!(vtkMath::Normalize(plane) > 0.0) || !Finite(plane))
-        {
-          std::copy_n(normal, 3, plane);
-        }
-        else if (vtkMath::Dot(plane, normal) < 0.0)
-        {
-          vtkMath::MultiplyScalar(plane, -1.0);
-        }
-        uint32_t* out = splats + words * i;
-        for (int k = 0; k < 3; ++k)
-        {
-          out[k] = Bits(p[k]);
-        }
-        out[4] = CodeNormal(plane);
-        out[5] = CodeNormal(normal);
-        out[6] = 0;
-        out[3] = Bits(radius);
-        out[7] = static_cast<uint32_t>(i);
-        if (!circular)
-        {
-          for (int k = 0; k < 3; ++k)
-          {
-            out[8 + k] = Bits(axis1[k]);
-            out[12 + k] = Bits(axis2[k]);
-          }
-          out[11] = out[15] = 0;
-        }
-      }
-    });
-  }
-};
-
 /**
  * For each point the first cell that uses it, or -1.
  */
@@ -345,13 +110,13 @@ void vtkPointSplatCloud::BuildSplats(vtkPointSplatMapper* mapper, std::vector<Bl
   this->MedianRadius = this->MaximumRadius = 0.0;
   this->Bounds = { { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 } };
 
-  std::vector<Arrays> arrays;
+  std::vector<vtkPointSplatPacking> packings;
   double low[3] = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };
   double high[3] = { -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
   for (const Block& block : blocks)
   {
-    arrays.push_back(Collect(mapper, block.Data));
-    this->Circular = this->Circular && !arrays.back().Axis1;
+    packings.push_back(vtkPointSplatPacking::Collect(mapper, block.Data));
+    this->Circular = this->Circular && !packings.back().Axis1;
     this->Points += block.Data->GetNumberOfPoints();
     double range[2];
     for (int k = 0; k < 3; ++k)
@@ -379,7 +144,7 @@ void vtkPointSplatCloud::BuildSplats(vtkPointSplatMapper* mapper, std::vector<Bl
     const vtkIdType n = block.Data->GetNumberOfPoints();
     block.First = this->Count;
     block.Count = 0;
-    const Arrays& a = arrays[b];
+    const vtkPointSplatPacking& a = packings[b];
     if (!a.Normals || !(a.Radius || a.Axis1) || a.Normals->GetNumberOfTuples() != n ||
       a.Normals->GetNumberOfComponents() != 3)
     {
@@ -391,14 +156,7 @@ void vtkPointSplatCloud::BuildSplats(vtkPointSplatMapper* mapper, std::vector<Bl
     }
     valid.assign(static_cast<size_t>(n), 0);
     uint32_t* to = this->Splats.data() + words * this->Count;
-    using Reals = vtkArrayDispatch::Reals;
-    using Dispatcher = vtkArrayDispatch::Dispatch2ByValueType<Reals, Reals>;
-    PackWorker worker;
-    if (!Dispatcher::Execute(a.Points.Get(), a.Normals.Get(), worker, a, this->Origin,
-          this->Circular, to, valid.data()))
-    {
-      worker(a.Points.Get(), a.Normals.Get(), a, this->Origin, this->Circular, to, valid.data());
-    }
+    a.Pack(this->Origin, this->Circular, to, valid.data());
     vtkIdType kept = 0;
     for (vtkIdType i = 0; i < n; ++i)
     {

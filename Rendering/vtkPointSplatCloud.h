@@ -6,9 +6,10 @@
 // Splats, 32-bit words, in the order of the points (ids tell which, since points
 // that cannot be drawn are left out). Coordinates are relative to an origin in
 // the middle of the data, so that single precision keeps millimetres in UTM.
-//   circular:   x y z radius | plane's normal, normal, 0, point id
-//   elliptical: x y z 0 | plane's normal, normal, 0, point id | axis 1, 0 | axis 2, 0
-// Normals are coded in two times 16 bits on an octahedron.
+//   circular:   x y z radius | plane's normal, normal, bend, point id
+//   elliptical: x y z longer axis | plane's normal, normal, 0, point id | axis 1, 0 | axis 2, 0
+// Normals are coded in two times 16 bits on an octahedron; the bend, the matrix K
+// of vtkPointSplatProjection.glsl, in three times 10.
 // Colours: RGBA, 8 bits each, one a splat, where scalars colour the points.
 #ifndef vtkPointSplatCloud_h
 #define vtkPointSplatCloud_h

@@ -234,7 +234,10 @@ void vtkPointSplatMapper::FillItem(
       item.ClipPlanes.emplace_back(n[0], n[1], n[2], -vtkMath::Dot(n, o));
     }
   }
-  item.Window = view.Cover(item.MCWC, cloud.GetBounds().data(), this->KernelSupport * largest);
+  // Splats that bend rise at their rim by half the squared support, in radii, at most.
+  const double farthest =
+    std::hypot(this->KernelSupport, 0.5 * this->KernelSupport * this->KernelSupport);
+  item.Window = view.Cover(item.MCWC, cloud.GetBounds().data(), farthest * largest);
 }
 
 //------------------------------------------------------------------------------

@@ -11,16 +11,22 @@
  *
  * The algorithm, each frame:
  * 1. Select. Splats outside the view are left out.
- * 2. Visibility splatting. Each splat is a disk in its tangent plane; the depth
- *    of the nearest disk at each pixel is kept. Disks are projected perspectively
- *    correct by the adjoint of the splat's matrix, with their depth (Guennebaud,
- *    Barthe, Paulin 2006, section 3, equations 3 to 7); those thinner than the
- *    prefilter are widened and lose their slope (section 4).
+ * 2. Visibility splatting. Each splat is a disk in its tangent plane that bends as
+ *    the surface does: the cap of a paraboloid h = -K(q, q) / 2 over the plane,
+ *    where K is the second fundamental form. The depth of the nearest cap at each
+ *    pixel is kept. Caps are projected perspectively correct, with their depth, by
+ *    the ray's intersection in the splat's own coordinates, as for flat disks
+ *    Guennebaud, Barthe, Paulin 2006 do it (section 3, equations 3 to 7). So
+ *    silhouettes lie where the surface's are, but for third order; flat disks stand
+ *    out by r^2 / 2R. Splats thinner than the prefilter are widened (section 4),
+ *    but those that have a silhouette on them.
  * 3. Attribute accumulation. Every splat within the least layer distance of that
  *    depth, measured along its normal, adds its normal, depth and colour, weighted
  *    by a kernel: Gaussian, or the plateau family psi_E (Pajarola, Sainz, Guidotti
- *    2004, section 5.2, equations 9 and 10). Splats that show their other side
- *    belong to another layer: behind a silhouette lies the far side of the body.
+ *    2004, section 5.2, equations 9 and 10). The normal changes over the splat by
+ *    half of what K says, with which the mean is right to second order. Splats that
+ *    show their other side belong to another layer: behind a silhouette lies the far
+ *    side of the body.
  * 4. Normalisation and deferred shading (Zhang, Pajarola 2006, equation 1), once a
  *    pixel, by VTK's own lighting formulas.
  * 5. Presentation: colour, opacity and depth go to the framebuffer as ordinary
@@ -44,6 +50,10 @@
  * - `SplatRadius`, 1 component, world units; or `SplatAxis1` and `SplatAxis2`, 3
  *   components, world units, in the tangent plane. Missing ones are estimated.
  * - `SplatGroup`, 1 component, for deferred blending. Missing ones are made.
+ * - `SplatCurvature`, 6 components XX, YY, ZZ, XY, YZ, XZ, 1 / world units, beside
+ *   `SplatRadius` and the normals that it belongs to: the second fundamental form,
+ *   whose eigenvalues are 1 / R on a sphere with outward normals. It is estimated
+ *   with the radius; where only that is given, and for ellipses, splats are flat.
  * - Scalars, as vtkMapper takes them: through the lookup table, or direct.
  *   InterpolateScalarsBeforeMapping is not honoured: colours are interpolated.
  * Points that are ghosts, or whose coordinates, normal or size are not finite or

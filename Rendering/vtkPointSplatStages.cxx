@@ -256,7 +256,7 @@ void vtkPointSplatStages::DrawQuads(const vtkPointSplatItem& item,
   glBindVertexArray(buffers.VertexArray);
   glBindBuffer(GL_ARRAY_BUFFER, buffers.Splats);
   glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, stride, at(0, stride));
-  glVertexAttribIPointer(1, 2, GL_UNSIGNED_INT, stride, at(16, stride));
+  glVertexAttribIPointer(1, 3, GL_UNSIGNED_INT, stride, at(16, stride));
   glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, stride, at(28, stride));
   const bool axes = !item.Cloud->IsCircular();
   if (axes)

@@ -73,8 +73,13 @@ public:
    * How far disks reach in the visibility pass, in radii; the least radius, in pixels, of a
    * disk's image there; and the prefilter's radius, in pixels, in the accumulation pass.
    */
+  // Disks that cover their neighbours' Voronoi cells in the tangent plane leave cracks where the
+  // surface bends and is seen at a flat angle.
   static constexpr float DiskReach = 1.15f;
+  // Splats cover the surface together; widening each to a pixel would widen silhouettes.
   static constexpr float CoverageRadius = 0.1f;
+  // Guennebaud, section 4.1, has the square root of two; the Gaussian of sigma 0.6 is then as
+  // wide as a pixel is, which blurs more than the pixels of a supersampled picture do.
   static constexpr float PrefilterRadius = 0.8f;
   ///@}
 

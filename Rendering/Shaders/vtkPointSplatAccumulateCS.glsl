@@ -26,7 +26,7 @@ uniform float PrefilterRadius; // pixels
 uniform bool HasColours;
 uniform int SumStride;         // ints a pixel
 
-void add(Splat q, uint index, int at, float r2, float behind)
+void add(Splat q, uint index, int at, Hit hit, float behind)
 {
   vec4 colour = ItemColour;
   if (HasColours)
@@ -37,9 +37,9 @@ void add(Splat q, uint index, int at, float r2, float behind)
   {
     return; // so many splats share this pixel that no further one can be seen
   }
-  float kernel = kernelWeight(r2, KernelSupport) * (Gather ? colour.a : 1.0);
+  float kernel = kernelWeight(hit.r2, KernelSupport) * (Gather ? colour.a : 1.0);
   float weight = max(floor(WeightScale * kernel + 0.5), 1.0);
-  ivec3 n = ivec3(round(weight * q.normal));
+  ivec3 n = ivec3(round(weight * normalAt(q, hit.uv)));
   int depth = int(round(weight * clamp(behind / DepthUnit, -1.0, 1.0)));
   atomicAdd(sums[at], int(weight));
   atomicAdd(sums[at + 1], packSums(n.x, n.y));
@@ -60,19 +60,18 @@ void drawPixel(Splat q, uint index, ivec2 pixel)
   {
     return;
   }
-  float r2;
-  float depth;
-  if (intersect(q, vec2(pixel) + 0.5, KernelSupport, r2, depth) &&
-    (Gather ? nearest != NoDepth : sameLayer(q, depth, nearest)))
+  Hit hit;
+  if (intersect(q, vec2(pixel) + 0.5, KernelSupport, hit) &&
+    (Gather ? nearest != NoDepth : sameLayer(q, hit.depth, nearest)))
   {
     if (PreviousCount > 0 &&
-      isPeeled(q, depth,
+      isPeeled(q, hit.depth,
         uvec3(texelFetch(Previous0, at).r, texelFetch(Previous1, at).r,
           texelFetch(Previous2, at).r)))
     {
       return;
     }
-    add(q, index, SumStride * at, r2, depth - decodeDepth(nearest));
+    add(q, index, SumStride * at, hit, hit.depth - decodeDepth(nearest));
   }
 }
 

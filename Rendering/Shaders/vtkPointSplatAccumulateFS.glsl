@@ -29,12 +29,11 @@ void main()
   Splat q = fragmentSplat();
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   uint nearest = texelFetch(Depths, pixel, 0).r;
-  float r2;
-  float depth;
-  if (!intersect(q, gl_FragCoord.xy, KernelSupport, r2, depth) ||
-    !(Gather ? nearest != NoDepth : sameLayer(q, depth, nearest)) ||
+  Hit hit;
+  if (!intersect(q, gl_FragCoord.xy, KernelSupport, hit) ||
+    !(Gather ? nearest != NoDepth : sameLayer(q, hit.depth, nearest)) ||
     (PreviousCount > 0 &&
-      isPeeled(q, depth,
+      isPeeled(q, hit.depth,
         uvec3(texelFetch(Previous0, pixel, 0).r, texelFetch(Previous1, pixel, 0).r,
           texelFetch(Previous2, pixel, 0).r))))
   {
@@ -47,9 +46,9 @@ void main()
   }
   // As in the fixed-point sums, a weight never vanishes inside the support.
   float weight =
-    max(kernelWeight(r2, KernelSupport) * (Gather ? colour.a : 1.0), 1.0 / 4096.0);
-  float behind = clamp((depth - decodeDepth(nearest)) / DepthUnit, -1.0, 1.0);
-  weightAndNormal = weight * vec4(1.0, q.normal);
+    max(kernelWeight(hit.r2, KernelSupport) * (Gather ? colour.a : 1.0), 1.0 / 4096.0);
+  float behind = clamp((hit.depth - decodeDepth(nearest)) / DepthUnit, -1.0, 1.0);
+  weightAndNormal = weight * vec4(1.0, normalAt(q, hit.uv));
   depthAndColour = weight * vec4(behind, colour.rgb);
   opacity = weight * colour.a;
 }

@@ -13,9 +13,8 @@
 #include "vtkPointSplatKernel"
 #include "vtkPointSplatGroupTexel"
 
-flat in vec3 diskS;
-flat in vec3 diskT;
-flat in vec3 diskSlopeAndReach;
+flat in vec4 diskNarrow;
+flat in vec3 diskLeanAndReach;
 
 uniform float VoronoiScale; // world units; 0: plain depth
 
@@ -24,19 +23,16 @@ layout(location = 0) out uvec4 texel;
 void main()
 {
   Splat q = fragmentSplat();
-  float r2;
-  float depth;
-  if (!intersect(q, gl_FragCoord.xy, KernelSupport, r2, depth))
+  Hit hit;
+  if (!intersect(q, gl_FragCoord.xy, KernelSupport, hit))
   {
     discard;
   }
   Splat disk = q;
-  disk.s = diskS;
-  disk.t = diskT;
-  disk.slope = diskSlopeAndReach.xy;
-  float diskR2;
-  float diskDepth;
-  bool onDisk = intersect(disk, gl_FragCoord.xy, diskSlopeAndReach.z, diskR2, diskDepth);
+  disk.narrow = diskNarrow;
+  disk.lean = diskLeanAndReach.xy;
+  Hit onto;
+  bool onDisk = intersect(disk, gl_FragCoord.xy, diskLeanAndReach.z, onto);
   if (!onDisk && q.facing < SteepFacing)
   {
     // At a silhouette the kernel's tail would hide what is behind, which has only
@@ -44,14 +40,14 @@ void main()
     discard;
   }
   // As in the fixed-point sums, a weight never vanishes inside the support.
-  float weight = max(kernelWeight(r2, KernelSupport), 1.0 / 4096.0);
+  float weight = max(kernelWeight(hit.r2, KernelSupport), 1.0 / 4096.0);
   float along = q.layer / max(q.facing, LeastFacing);
-  texel = uvec4(encodeDepth(onDisk ? diskDepth : depth, q.tag), encodeNormal(q.normal),
+  texel = uvec4(encodeDepth(onDisk ? onto.depth : hit.depth, q.tag), encodeNormal(normalAt(q, hit.uv)),
     encodeHalf(weight, !onDisk) | encodeHalf(along / DepthUnit, q.facing <= SteepFacing) << 16,
     packColour(splatColour));
   // Off the disk comes last: a widened splat's tail would else hide the disk that
   // tells where the surface is.
-  float rim = sqrt(r2) / KernelSupport + (onDisk ? 0.0 : 1.0);
+  float rim = sqrt(hit.r2) / KernelSupport + (onDisk ? 0.0 : 1.0);
   gl_FragDepth = clamp(
-    (depth + VoronoiScale * rim) / (DepthRange.y + 2.0 * VoronoiScale), 0.0, 0.9999999);
+    (hit.depth + VoronoiScale * rim) / (DepthRange.y + 2.0 * VoronoiScale), 0.0, 0.9999999);
 }

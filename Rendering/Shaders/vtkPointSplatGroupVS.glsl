@@ -10,9 +10,8 @@
 uniform float DiskReach;      // radii
 uniform float CoverageRadius; // pixels
 
-flat out vec3 diskS;
-flat out vec3 diskT;
-flat out vec3 diskSlopeAndReach; // a reach of 0: there is no disk
+flat out vec4 diskNarrow;
+flat out vec3 diskLeanAndReach; // a reach of 0: there is no disk
 
 void main()
 {
@@ -21,9 +20,8 @@ void main()
     return;
   }
   Splat disk;
-  bool seen = project(positionAndRadius.xyz, normals, axis1MC, axis2MC, positionAndRadius.w,
+  bool seen = project(positionAndRadius.xyz, shape, axis1MC, axis2MC, positionAndRadius.w,
     DiskReach, CoverageRadius, disk);
-  diskS = disk.s;
-  diskT = disk.t;
-  diskSlopeAndReach = vec3(disk.slope, seen ? DiskReach : 0.0);
+  diskNarrow = disk.narrow;
+  diskLeanAndReach = vec3(disk.lean, seen ? DiskReach : 0.0);
 }

@@ -22,14 +22,13 @@ void drawPixel(Splat q, uint index, ivec2 pixel)
 {
   int at = pixelIndex(pixel);
   uint nearest = texelFetch(Depths, at).r;
-  float r2;
-  float depth;
+  Hit hit;
   if (((nearest ^ q.tag) & TagMask) > 1u ||
-    !intersect(q, vec2(pixel) + 0.5, KernelSupport, r2, depth) || !sameLayer(q, depth, nearest))
+    !intersect(q, vec2(pixel) + 0.5, KernelSupport, hit) || !sameLayer(q, hit.depth, nearest))
   {
     return;
   }
-  uint weight = floatBitsToUint(kernelWeight(r2, KernelSupport));
+  uint weight = floatBitsToUint(kernelWeight(hit.r2, KernelSupport));
   if (FindWeight)
   {
     atomicMax(ids[2 * at], weight);

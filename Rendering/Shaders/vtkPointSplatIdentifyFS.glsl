@@ -17,12 +17,11 @@ void main()
 {
   Splat q = fragmentSplat();
   uint nearest = texelFetch(Depths, ivec2(gl_FragCoord.xy), 0).r;
-  float r2;
-  float depth;
-  if (!intersect(q, gl_FragCoord.xy, KernelSupport, r2, depth) || !sameLayer(q, depth, nearest))
+  Hit hit;
+  if (!intersect(q, gl_FragCoord.xy, KernelSupport, hit) || !sameLayer(q, hit.depth, nearest))
   {
     discard;
   }
   nearestId = tagAndId.y;
-  gl_FragDepth = 1.0 - clamp(kernelWeight(r2, KernelSupport), 0.0, 1.0);
+  gl_FragDepth = 1.0 - clamp(kernelWeight(hit.r2, KernelSupport), 0.0, 1.0);
 }

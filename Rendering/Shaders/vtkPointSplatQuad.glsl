@@ -7,7 +7,7 @@
 #include "vtkPointSplatProjection"
 
 layout(location = 0) in vec4 positionAndRadius;
-layout(location = 1) in uvec2 normals;
+layout(location = 1) in uvec3 shape;
 layout(location = 2) in uint id;
 layout(location = 3) in vec4 colour;
 layout(location = 4) in vec3 axis1MC;
@@ -17,22 +17,27 @@ uniform float Reach;         // radii to draw: 1, or the kernel's support
 uniform float MinimumRadius; // pixels
 uniform ivec2 ImageSize;
 
-flat out vec4 centreAndDepths; // centre in pixels, w, depth
-flat out vec3 splatS;
-flat out vec3 splatT;
-flat out vec4 slopeFacingLayer;
+flat out vec4 centreDepthFacing;
+flat out vec4 splatSAndLean;
+flat out vec4 splatTAndLean;
+flat out vec4 splatMAndLayer;
+flat out vec3 splatBend;
+flat out vec4 splatNarrow;
+flat out vec3 splatTurnS;
+flat out vec3 splatTurnT;
 flat out vec3 splatNormal;
 flat out uvec2 tagAndId;
 flat out vec4 splatColour;
 flat out vec3 positionVC;
 flat out vec3 sVC;
 flat out vec3 tVC;
+flat out vec3 mVC;
 
 // False: nothing of the splat can be seen.
 bool spanQuad()
 {
   Splat q;
-  if (!project(positionAndRadius.xyz, normals, axis1MC, axis2MC, positionAndRadius.w, Reach,
+  if (!project(positionAndRadius.xyz, shape, axis1MC, axis2MC, positionAndRadius.w, Reach,
         MinimumRadius, q))
   {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // off the screen
@@ -41,15 +46,20 @@ bool spanQuad()
   vec2 corner = vec2((gl_VertexID & 1) == 0 ? q.box.x : q.box.z + 1,
     (gl_VertexID & 2) == 0 ? q.box.y : q.box.w + 1);
   gl_Position = vec4(2.0 * corner / vec2(ImageSize) - 1.0, 0.0, 1.0);
-  centreAndDepths = vec4(q.centre, q.w, q.depth);
-  splatS = q.s;
-  splatT = q.t;
-  slopeFacingLayer = vec4(q.slope, q.facing, q.layer);
+  centreDepthFacing = vec4(q.centre, q.depth, q.facing);
+  splatSAndLean = vec4(q.s, q.lean.x);
+  splatTAndLean = vec4(q.t, q.lean.y);
+  splatNarrow = q.narrow;
+  splatMAndLayer = vec4(q.m, q.layer);
+  splatBend = q.bend;
+  splatTurnS = q.turnS;
+  splatTurnT = q.turnT;
   splatNormal = q.normal;
   tagAndId = uvec2(q.tag, id);
   splatColour = colour;
   positionVC = q.positionVC;
   sVC = q.sVC;
   tVC = q.tVC;
+  mVC = q.mVC;
   return true;
 }

@@ -5,33 +5,43 @@
 
 #include "vtkPointSplatProjection"
 
-flat in vec4 centreAndDepths;
-flat in vec3 splatS;
-flat in vec3 splatT;
-flat in vec4 slopeFacingLayer;
+flat in vec4 centreDepthFacing;
+flat in vec4 splatSAndLean;
+flat in vec4 splatTAndLean;
+flat in vec4 splatMAndLayer;
+flat in vec3 splatBend;
+flat in vec4 splatNarrow;
+flat in vec3 splatTurnS;
+flat in vec3 splatTurnT;
 flat in vec3 splatNormal;
 flat in uvec2 tagAndId;
 flat in vec4 splatColour;
 flat in vec3 positionVC;
 flat in vec3 sVC;
 flat in vec3 tVC;
+flat in vec3 mVC;
 
 Splat fragmentSplat()
 {
   Splat q;
-  q.centre = centreAndDepths.xy;
-  q.w = centreAndDepths.z;
-  q.depth = centreAndDepths.w;
-  q.s = splatS;
-  q.t = splatT;
-  q.slope = slopeFacingLayer.xy;
-  q.facing = slopeFacingLayer.z;
-  q.layer = slopeFacingLayer.w;
+  q.centre = centreDepthFacing.xy;
+  q.depth = centreDepthFacing.z;
+  q.facing = centreDepthFacing.w;
+  q.s = splatSAndLean.xyz;
+  q.t = splatTAndLean.xyz;
+  q.lean = vec2(splatSAndLean.w, splatTAndLean.w);
+  q.narrow = splatNarrow;
+  q.m = splatMAndLayer.xyz;
+  q.layer = splatMAndLayer.w;
+  q.bend = splatBend;
+  q.turnS = splatTurnS;
+  q.turnT = splatTurnT;
   q.normal = splatNormal;
   q.tag = tagAndId.x;
   q.positionVC = positionVC;
   q.sVC = sVC;
   q.tVC = tVC;
+  q.mVC = mVC;
   q.box = Window;
   return q;
 }

@@ -22,7 +22,7 @@ uniform int ImageWidth;
 // Splats whose box has more pixels than this are large.
 const int LargeArea = 256;
 
-bool loadSplat(uint index, float reach, float h, out Splat q)
+bool loadSplat(uint index, float reach, float least, out Splat q)
 {
   int at = int(index) * (Circular ? 2 : 4);
   uvec4 a = texelFetch(Splats, at);
@@ -34,8 +34,8 @@ bool loadSplat(uint index, float reach, float h, out Splat q)
     axis1 = uintBitsToFloat(texelFetch(Splats, at + 2).xyz);
     axis2 = uintBitsToFloat(texelFetch(Splats, at + 3).xyz);
   }
-  return project(uintBitsToFloat(a.xyz), b.xy, axis1, axis2,
-    uintBitsToFloat(a.w), reach, h, q);
+  return project(uintBitsToFloat(a.xyz), b.xyz, axis1, axis2,
+    uintBitsToFloat(a.w), reach, least, q);
 }
 
 uint splatId(uint index)
@@ -51,7 +51,7 @@ int pixelIndex(ivec2 pixel)
 // What a stage does with one pixel of a splat's box.
 void drawPixel(Splat q, uint index, ivec2 pixel);
 
-void drawSplats(float reach, float h)
+void drawSplats(float reach, float least)
 {
   Splat q;
   if (DrawLarge)
@@ -59,7 +59,7 @@ void drawSplats(float reach, float h)
     for (uint i = gl_WorkGroupID.x; i < largeCount; i += gl_NumWorkGroups.x)
     {
       uint index = large[i];
-      if (loadSplat(index, reach, h, q))
+      if (loadSplat(index, reach, least, q))
       {
         ivec2 size = q.box.zw - q.box.xy + 1;
         for (int k = int(gl_LocalInvocationID.x); k < size.x * size.y; k += 64)
@@ -72,7 +72,7 @@ void drawSplats(float reach, float h)
   }
   uint index =
     (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 64u + gl_LocalInvocationID.x;
-  if (index >= SplatCount || !loadSplat(index, reach, h, q))
+  if (index >= SplatCount || !loadSplat(index, reach, least, q))
   {
     return;
   }

@@ -23,23 +23,22 @@ uniform float CoverageRadius; // pixels: below, a disk might miss every pixel
 
 void drawPixel(Splat q, uint index, ivec2 pixel)
 {
-  float r2;
-  float depth;
-  if (intersect(q, vec2(pixel) + 0.5, DiskReach, r2, depth))
+  Hit hit;
+  if (intersect(q, vec2(pixel) + 0.5, DiskReach, hit))
   {
     int at = pixelIndex(pixel);
     if (PreviousCount > 0 &&
-      isPeeled(q, depth,
+      isPeeled(q, hit.depth,
         uvec3(texelFetch(Previous0, at).r, texelFetch(Previous1, at).r,
           texelFetch(Previous2, at).r)))
     {
       return;
     }
-    if (HasSceneDepth && isHidden(depth, pixel))
+    if (HasSceneDepth && isHidden(hit.depth, pixel))
     {
       return;
     }
-    atomicMin(depths[at], encodeDepth(depth, q.tag));
+    atomicMin(depths[at], encodeDepth(hit.depth, q.tag));
     if (TellFound)
     {
       found = 1u;

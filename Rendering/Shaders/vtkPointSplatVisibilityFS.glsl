@@ -18,21 +18,20 @@ layout(location = 0) out uint nearestDepth;
 void main()
 {
   Splat q = fragmentSplat();
-  float r2;
-  float depth;
-  if (!intersect(q, gl_FragCoord.xy, DiskReach, r2, depth))
+  Hit hit;
+  if (!intersect(q, gl_FragCoord.xy, DiskReach, hit))
   {
     discard;
   }
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   if ((PreviousCount > 0 &&
-        isPeeled(q, depth,
+        isPeeled(q, hit.depth,
           uvec3(texelFetch(Previous0, pixel, 0).r, texelFetch(Previous1, pixel, 0).r,
             texelFetch(Previous2, pixel, 0).r))) ||
-    (HasSceneDepth && isHidden(depth, pixel)))
+    (HasSceneDepth && isHidden(hit.depth, pixel)))
   {
     discard;
   }
-  nearestDepth = encodeDepth(depth, q.tag);
-  gl_FragDepth = clamp(depth / DepthRange.y, 0.0, 1.0);
+  nearestDepth = encodeDepth(hit.depth, q.tag);
+  gl_FragDepth = clamp(hit.depth / DepthRange.y, 0.0, 1.0);
 }

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPointSplatCurvature
+ * @brief   how a surface bends at a point, from its neighbours
+ *
+ * An internal helper of vtkPointSplatEstimation; see the stages there.
+ *
+ * With tangents a, b and the normal n at a point, to first order the normal of a neighbour at
+ * u a + v b + h n is n + (B11 u + B12 v) a + (B12 u + B22 v) b, and to second order h is
+ * -(B11 u^2 + 2 B12 u v + B22 v^2) / 2: B is the second fundamental form. So each neighbour,
+ * at a distance d, gives three equations, in units of curvature:
+ *   (B11 u + B12 v) / d = n_j . a / d,   (B12 u + B22 v) / d = n_j . b / d,
+ *   (B11 u^2 + 2 B12 u v + B22 v^2) / d^2 = -2 h / d^2,
+ * which B fits by least squares, weighted by the squared cosine between the normals. A
+ * neighbour's normal n_j is first turned to the side of n: B does not depend on how normals
+ * are oriented from point to point, only on the sign of n.
+ */
+#ifndef vtkPointSplatCurvature_h
+#define vtkPointSplatCurvature_h
+
+#include "vtkPointSplatNeighbors.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkPointSplatCurvature
+{
+public:
+  /// B as a tensor, XX, YY, ZZ, XY, YZ, XZ, in 1 / world units: B = 1 / R on a sphere of radius
+  /// R whose normals point outward. Its null vector is the normal.
+  float Tensor[6] = { 0, 0, 0, 0, 0, 0 };
+
+  /**
+   * Fits the tensor at the neighbourhood's centre. normals: 3 floats a slot, unit length.
+   * Where the neighbours do not agree on it (noise, creases, too few of them), it is smaller
+   * than the fit, down to 0: there the plane is the better guess.
+   */
+  void Estimate(
+    const vtkPointSplatNeighbors::Neighborhood& around, const float* normals);
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
