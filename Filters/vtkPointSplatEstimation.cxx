@@ -32,7 +32,7 @@ namespace
 /// The radius of a point that has no neighbour to compare with.
 constexpr float LoneRadius = 0.1f;
 /// How much larger than its neighbours' disks one may be.
-constexpr float LargestRatio = 4.0f;
+constexpr float LargestRatio = 2.5f;
 /// Floats hold no more, and nothing real is farther out.
 constexpr double LargestCoordinate = 1e37;
 /// Where samplings are as regular as meshes' (the 95th percentile of the disks' sizes, in

@@ -54,7 +54,7 @@
  *    the NumberOfNeighbors nearest ones' normals and heights over the tangent plane best, by
  *    least squares (vtkPointSplatCurvature.h has the equations). What those do not agree on is
  *    left out, since noise has no curvature, and a tenth of the rest.
- * 5. *Bound.* No disk is larger than the distance to the farthest neighbour looked at, nor than four
+ * 5. *Bound.* No disk is larger than the distance to the farthest neighbour looked at, nor than two and a half
  *    times those of its neighbours, which keeps outliers small. With no neighbour at all, for a
  *    lone point, the radius is 0.1.
  *

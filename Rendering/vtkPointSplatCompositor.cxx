@@ -95,7 +95,8 @@ std::vector<vtkPointSplatCompositor::Entry> vtkPointSplatCompositor::Collect(
     vtkPointSplatMapper* mapper =
       actor ? vtkPointSplatMapper::SafeDownCast(actor->GetMapper()) : nullptr;
     if (!mapper || !mapper->UpdateCloud() ||
-      !(translucent ? actor->HasTranslucentPolygonalGeometry() : actor->HasOpaqueGeometry()))
+      !(renderer->GetSelector() || // which draws all as if they were opaque
+        (translucent ? actor->HasTranslucentPolygonalGeometry() : actor->HasOpaqueGeometry())))
     {
       return;
     }
@@ -244,11 +245,7 @@ bool vtkPointSplatCompositor::Build(vtkRenderer* renderer, const vtkPointSplatVi
     }
   }
   request.VoronoiScale = !deferred ? -1.0f : voronoi ? static_cast<float>(layer) : 0.0f;
-  if (translucent && renderer->GetSelector())
-  {
-    request.MaximumLayers = 1; // the nearest is picked
-  }
-  else if (translucent)
+  if (translucent)
   {
     bool failed = false;
     request.SceneDepth = this->CaptureScene(renderer, view, failed);
@@ -314,8 +311,8 @@ bool vtkPointSplatCompositor::Present(
   std::unique_ptr<vtkPointSplatLayers>* alone = nullptr;
   if (!joint)
   {
-    if (renderer->GetSelector() && translucent &&
-      (actor->GetProperty()->GetOpacity() < mapper->GetPickOpacityThreshold()))
+    if (renderer->GetSelector() &&
+      actor->GetProperty()->GetOpacity() < mapper->GetPickOpacityThreshold())
     {
       return true;
     }

@@ -105,6 +105,7 @@ bool vtkPointSplatLayers::BuildLayer(
   vtkPointSplatPeel peel;
   peel.Gather = this->IsGathered(this->Count);
   peel.SceneDepth = r.SceneDepth;
+  peel.Layer = this->Count;
   for (size_t k = index; k > 0 && peel.Previous.size() < 3; --k)
   {
     peel.Previous.push_back(this->Layers[k - 1].get());

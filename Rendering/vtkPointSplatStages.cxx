@@ -38,6 +38,15 @@ void SetPeel(vtkPointSplatProgram& program, vtkPointSplatUnits& units,
   program.Set("Gather", peel && peel->Gather);
 }
 
+/// Sets the count at a buffer's beginning to 0.
+void ClearCount(GLuint buffer)
+{
+  const GLuint zero = 0;
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
+  glClearBufferSubData(
+    GL_SHADER_STORAGE_BUFFER, GL_R32UI, 0, 4, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+}
+
 GLsizeiptr Stride(const vtkPointSplatCloud& cloud)
 {
   return cloud.IsCircular() ? 32 : 64;
@@ -135,32 +144,57 @@ void vtkPointSplatStages::SetItem(vtkPointSplatProgram& program, const vtkPointS
   program.Set("KernelSupport", static_cast<float>(item.KernelSupport));
   program.Set("HasColours", item.Cloud->HasColours());
   program.Set("ItemColour", glm::vec4(1.0f));
-  program.Set("SplatCount", static_cast<unsigned int>(item.Cloud->GetNumberOfSplats()));
   program.Set("ImageWidth", imageSize.x);
   program.Set("ImageSize", imageSize);
 }
 
 //------------------------------------------------------------------------------
 void vtkPointSplatStages::Dispatch(vtkPointSplatProgram& program, vtkPointSplatUnits& units,
-  const vtkPointSplatItem& item, vtkPointSplatCloud::Buffers& buffers, bool listLarge)
+  vtkIdType splats, vtkPointSplatCloud::Buffers& buffers)
 {
   units.Bind(program, "Splats", GL_TEXTURE_BUFFER, buffers.SplatTexture);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, buffers.Large);
-  if (listLarge)
-  {
-    const GLuint zero = 0;
-    glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffers.Large);
-    glClearBufferSubData(
-      GL_SHADER_STORAGE_BUFFER, GL_R32UI, 0, 4, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
-  }
-  const GLuint groups =
-    static_cast<GLuint>((item.Cloud->GetNumberOfSplats() + GroupSize - 1) / GroupSize);
-  program.Set("ListLarge", listLarge);
+  ClearCount(buffers.Large);
+  const GLuint groups = static_cast<GLuint>((splats + GroupSize - 1) / GroupSize);
+  program.Set("SplatCount", static_cast<unsigned int>(splats));
+  program.Set("ListLarge", true);
   program.Set("DrawLarge", false);
   glDispatchCompute(std::min(groups, MostGroups), (groups + MostGroups - 1) / MostGroups, 1);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   program.Set("DrawLarge", true);
   glDispatchCompute(LargeGroups, 1, 1);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatStages::PrepareLists(const std::vector<vtkPointSplatItem>& items, int layer)
+{
+  this->ItemLists.resize(std::max(this->ItemLists.size(), items.size()));
+  for (size_t i = 0; i < items.size(); ++i)
+  {
+    Lists& lists = this->ItemLists[i];
+    const vtkIdType splats = items[i].Cloud->GetNumberOfSplats();
+    if (lists.Capacity < splats)
+    {
+      glDeleteBuffers(2, lists.Buffers);
+      glGenBuffers(2, lists.Buffers);
+      lists.Capacity = splats;
+      for (const GLuint buffer : lists.Buffers)
+      {
+        glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
+        glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(4 * (splats + 1)), nullptr,
+          GL_DYNAMIC_COPY);
+      }
+    }
+    lists.Count = splats;
+    if (layer > 0)
+    {
+      GLuint count = 0;
+      glBindBuffer(GL_SHADER_STORAGE_BUFFER, lists.Buffers[(layer - 1) % 2]);
+      glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, 4, &count);
+      lists.Count = static_cast<vtkIdType>(count);
+    }
+    ClearCount(lists.Buffers[layer % 2]);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -185,12 +219,35 @@ bool vtkPointSplatStages::ReconstructByCompute(vtkOpenGLRenderWindow* window,
   glBufferData(GL_SHADER_STORAGE_BUFFER, 4, &nothing, GL_STREAM_READ);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, this->Found);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, images.GetDepths());
-  for (const vtkPointSplatItem& item : items)
+  // Draws an item's splats: all of them, or those that earlier layers have left.
+  auto draw = [&](size_t i, bool listNext) {
+    vtkIdType splats = items[i].Cloud->GetNumberOfSplats();
+    program->Set("DrawListed", peel && peel->Layer > 0);
+    program->Set("ListNext", peel && listNext);
+    if (peel)
+    {
+      const Lists& lists = this->ItemLists[i];
+      splats = lists.Count;
+      glBindBufferBase(
+        GL_SHADER_STORAGE_BUFFER, 4, lists.Buffers[(peel->Layer + 1) % 2]);
+      glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 5, lists.Buffers[peel->Layer % 2]);
+    }
+    if (splats > 0)
+    {
+      vtkPointSplatStages::Dispatch(*program, units, splats, items[i].Cloud->Upload(window));
+    }
+  };
+  if (peel)
   {
-    this->SetItem(*program, view, item, images.GetSize());
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    this->PrepareLists(items, peel->Layer);
+  }
+  for (size_t i = 0; i < items.size(); ++i)
+  {
+    this->SetItem(*program, view, items[i], images.GetSize());
     program->Set("DiskReach", DiskReach);
     program->Set("CoverageRadius", CoverageRadius);
-    this->Dispatch(*program, units, item, item.Cloud->Upload(window), true);
+    draw(i, false);
   }
   if (empty)
   {
@@ -213,9 +270,9 @@ bool vtkPointSplatStages::ReconstructByCompute(vtkOpenGLRenderWindow* window,
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, images.GetSums());
   SetPeel(*program, units, view, peel);
   units.Bind(*program, "Depths", GL_TEXTURE_BUFFER, images.GetDepthTexture());
-  for (const vtkPointSplatItem& item : items)
+  for (size_t i = 0; i < items.size(); ++i)
   {
-    vtkPointSplatCloud::Buffers& buffers = item.Cloud->Upload(window);
+    const vtkPointSplatItem& item = items[i];
     this->SetItem(*program, view, item, images.GetSize());
     program->Set("PrefilterRadius", PrefilterRadius);
     program->Set("DepthUnit", depthUnit);
@@ -224,8 +281,8 @@ bool vtkPointSplatStages::ReconstructByCompute(vtkOpenGLRenderWindow* window,
     {
       program->Set("ItemColour", item.Colour);
     }
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, buffers.Colours);
-    this->Dispatch(*program, units, item, buffers, true);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, item.Cloud->Upload(window).Colours);
+    draw(i, true);
   }
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
   return true;
@@ -476,7 +533,10 @@ bool vtkPointSplatStages::Identify(vtkOpenGLRenderWindow* window, const vtkPoint
           program->Set("FindWeight", findWeight);
           program->Set("UseIdMap", idMap != 0);
           glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, idMap);
-          this->Dispatch(*program, units, item, item.Cloud->Upload(window), true);
+          program->Set("DrawListed", false);
+          program->Set("ListNext", false);
+          vtkPointSplatStages::Dispatch(
+            *program, units, item.Cloud->GetNumberOfSplats(), item.Cloud->Upload(window));
         }
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
       }
@@ -508,4 +568,9 @@ void vtkPointSplatStages::Release()
     glDeleteBuffers(1, &this->Found);
     this->Found = 0;
   }
+  for (Lists& lists : this->ItemLists)
+  {
+    glDeleteBuffers(2, lists.Buffers);
+  }
+  this->ItemLists.clear();
 }

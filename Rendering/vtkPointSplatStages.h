@@ -58,6 +58,8 @@ struct vtkPointSplatPeel
   GLuint SceneDepth = 0;
   /// All that is left makes one layer, weighted by opacity.
   bool Gather = false;
+  /// How many layers were peeled before; splats that have nothing left are skipped.
+  int Layer = 0;
 };
 
 class vtkPointSplatStages
@@ -134,7 +136,8 @@ private:
   };
   vtkPointSplatProgram* Use(Program which);
   static void Dispatch(vtkPointSplatProgram& program, vtkPointSplatUnits& units,
-    const vtkPointSplatItem& item, vtkPointSplatCloud::Buffers& buffers, bool listLarge);
+    vtkIdType splats, vtkPointSplatCloud::Buffers& buffers);
+  void PrepareLists(const std::vector<vtkPointSplatItem>& items, int layer);
   bool ReconstructByCompute(vtkOpenGLRenderWindow* window, const vtkPointSplatView& view,
     const std::vector<vtkPointSplatItem>& items, vtkPointSplatImages& images, float depthUnit,
     const vtkPointSplatPeel* peel, bool* empty);
@@ -147,6 +150,18 @@ private:
 
   vtkPointSplatProgram Programs[NumberOfPrograms];
   GLuint Found = 0; // a buffer: whether compute shaders found anything
+
+  /**
+   * Of one item while layers are peeled: buffers with a count and the indices of splats that
+   * may have a part in this layer, and in the next one.
+   */
+  struct Lists
+  {
+    GLuint Buffers[2] = { 0, 0 };
+    vtkIdType Capacity = 0;
+    vtkIdType Count = 0; // of those in this layer
+  };
+  std::vector<Lists> ItemLists;
   std::string Error;
 };
 

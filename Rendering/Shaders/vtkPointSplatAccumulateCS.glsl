@@ -56,18 +56,20 @@ void drawPixel(Splat q, uint index, ivec2 pixel)
 {
   int at = pixelIndex(pixel);
   uint nearest = texelFetch(Depths, at).r;
-  if (((nearest ^ q.tag) & TagMask) > 1u && !Gather)
+  if (nearest == NoDepth || (((nearest ^ q.tag) & TagMask) > 1u && !Gather && !ListNext))
   {
     return;
   }
   Hit hit;
-  if (intersect(q, vec2(pixel) + 0.5, KernelSupport, hit) &&
-    (Gather ? nearest != NoDepth : sameLayer(q, hit.depth, nearest)))
+  if (intersect(q, vec2(pixel) + 0.5, KernelSupport, hit))
   {
-    if (PreviousCount > 0 &&
-      isPeeled(q, hit.depth,
-        uvec3(texelFetch(Previous0, at).r, texelFetch(Previous1, at).r,
-          texelFetch(Previous2, at).r)))
+    bool mine = Gather ? nearest != NoDepth : sameLayer(q, hit.depth, nearest);
+    isLeft = isLeft || (!mine && hit.depth > decodeDepth(nearest));
+    if (!mine ||
+      (PreviousCount > 0 &&
+        isPeeled(q, hit.depth,
+          uvec3(texelFetch(Previous0, at).r, texelFetch(Previous1, at).r,
+            texelFetch(Previous2, at).r))))
     {
       return;
     }

@@ -13,8 +13,13 @@ layout(local_size_x = 64) in;
 // invocations at once, and GPUs do not mind.
 uniform usamplerBuffer Splats; // RGBA32UI, two or four a splat: see vtkPointSplatCloud.h
 layout(std430, binding = 1) buffer Large { uint largeCount; uint large[]; };
+// Splats that may still have a part in this layer, and those that may in the next one.
+layout(std430, binding = 4) readonly buffer Listed { uint listedCount; uint listed[]; };
+layout(std430, binding = 5) buffer Next { uint nextCount; uint next[]; };
 
-uniform uint SplatCount;
+uniform uint SplatCount;     // of the listed ones, where these are drawn
+uniform bool DrawListed;
+uniform bool ListNext;
 uniform bool DrawLarge;      // this dispatch draws the listed splats
 uniform bool ListLarge;      // this dispatch makes the list
 uniform int ImageWidth;
@@ -51,6 +56,10 @@ int pixelIndex(ivec2 pixel)
 // What a stage does with one pixel of a splat's box.
 void drawPixel(Splat q, uint index, ivec2 pixel);
 
+// Set by drawPixel where a splat lies behind the layer that is drawn.
+bool isLeft;
+shared bool isLeftAnywhere;
+
 void drawSplats(float reach, float least)
 {
   Splat q;
@@ -59,6 +68,7 @@ void drawSplats(float reach, float least)
     for (uint i = gl_WorkGroupID.x; i < largeCount; i += gl_NumWorkGroups.x)
     {
       uint index = large[i];
+      isLeft = false;
       if (loadSplat(index, reach, least, q))
       {
         ivec2 size = q.box.zw - q.box.xy + 1;
@@ -67,15 +77,36 @@ void drawSplats(float reach, float least)
           drawPixel(q, index, q.box.xy + ivec2(k % size.x, k / size.x));
         }
       }
+      if (ListNext)
+      {
+        isLeftAnywhere = false;
+        barrier();
+        if (isLeft)
+        {
+          isLeftAnywhere = true;
+        }
+        barrier();
+        if (isLeftAnywhere && gl_LocalInvocationID.x == 0u)
+        {
+          next[atomicAdd(nextCount, 1u)] = index;
+        }
+        barrier();
+      }
     }
     return;
   }
   uint index =
     (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 64u + gl_LocalInvocationID.x;
-  if (index >= SplatCount || !loadSplat(index, reach, least, q))
+  if (index >= SplatCount)
   {
     return;
   }
+  index = DrawListed ? listed[index] : index;
+  if (!loadSplat(index, reach, least, q))
+  {
+    return;
+  }
+  isLeft = false;
   ivec2 size = q.box.zw - q.box.xy + 1;
   if (size.x * size.y > LargeArea)
   {
@@ -91,5 +122,9 @@ void drawSplats(float reach, float least)
     {
       drawPixel(q, index, ivec2(x, y));
     }
+  }
+  if (ListNext && isLeft)
+  {
+    next[atomicAdd(nextCount, 1u)] = index;
   }
 }
