@@ -50,7 +50,8 @@ std::string vtkPointSplatProgram::Source(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatProgram::Build(const std::vector<std::pair<GLenum, std::string>>& stages)
+bool vtkPointSplatProgram::Build(
+  const std::vector<std::pair<GLenum, std::string>>& stages, const std::string& defines)
 {
   this->Release();
   this->Log.clear();
@@ -58,7 +59,8 @@ bool vtkPointSplatProgram::Build(const std::vector<std::pair<GLenum, std::string
   bool good = true;
   for (const auto& stage : stages)
   {
-    const std::string source = vtkPointSplatProgram::Source(stage.second);
+    std::string source = vtkPointSplatProgram::Source(stage.second);
+    source.insert(source.find('\n') + 1, defines);
     const char* text = source.c_str();
     GLuint shader = glCreateShader(stage.first);
     glShaderSource(shader, 1, &text, nullptr);

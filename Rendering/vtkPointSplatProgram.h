@@ -31,9 +31,11 @@ public:
 
   /**
    * Compiles and links. Each stage is a kind (GL_COMPUTE_SHADER, ...) and an
-   * embedded file. False, and what the driver said in GetLog(), on failure.
+   * embedded file. defines: lines that follow the version. False, and what the driver said
+   * in GetLog(), on failure.
    */
-  bool Build(const std::vector<std::pair<GLenum, std::string>>& stages);
+  bool Build(const std::vector<std::pair<GLenum, std::string>>& stages,
+    const std::string& defines = std::string());
 
   bool IsBuilt() const { return this->Handle != 0; }
   const std::string& GetLog() const { return this->Log; }

@@ -23,7 +23,11 @@ void SetPeel(vtkPointSplatProgram& program, vtkPointSplatUnits& units,
   const vtkPointSplatView& view, const vtkPointSplatPeel* peel)
 {
   static const char* const names[] = { "Previous0", "Previous1", "Previous2" };
-  const size_t count = peel ? peel->Previous.size() : 0;
+  if (!peel)
+  {
+    return;
+  }
+  const size_t count = peel->Previous.size();
   program.Set("PreviousCount", static_cast<int>(count));
   for (size_t k = 0; k < 3; ++k)
   {
@@ -32,10 +36,10 @@ void SetPeel(vtkPointSplatProgram& program, vtkPointSplatUnits& units,
     units.Bind(program, names[k], compute ? GL_TEXTURE_BUFFER : GL_TEXTURE_2D,
       !images ? 0 : compute ? images->GetDepthTexture() : images->GetDepths());
   }
-  program.Set("HasSceneDepth", peel && peel->SceneDepth);
-  units.Bind(program, "SceneDepth", GL_TEXTURE_2D, peel ? peel->SceneDepth : 0);
+  program.Set("HasSceneDepth", peel->SceneDepth != 0);
+  units.Bind(program, "SceneDepth", GL_TEXTURE_2D, peel->SceneDepth);
   program.Set("PixelZ", view.PixelZ);
-  program.Set("Gather", peel && peel->Gather);
+  program.Set("Gather", peel->Gather);
 }
 
 /// Sets the count at a buffer's beginning to 0.
@@ -79,11 +83,15 @@ vtkPointSplatProgram* vtkPointSplatStages::Use(Program which)
   {
     const char* Vertex;
     const char* Other;
-  } files[NumberOfPrograms] = { { nullptr, "vtkPointSplatVisibilityCS" },
-    { nullptr, "vtkPointSplatAccumulateCS" }, { nullptr, "vtkPointSplatIdentifyCS" },
-    { "vtkPointSplatQuadVS", "vtkPointSplatVisibilityFS" },
-    { "vtkPointSplatQuadVS", "vtkPointSplatAccumulateFS" },
-    { "vtkPointSplatQuadVS", "vtkPointSplatIdentifyFS" } };
+    bool Peeling;
+  } files[NumberOfPrograms] = { { nullptr, "vtkPointSplatVisibilityCS", false },
+    { nullptr, "vtkPointSplatAccumulateCS", false }, { nullptr, "vtkPointSplatIdentifyCS", false },
+    { "vtkPointSplatQuadVS", "vtkPointSplatVisibilityFS", false },
+    { "vtkPointSplatQuadVS", "vtkPointSplatAccumulateFS", false },
+    { "vtkPointSplatQuadVS", "vtkPointSplatIdentifyFS", false },
+    { nullptr, "vtkPointSplatVisibilityCS", true }, { nullptr, "vtkPointSplatAccumulateCS", true },
+    { "vtkPointSplatQuadVS", "vtkPointSplatVisibilityFS", true },
+    { "vtkPointSplatQuadVS", "vtkPointSplatAccumulateFS", true } };
   vtkPointSplatProgram& program = this->Programs[which];
   if (!program.IsBuilt())
   {
@@ -97,7 +105,7 @@ vtkPointSplatProgram* vtkPointSplatStages::Use(Program which)
     {
       stages.emplace_back(GL_COMPUTE_SHADER, files[which].Other);
     }
-    if (!program.Build(stages))
+    if (!program.Build(stages, files[which].Peeling ? "#define PEELING\n" : ""))
     {
       this->Error = program.GetLog();
       return nullptr;
@@ -203,13 +211,12 @@ bool vtkPointSplatStages::ReconstructByCompute(vtkOpenGLRenderWindow* window,
   vtkPointSplatImages& images, float depthUnit, const vtkPointSplatPeel* peel, bool* empty)
 {
   vtkPointSplatUnits units(window);
-  vtkPointSplatProgram* program = this->Use(VisibilityCompute);
+  vtkPointSplatProgram* program = this->Use(peel ? PeelVisibilityCompute : VisibilityCompute);
   if (!program)
   {
     return false;
   }
   SetPeel(*program, units, view, peel);
-  program->Set("TellFound", empty != nullptr);
   if (!this->Found)
   {
     glGenBuffers(1, &this->Found);
@@ -261,7 +268,7 @@ bool vtkPointSplatStages::ReconstructByCompute(vtkOpenGLRenderWindow* window,
       return true;
     }
   }
-  program = this->Use(AccumulateCompute);
+  program = this->Use(peel ? PeelAccumulateCompute : AccumulateCompute);
   if (!program)
   {
     return false;
@@ -375,7 +382,7 @@ bool vtkPointSplatStages::ReconstructByQuads(vtkOpenGLRenderWindow* window,
   state->vtkglDrawBuffers(1, all);
   glClearBufferuiv(GL_COLOR, 0, none);
   glClearBufferfv(GL_DEPTH, 0, &farthest);
-  vtkPointSplatProgram* program = this->Use(VisibilityQuads);
+  vtkPointSplatProgram* program = this->Use(peel ? PeelVisibilityQuads : VisibilityQuads);
   if (!program)
   {
     return false;
@@ -425,7 +432,7 @@ bool vtkPointSplatStages::ReconstructByQuads(vtkOpenGLRenderWindow* window,
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendEquation(GL_FUNC_ADD); // depth peeling takes maxima
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
-  program = this->Use(AccumulateQuads);
+  program = this->Use(peel ? PeelAccumulateQuads : AccumulateQuads);
   if (!program)
   {
     return false;

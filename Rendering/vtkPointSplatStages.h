@@ -132,6 +132,10 @@ private:
     VisibilityQuads,
     AccumulateQuads,
     IdentifyQuads,
+    PeelVisibilityCompute,
+    PeelAccumulateCompute,
+    PeelVisibilityQuads,
+    PeelAccumulateQuads,
     NumberOfPrograms
   };
   vtkPointSplatProgram* Use(Program which);

@@ -11,16 +11,22 @@
 #include "vtkPointSplatSplatsCS"
 #include "vtkPointSplatKernel"
 #include "vtkPointSplatFixedPoint"
+#ifdef PEELING
 #include "vtkPointSplatPeel"
+#endif
 
 layout(std430, binding = 0) buffer Sums { int sums[]; };
 layout(std430, binding = 2) readonly buffer Colours { uint colours[]; };
 
 uniform usamplerBuffer Depths; // R32UI
+#ifdef PEELING
 uniform usamplerBuffer Previous0;
 uniform usamplerBuffer Previous1;
 uniform usamplerBuffer Previous2;
 uniform bool Gather;           // all that is behind, weighted by opacity
+#else
+const bool Gather = false;
+#endif
 uniform vec4 ItemColour;       // multiplies the points' colours
 uniform float PrefilterRadius; // pixels
 uniform bool HasColours;
@@ -56,23 +62,33 @@ void drawPixel(Splat q, uint index, ivec2 pixel)
 {
   int at = pixelIndex(pixel);
   uint nearest = texelFetch(Depths, at).r;
-  if (nearest == NoDepth || (((nearest ^ q.tag) & TagMask) > 1u && !Gather && !ListNext))
+#ifdef PEELING
+  if (nearest == NoDepth)
   {
     return;
   }
-  Hit hit;
-  if (intersect(q, vec2(pixel) + 0.5, KernelSupport, hit))
+#else
+  if (((nearest ^ q.tag) & TagMask) > 1u)
   {
-    bool mine = Gather ? nearest != NoDepth : sameLayer(q, hit.depth, nearest);
-    isLeft = isLeft || (!mine && hit.depth > decodeDepth(nearest));
-    if (!mine ||
-      (PreviousCount > 0 &&
-        isPeeled(q, hit.depth,
-          uvec3(texelFetch(Previous0, at).r, texelFetch(Previous1, at).r,
-            texelFetch(Previous2, at).r))))
-    {
-      return;
-    }
+    return;
+  }
+#endif
+  Hit hit;
+  if (!intersect(q, vec2(pixel) + 0.5, KernelSupport, hit))
+  {
+    return;
+  }
+  bool mine = Gather || sameLayer(q, hit.depth, nearest);
+#ifdef PEELING
+  isLeft = isLeft || (!mine && hit.depth > decodeDepth(nearest));
+  mine = mine &&
+    !(PreviousCount > 0 &&
+      isPeeled(q, hit.depth,
+        uvec3(texelFetch(Previous0, at).r, texelFetch(Previous1, at).r,
+          texelFetch(Previous2, at).r)));
+#endif
+  if (mine)
+  {
     add(q, index, SumStride * at, hit, hit.depth - decodeDepth(nearest));
   }
 }

@@ -9,14 +9,20 @@
 
 #include "vtkPointSplatQuadFS"
 #include "vtkPointSplatKernel"
+#ifdef PEELING
 #include "vtkPointSplatPeel"
+#endif
 
 uniform usampler2D Depths;
 uniform float DepthUnit;
+#ifdef PEELING
 uniform usampler2D Previous0;
 uniform usampler2D Previous1;
 uniform usampler2D Previous2;
 uniform bool Gather;
+#else
+const bool Gather = false;
+#endif
 uniform bool HasColours;
 uniform vec4 ItemColour;
 
@@ -31,14 +37,19 @@ void main()
   uint nearest = texelFetch(Depths, pixel, 0).r;
   Hit hit;
   if (!intersect(q, gl_FragCoord.xy, KernelSupport, hit) ||
-    !(Gather ? nearest != NoDepth : sameLayer(q, hit.depth, nearest)) ||
-    (PreviousCount > 0 &&
-      isPeeled(q, hit.depth,
-        uvec3(texelFetch(Previous0, pixel, 0).r, texelFetch(Previous1, pixel, 0).r,
-          texelFetch(Previous2, pixel, 0).r))))
+    !(Gather ? nearest != NoDepth : sameLayer(q, hit.depth, nearest)))
   {
     discard;
   }
+#ifdef PEELING
+  if (PreviousCount > 0 &&
+    isPeeled(q, hit.depth,
+      uvec3(texelFetch(Previous0, pixel, 0).r, texelFetch(Previous1, pixel, 0).r,
+        texelFetch(Previous2, pixel, 0).r)))
+  {
+    discard;
+  }
+#endif
   vec4 colour = ItemColour;
   if (HasColours)
   {

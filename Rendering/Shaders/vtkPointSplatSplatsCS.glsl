@@ -13,13 +13,16 @@ layout(local_size_x = 64) in;
 // invocations at once, and GPUs do not mind.
 uniform usamplerBuffer Splats; // RGBA32UI, two or four a splat: see vtkPointSplatCloud.h
 layout(std430, binding = 1) buffer Large { uint largeCount; uint large[]; };
+#ifdef PEELING
 // Splats that may still have a part in this layer, and those that may in the next one.
 layout(std430, binding = 4) readonly buffer Listed { uint listedCount; uint listed[]; };
 layout(std430, binding = 5) buffer Next { uint nextCount; uint next[]; };
 
-uniform uint SplatCount;     // of the listed ones, where these are drawn
 uniform bool DrawListed;
 uniform bool ListNext;
+#endif
+
+uniform uint SplatCount;     // of the listed ones, where these are drawn
 uniform bool DrawLarge;      // this dispatch draws the listed splats
 uniform bool ListLarge;      // this dispatch makes the list
 uniform int ImageWidth;
@@ -56,9 +59,11 @@ int pixelIndex(ivec2 pixel)
 // What a stage does with one pixel of a splat's box.
 void drawPixel(Splat q, uint index, ivec2 pixel);
 
+#ifdef PEELING
 // Set by drawPixel where a splat lies behind the layer that is drawn.
 bool isLeft;
 shared bool isLeftAnywhere;
+#endif
 
 void drawSplats(float reach, float least)
 {
@@ -68,7 +73,9 @@ void drawSplats(float reach, float least)
     for (uint i = gl_WorkGroupID.x; i < largeCount; i += gl_NumWorkGroups.x)
     {
       uint index = large[i];
+#ifdef PEELING
       isLeft = false;
+#endif
       if (loadSplat(index, reach, least, q))
       {
         ivec2 size = q.box.zw - q.box.xy + 1;
@@ -77,6 +84,7 @@ void drawSplats(float reach, float least)
           drawPixel(q, index, q.box.xy + ivec2(k % size.x, k / size.x));
         }
       }
+#ifdef PEELING
       if (ListNext)
       {
         isLeftAnywhere = false;
@@ -92,6 +100,7 @@ void drawSplats(float reach, float least)
         }
         barrier();
       }
+#endif
     }
     return;
   }
@@ -101,12 +110,14 @@ void drawSplats(float reach, float least)
   {
     return;
   }
+#ifdef PEELING
   index = DrawListed ? listed[index] : index;
+  isLeft = false;
+#endif
   if (!loadSplat(index, reach, least, q))
   {
     return;
   }
-  isLeft = false;
   ivec2 size = q.box.zw - q.box.xy + 1;
   if (size.x * size.y > LargeArea)
   {
@@ -123,8 +134,10 @@ void drawSplats(float reach, float least)
       drawPixel(q, index, ivec2(x, y));
     }
   }
+#ifdef PEELING
   if (ListNext && isLeft)
   {
     next[atomicAdd(nextCount, 1u)] = index;
   }
+#endif
 }

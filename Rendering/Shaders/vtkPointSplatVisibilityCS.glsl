@@ -8,15 +8,18 @@
 // Reads: Previous. Writes: Depths, one uint a pixel (see encodeDepth).
 
 #include "vtkPointSplatSplatsCS"
+#ifdef PEELING
 #include "vtkPointSplatPeel"
+#endif
 
 layout(std430, binding = 0) buffer Depths { uint depths[]; };
-layout(std430, binding = 3) buffer Found { uint found; };
+#ifdef PEELING
+layout(std430, binding = 3) buffer Found { uint found; }; // whether anything was, at all
 
 uniform usamplerBuffer Previous0; // R32UI, the last layer's depths
 uniform usamplerBuffer Previous1;
 uniform usamplerBuffer Previous2;
-uniform bool TellFound;           // whether anything was found at all
+#endif
 
 uniform float DiskReach;      // radii that are drawn
 uniform float CoverageRadius; // pixels: below, a disk might miss every pixel
@@ -27,6 +30,7 @@ void drawPixel(Splat q, uint index, ivec2 pixel)
   if (intersect(q, vec2(pixel) + 0.5, DiskReach, hit))
   {
     int at = pixelIndex(pixel);
+#ifdef PEELING
     if (PreviousCount > 0 &&
       isPeeled(q, hit.depth,
         uvec3(texelFetch(Previous0, at).r, texelFetch(Previous1, at).r,
@@ -38,11 +42,9 @@ void drawPixel(Splat q, uint index, ivec2 pixel)
     {
       return;
     }
+    found = 1u;
+#endif
     atomicMin(depths[at], encodeDepth(hit.depth, q.tag));
-    if (TellFound)
-    {
-      found = 1u;
-    }
   }
 }
 

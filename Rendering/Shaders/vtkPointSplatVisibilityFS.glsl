@@ -6,12 +6,16 @@
 // Writes: the coded depth (R32UI) of the nearest disk, by the depth test.
 
 #include "vtkPointSplatQuadFS"
+#ifdef PEELING
 #include "vtkPointSplatPeel"
+#endif
 
 uniform float DiskReach;
+#ifdef PEELING
 uniform usampler2D Previous0;
 uniform usampler2D Previous1;
 uniform usampler2D Previous2;
+#endif
 
 layout(location = 0) out uint nearestDepth;
 
@@ -23,6 +27,7 @@ void main()
   {
     discard;
   }
+#ifdef PEELING
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   if ((PreviousCount > 0 &&
         isPeeled(q, hit.depth,
@@ -32,6 +37,7 @@ void main()
   {
     discard;
   }
+#endif
   nearestDepth = encodeDepth(hit.depth, q.tag);
   gl_FragDepth = clamp(hit.depth / DepthRange.y, 0.0, 1.0);
 }
