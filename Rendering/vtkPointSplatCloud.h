@@ -74,12 +74,26 @@ public:
   void Update(vtkPointSplatMapper* mapper, vtkDataObject* input);
 
   /**
-   * Divides the splats into groups, those of the input's array or, where it has none, such
-   * that splats nearer than factor * reach times their radii are apart; done anew only when
-   * splats or arguments change. False where that cannot be done. Buffers then hold splats group by
-   * group, in Morton order within each.
+   * A run of splats in the buffers that lie close together, and their middle in the cloud's
+   * coordinates.
    */
-  bool MakeGroups(double factor, double reach);
+  struct Leaf
+  {
+    vtkIdType First;
+    vtkIdType Count;
+    double Centre[3];
+  };
+
+  /**
+   * Divides the splats into groups, those of the input's array or, where it has none, such
+   * that splats nearer than factor * reach times their radii are apart; or into a number of
+   * groups with the least overlap. Done anew only when splats or arguments change. False where
+   * that cannot be done. Buffers then hold splats group by group, in Morton order within each.
+   */
+  bool MakeGroups(double factor, double reach, int number = 0);
+  bool HasGivenGroups() const { return this->GroupsGiven; }
+  /// A group's splats, in leaves.
+  std::vector<Leaf> const& GetLeaves(int group) const;
   int GetNumberOfGroups() const
   {
     return this->GroupStarts.empty() ? 0 : static_cast<int>(this->GroupStarts.size()) - 1;
@@ -129,7 +143,8 @@ private:
   std::vector<uint32_t> MakeIdMap(IdKind kind) const;
   size_t GetWordsPerSplat() const { return this->Circular ? 8 : 16; }
   bool GivenGroups(std::vector<int>& groups) const;
-  bool FindGroups(std::vector<int>& groups, double factor, double reach) const;
+  bool FindGroups(std::vector<int>& groups, double factor, double reach, int number) const;
+  void MakeLeaves();
   /// As the buffers hold them: data of some words a splat, in the groups' order.
   std::vector<uint32_t> Ordered(const std::vector<uint32_t>& data, size_t words) const;
 
@@ -148,6 +163,9 @@ private:
   std::vector<vtkIdType> GroupStarts; // of groups in the buffers, and the end
   double GroupFactor = 0.0;
   double GroupReach = 0.0;
+  int GroupNumber = 0;
+  bool GroupsGiven = false;
+  std::vector<std::vector<Leaf>> Leaves; // of each group
   vtkTimeStamp GroupTime;
   vtkDataObject* Input = nullptr; // compared only
   vtkTimeStamp SplatTime;

@@ -22,6 +22,9 @@
 
 namespace
 {
+// Splats that are sorted as one.
+constexpr vtkIdType LeafSize = 64;
+
 /// A 10-bit number's bits, two zeros between each.
 uint32_t Spread(uint32_t x)
 {
@@ -58,7 +61,8 @@ bool vtkPointSplatCloud::GivenGroups(std::vector<int>& groups) const
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatCloud::FindGroups(std::vector<int>& groups, double factor, double reach) const
+bool vtkPointSplatCloud::FindGroups(
+  std::vector<int>& groups, double factor, double reach, int number) const
 {
   const size_t words = this->GetWordsPerSplat();
   vtkNew<vtkPolyData> splats;
@@ -86,6 +90,11 @@ bool vtkPointSplatCloud::FindGroups(std::vector<int>& groups, double factor, dou
   grouping->SetInputData(splats);
   grouping->SetOverlapFactor(factor);
   grouping->SetReach(reach);
+  if (number > 0)
+  {
+    grouping->SetColoringToWeighted();
+    grouping->SetWantedNumberOfGroups(number);
+  }
   grouping->Update();
   auto found = vtkIntArray::SafeDownCast(
     grouping->GetOutput()->GetPointData()->GetAbstractArray(vtkPointSplatArrays::Group));
@@ -98,21 +107,24 @@ bool vtkPointSplatCloud::FindGroups(std::vector<int>& groups, double factor, dou
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatCloud::MakeGroups(double factor, double reach)
+bool vtkPointSplatCloud::MakeGroups(double factor, double reach, int number)
 {
   if (this->Count == 0 ||
     (this->GroupTime > this->SplatTime && this->GroupFactor == factor &&
-      this->GroupReach == reach))
+      this->GroupReach == reach && this->GroupNumber == number))
   {
     return !this->Order.empty();
   }
   this->GroupFactor = factor;
   this->GroupReach = reach;
+  this->GroupNumber = number;
   this->GroupTime.Modified();
   this->Order.clear();
   this->GroupStarts.clear();
+  this->Leaves.clear();
   std::vector<int> groups(static_cast<size_t>(this->Count));
-  if (!this->GivenGroups(groups) && !this->FindGroups(groups, factor, reach))
+  this->GroupsGiven = this->GivenGroups(groups);
+  if (!this->GroupsGiven && !this->FindGroups(groups, factor, reach, number))
   {
     return false;
   }
@@ -150,7 +162,47 @@ bool vtkPointSplatCloud::MakeGroups(double factor, double reach)
     ++this->GroupStarts[static_cast<size_t>(group) + 1];
   }
   std::partial_sum(this->GroupStarts.begin(), this->GroupStarts.end(), this->GroupStarts.begin());
+  this->MakeLeaves();
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatCloud::MakeLeaves()
+{
+  const size_t words = this->GetWordsPerSplat();
+  this->Leaves.assign(static_cast<size_t>(this->GetNumberOfGroups()), {});
+  for (int group = 0; group < this->GetNumberOfGroups(); ++group)
+  {
+    const auto range = this->GetGroup(group);
+    for (vtkIdType first = range.first; first < range.first + range.second; first += LeafSize)
+    {
+      Leaf leaf{ first, std::min(LeafSize, range.first + range.second - first), { 0, 0, 0 } };
+      for (vtkIdType i = first; i < first + leaf.Count; ++i)
+      {
+        float splat[3];
+        std::memcpy(
+          splat, &this->Splats[words * this->Order[static_cast<size_t>(i)]], sizeof(splat));
+        for (int k = 0; k < 3; ++k)
+        {
+          leaf.Centre[k] += splat[k] / static_cast<double>(leaf.Count);
+        }
+      }
+      for (int k = 0; k < 3; ++k)
+      {
+        leaf.Centre[k] += this->Origin[static_cast<size_t>(k)];
+      }
+      this->Leaves[static_cast<size_t>(group)].push_back(leaf);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+const std::vector<vtkPointSplatCloud::Leaf>& vtkPointSplatCloud::GetLeaves(int group) const
+{
+  static const std::vector<Leaf> none;
+  return group >= 0 && group < static_cast<int>(this->Leaves.size())
+    ? this->Leaves[static_cast<size_t>(group)]
+    : none;
 }
 
 //------------------------------------------------------------------------------

@@ -207,7 +207,8 @@ GLuint vtkPointSplatCompositor::CaptureScene(
 
 //------------------------------------------------------------------------------
 bool vtkPointSplatCompositor::Build(vtkRenderer* renderer, const vtkPointSplatView& view,
-  std::vector<Entry>& entries, bool translucent, vtkPointSplatLayers& layers, bool& flat)
+  std::vector<Entry>& entries, bool translucent, vtkPointSplatLayers& layers, bool& flat,
+  vtkPointSplatFlat::SortedLayers& sorted)
 {
   auto window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkPointSplatLayersRequest request;
@@ -221,6 +222,25 @@ bool vtkPointSplatCompositor::Build(vtkRenderer* renderer, const vtkPointSplatVi
     request.MaximumLayers = 1;
     request.LeastOpacity = 1.0;
   }
+  sorted = vtkPointSplatFlat::None;
+  for (const Entry& entry : entries)
+  {
+    const int wanted = entry.Mapper->GetTransparency();
+    if (translucent && flat && sorted == vtkPointSplatFlat::None)
+    {
+      sorted = wanted == vtkPointSplatMapper::SORTED ? vtkPointSplatFlat::All
+        : wanted == vtkPointSplatMapper::NEAREST_EXACT ? vtkPointSplatFlat::AllButNearest
+                                                       : vtkPointSplatFlat::None;
+    }
+  }
+  bool failed = false;
+  if (translucent)
+  {
+    request.SceneDepth = this->CaptureScene(renderer, view, failed);
+    request.Frame = this->Frame;
+    flat = flat && !failed;
+    sorted = flat ? sorted : vtkPointSplatFlat::None;
+  }
   const bool deferred =
     !translucent && this->WantsDeferred(entries, view.Size, request.Compute);
   request.Compute = request.Compute && !deferred;
@@ -228,7 +248,10 @@ bool vtkPointSplatCompositor::Build(vtkRenderer* renderer, const vtkPointSplatVi
   {
     vtkPointSplatMapper* mapper = entry.Mapper;
     entry.Item.Slot = slot++;
+    const double scale =
+      sorted != vtkPointSplatFlat::None ? mapper->MakeCoveringGroups() : 1.0;
     mapper->FillItem(entry.Actor, view, entry.Item);
+    entry.Item.CoveringScale = scale;
     layer = std::max(layer, entry.Item.LargestLayer);
     voronoi = voronoi && mapper->GetVoronoiDepth();
     request.Items.push_back(entry.Item);
@@ -245,12 +268,10 @@ bool vtkPointSplatCompositor::Build(vtkRenderer* renderer, const vtkPointSplatVi
     }
   }
   request.VoronoiScale = !deferred ? -1.0f : voronoi ? static_cast<float>(layer) : 0.0f;
-  if (translucent)
+  if (sorted != vtkPointSplatFlat::None)
   {
-    bool failed = false;
-    request.SceneDepth = this->CaptureScene(renderer, view, failed);
-    request.Frame = this->Frame;
-    flat = flat && !failed;
+    request.MaximumLayers = sorted == vtkPointSplatFlat::All ? 0 : 1;
+    request.Gather = false;
   }
   this->Last = &layers;
   if (!layers.Build(window, std::move(request), this->Stages))
@@ -281,7 +302,7 @@ bool vtkPointSplatCompositor::Present(
     this->Window = window;
   }
   this->Users.insert(mapper);
-  this->LastWasFlat = false;
+  this->TransparencyUsed = "none";
 
   const vtkPointSplatView view = vtkPointSplatView::Current(renderer);
   if (view.Size.x <= 0 || view.Size.y <= 0)
@@ -336,11 +357,12 @@ bool vtkPointSplatCompositor::Present(
   }
 
   vtkPointSplatLayers& layers = alone ? **alone : translucent ? this->Translucent : this->Opaque;
-  if (!this->Build(renderer, view, entries, translucent, layers, flat))
+  vtkPointSplatFlat::SortedLayers sorted = vtkPointSplatFlat::None;
+  if (!this->Build(renderer, view, entries, translucent, layers, flat, sorted))
   {
     return false;
   }
-  if (layers.GetNumberOfLayers() == 0)
+  if (layers.GetNumberOfLayers() == 0 && sorted != vtkPointSplatFlat::All)
   {
     return true;
   }
@@ -356,7 +378,7 @@ bool vtkPointSplatCompositor::Present(
   if (translucent)
   {
     return this->PresentTranslucent(
-      renderer, actor, mapper, view, entries, joint, flat, layers);
+      renderer, actor, mapper, view, entries, joint, flat, sorted, layers);
   }
   return this->Resolve.Present(renderer, actor, mapper, view, entries[own].Item,
     layers.GetImages(0), layers.GetDepthUnit(), vtkPointSplatResolve::Shaded, 0);
@@ -365,8 +387,11 @@ bool vtkPointSplatCompositor::Present(
 //------------------------------------------------------------------------------
 bool vtkPointSplatCompositor::PresentTranslucent(vtkRenderer* renderer, vtkActor* actor,
   vtkPointSplatMapper* mapper, const vtkPointSplatView& view, const std::vector<Entry>& entries,
-  bool joint, bool flat, vtkPointSplatLayers& layers)
+  bool joint, bool flat, vtkPointSplatFlat::SortedLayers sorted, vtkPointSplatLayers& layers)
 {
+  this->TransparencyUsed = sorted == vtkPointSplatFlat::All ? "sorted"
+    : sorted == vtkPointSplatFlat::AllButNearest            ? "nearest-exact"
+                                                            : "peeling";
   const bool batched = joint && entries.front().Item.Slot == 0 && !flat &&
     entries.size() == static_cast<size_t>(vtkPointSplatStages::MaximumSlots);
   if (joint && !batched)
@@ -392,14 +417,13 @@ bool vtkPointSplatCompositor::PresentTranslucent(vtkRenderer* renderer, vtkActor
       {
         parts.push_back({ entry.Actor, entry.Mapper });
       }
-      if (!this->Flat.Blend(renderer, parts, layers, this->Resolve))
+      if (!this->Flat.Blend(renderer, parts, layers, this->Resolve, sorted))
       {
         return false;
       }
       this->FlatFrame = this->Frame;
       this->FlatGeneration = layers.GetGeneration();
     }
-    this->LastWasFlat = true;
     return this->Flat.Present(renderer, actor, mapper, view, this->Resolve);
   }
   bool good = true;

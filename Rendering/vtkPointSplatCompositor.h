@@ -65,7 +65,7 @@ public:
    */
   bool IsCompute() const { return this->Last && this->Last->GetRequest().Compute; }
   bool IsDeferred() const { return this->Last && this->Last->GetRequest().VoronoiScale >= 0.0f; }
-  bool IsFlattened() const { return this->LastWasFlat; }
+  const char* GetTransparencyUsed() const { return this->TransparencyUsed; }
   int GetNumberOfLayers() const { return this->Last ? this->Last->GetNumberOfLayers() : 0; }
   ///@}
 
@@ -92,10 +92,11 @@ private:
     const std::vector<Entry>& entries, const glm::ivec2& size, bool compute);
   GLuint CaptureScene(vtkRenderer* renderer, const vtkPointSplatView& view, bool& failed);
   bool Build(vtkRenderer* renderer, const vtkPointSplatView& view, std::vector<Entry>& entries,
-    bool translucent, vtkPointSplatLayers& layers, bool& flat);
+    bool translucent, vtkPointSplatLayers& layers, bool& flat,
+    vtkPointSplatFlat::SortedLayers& sorted);
   bool PresentTranslucent(vtkRenderer* renderer, vtkActor* actor, vtkPointSplatMapper* mapper,
     const vtkPointSplatView& view, const std::vector<Entry>& entries, bool joint, bool flat,
-    vtkPointSplatLayers& layers);
+    vtkPointSplatFlat::SortedLayers sorted, vtkPointSplatLayers& layers);
   bool PresentSelection(vtkRenderer* renderer, vtkActor* actor, vtkPointSplatMapper* mapper,
     const vtkPointSplatView& view, const vtkPointSplatItem& item, vtkPointSplatLayers& layers);
   void ReleaseAll();
@@ -108,7 +109,7 @@ private:
   vtkPointSplatSceneDepth Scene;
   vtkPointSplatFlat Flat;
   const vtkPointSplatLayers* Last = nullptr;
-  bool LastWasFlat = false;
+  const char* TransparencyUsed = "none";
 
   std::set<vtkPointSplatMapper*> Users;
   vtkWeakPointer<vtkWindow> Window; // whose context the resources belong to

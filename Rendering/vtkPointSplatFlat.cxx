@@ -45,7 +45,7 @@ void vtkPointSplatFlat::Allocate(vtkOpenGLRenderWindow* window, const glm::ivec2
 
 //------------------------------------------------------------------------------
 bool vtkPointSplatFlat::Blend(vtkRenderer* renderer, const std::vector<Part>& parts,
-  vtkPointSplatLayers& layers, vtkPointSplatResolve& resolve)
+  vtkPointSplatLayers& layers, vtkPointSplatResolve& resolve, SortedLayers sorted)
 {
   auto window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   const vtkPointSplatLayersRequest& request = layers.GetRequest();
@@ -77,9 +77,22 @@ bool vtkPointSplatFlat::Blend(vtkRenderer* renderer, const std::vector<Part>& pa
   // Depths are not blended: the last, nearest layer's stays.
   glDisablei(GL_BLEND, 1);
 
+  bool good = true;
+  if (sorted != None)
+  {
+    std::vector<vtkActor*> actors;
+    for (const Part& part : parts)
+    {
+      actors.push_back(part.Actor);
+    }
+    good = this->Sorted.Draw(renderer, actors, request,
+      sorted == AllButNearest && layers.GetNumberOfLayers() > 0 ? &layers.GetImages(0) : nullptr,
+      layers.GetDepthUnit() / 5.0f, this->Framebuffer);
+    glDisablei(GL_BLEND, 1);
+  }
+
   vtkPointSplatView view = request.View;
   view.Origin = glm::ivec2(0);
-  bool good = true;
   for (int layer = layers.GetNumberOfLayers() - 1; layer >= 0; --layer)
   {
     for (size_t i = 0; i < parts.size(); ++i)
@@ -114,5 +127,6 @@ void vtkPointSplatFlat::Release()
     glDeleteFramebuffers(1, &this->Framebuffer);
   }
   this->Colour = this->Depth = this->Framebuffer = 0;
+  this->Sorted.Release();
   this->Size = glm::ivec2(0);
 }

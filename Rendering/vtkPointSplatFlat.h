@@ -10,6 +10,7 @@
 
 #include "vtkPointSplatLayers.h"
 #include "vtkPointSplatResolve.h"
+#include "vtkPointSplatSorted.h"
 
 class vtkPointSplatFlat
 {
@@ -29,10 +30,20 @@ public:
   };
 
   /**
+   * Which layers are drawn group-sorted.
+   */
+  enum SortedLayers
+  {
+    None,
+    All,
+    AllButNearest
+  };
+
+  /**
    * Blends all layers, parts in the order of their items; what the opaque scene hides is left out.
    */
   bool Blend(vtkRenderer* renderer, const std::vector<Part>& parts, vtkPointSplatLayers& layers,
-    vtkPointSplatResolve& resolve);
+    vtkPointSplatResolve& resolve, SortedLayers sorted);
 
   /**
    * Presents the image in the pass that is under way, by one actor on behalf of all.
@@ -49,6 +60,7 @@ private:
   GLuint Colour = 0;
   GLuint Depth = 0;
   GLuint Framebuffer = 0;
+  vtkPointSplatSorted Sorted;
 };
 
 #endif

@@ -36,6 +36,12 @@ namespace
 // and a narrower distance leaves neighbours out of the mean.
 constexpr double LayerFraction = 1.0;
 
+// Groups for sorted transparency: four, as Zhang and Pajarola 2006 found enough (section 6.2),
+// whose splats grow by about this much until each group covers the surface, as
+// vtkPointSplatGrouping's equation 9 finds it on scans and tori (1.9 to 2.2).
+constexpr int CoveringGroups = 4;
+constexpr double CoveringScale = 2.0;
+
 // As many as the shaders take; VTK's own mappers take six.
 constexpr int MaximumClipPlanes = 6;
 }
@@ -50,6 +56,7 @@ struct vtkPointSplatMapper::vtkInternals
   const char* MethodUsed = "none";
   std::string MethodReason;
   int LayersDrawn = 0;
+  const char* TransparencyUsed = "none";
 };
 
 //------------------------------------------------------------------------------
@@ -167,6 +174,7 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   this->Internals->ProjectionUsed = compositor->IsCompute() ? "compute" : "quads";
   this->Internals->MethodUsed = compositor->IsDeferred() ? "deferred" : "two-pass";
   this->Internals->LayersDrawn = compositor->GetNumberOfLayers();
+  this->Internals->TransparencyUsed = compositor->GetTransparencyUsed();
   if (this->Internals->MethodReason != compositor->GetMethodReason())
   {
     this->Internals->MethodReason = compositor->GetMethodReason();
@@ -355,7 +363,7 @@ int vtkPointSplatMapper::GetNumberOfLayersDrawn()
 //------------------------------------------------------------------------------
 const char* vtkPointSplatMapper::GetTransparencyUsed()
 {
-  return "peeling";
+  return this->Internals->TransparencyUsed;
 }
 
 //------------------------------------------------------------------------------
@@ -369,6 +377,13 @@ bool vtkPointSplatMapper::MakeGroups()
 {
   return this->Internals->Cloud.MakeGroups(
     this->OverlapFactor, this->RadiusScale * this->KernelSupport);
+}
+
+//------------------------------------------------------------------------------
+double vtkPointSplatMapper::MakeCoveringGroups()
+{
+  this->Internals->Cloud.MakeGroups(1.0, this->RadiusScale, CoveringGroups);
+  return this->Internals->Cloud.HasGivenGroups() ? 1.0 : CoveringScale;
 }
 
 //------------------------------------------------------------------------------

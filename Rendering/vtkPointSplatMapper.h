@@ -101,7 +101,9 @@ public:
   enum TransparencyType
   {
     AUTOMATIC_TRANSPARENCY = 0,
-    PEELING = 1
+    PEELING = 1,
+    SORTED = 2,
+    NEAREST_EXACT = 3
   };
   enum ProjectionType
   {
@@ -135,13 +137,19 @@ public:
 
   ///@{
   /**
-   * How the layers of translucent splat actors are found: by peeling one after the other, each in
-   * full quality. Automatic, the default, chooses; GetTransparencyUsed() tells what.
+   * How translucent splat actors are drawn: by peeling layer after layer, each in
+   * full quality; sorted, by one pass over groups of splats, averaged (Zhang, Pajarola 2006,
+   * Algorithm 2); or with the nearest layer exact and the others sorted (Algorithm 3). Sorted
+   * layers cannot be interleaved with other translucent props: where there are some, layers are peeled.
+   * Automatic, the default, peels; GetTransparencyUsed() tells what was done. One mapper of a
+   * renderer that wants another way than automatic decides for all.
    */
-  vtkSetClampMacro(Transparency, int, AUTOMATIC_TRANSPARENCY, PEELING);
+  vtkSetClampMacro(Transparency, int, AUTOMATIC_TRANSPARENCY, NEAREST_EXACT);
   vtkGetMacro(Transparency, int);
   void SetTransparencyToAutomatic() { this->SetTransparency(AUTOMATIC_TRANSPARENCY); }
   void SetTransparencyToPeeling() { this->SetTransparency(PEELING); }
+  void SetTransparencyToSorted() { this->SetTransparency(SORTED); }
+  void SetTransparencyToNearestExact() { this->SetTransparency(NEAREST_EXACT); }
   const char* GetTransparencyUsed();
   ///@}
 
@@ -346,6 +354,10 @@ private:
    * Groups the splats as deferred blending wants them; false where that cannot be done.
    */
   bool MakeGroups();
+  /**
+   * Groups the splats for sorted transparency; how much larger they are drawn then.
+   */
+  double MakeCoveringGroups();
 
   int Method = AUTOMATIC_METHOD;
   int Transparency = AUTOMATIC_TRANSPARENCY;

@@ -8,6 +8,7 @@
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -29,11 +30,38 @@ void vtkPointSplatPass::Render(const vtkRenderState* s)
   }
   for (vtkActor* actor : actors)
   {
+    auto mapper = static_cast<vtkPointSplatMapper*>(actor->GetMapper());
+    if (this->Method >= 0)
+    {
+      mapper->SetMethod(this->Method);
+    }
+    if (this->Transparency >= 0)
+    {
+      mapper->SetTransparency(this->Transparency);
+    }
+    if (this->MaximumNumberOfLayers > 0)
+    {
+      mapper->SetMaximumNumberOfLayers(this->MaximumNumberOfLayers);
+    }
+    if (this->LayerDistance >= 0.0)
+    {
+      mapper->SetLayerDistance(this->LayerDistance);
+    }
+  }
+  for (vtkActor* actor : actors)
+  {
     this->NumberOfRenderedProps += actor->RenderOpaqueGeometry(s->GetRenderer());
   }
   for (vtkActor* actor : actors)
   {
     this->NumberOfRenderedProps += actor->RenderTranslucentPolygonalGeometry(s->GetRenderer());
+  }
+  this->NumberOfLayersDrawn = 0;
+  for (vtkActor* actor : actors)
+  {
+    auto mapper = static_cast<vtkPointSplatMapper*>(actor->GetMapper());
+    this->NumberOfLayersDrawn =
+      std::max(this->NumberOfLayersDrawn, mapper->GetNumberOfLayersDrawn());
   }
 }
 
@@ -41,5 +69,10 @@ void vtkPointSplatPass::Render(const vtkRenderState* s)
 void vtkPointSplatPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << this->Method << "\n";
+  os << indent << "Transparency: " << this->Transparency << "\n";
+  os << indent << "MaximumNumberOfLayers: " << this->MaximumNumberOfLayers << "\n";
+  os << indent << "LayerDistance: " << this->LayerDistance << "\n";
+  os << indent << "NumberOfLayersDrawn: " << this->NumberOfLayersDrawn << "\n";
 }
 VTK_ABI_NAMESPACE_END

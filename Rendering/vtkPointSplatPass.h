@@ -39,6 +39,33 @@ public:
   vtkTypeMacro(vtkPointSplatPass, vtkRenderPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
+  /**
+   * Properties of vtkPointSplatMapper, imposed on the mappers of all actors that this pass draws; they keep
+   * them. -1, the default: each mapper's own.
+   */
+  vtkSetClampMacro(Method, int, -1, 2);
+  vtkGetMacro(Method, int);
+  void SetMethodToAutomatic() { this->SetMethod(0); }
+  void SetMethodToTwoPass() { this->SetMethod(1); }
+  void SetMethodToDeferred() { this->SetMethod(2); }
+  vtkSetClampMacro(Transparency, int, -1, 3);
+  vtkGetMacro(Transparency, int);
+  void SetTransparencyToAutomatic() { this->SetTransparency(0); }
+  void SetTransparencyToPeeling() { this->SetTransparency(1); }
+  void SetTransparencyToSorted() { this->SetTransparency(2); }
+  void SetTransparencyToNearestExact() { this->SetTransparency(3); }
+  vtkSetClampMacro(MaximumNumberOfLayers, int, -1, 256);
+  vtkGetMacro(MaximumNumberOfLayers, int);
+  vtkSetClampMacro(LayerDistance, double, -1.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(LayerDistance, double);
+  ///@}
+
+  /**
+   * The translucent layers that the last frame had, 1 where all is opaque.
+   */
+  vtkGetMacro(NumberOfLayersDrawn, int);
+
   void Render(const vtkRenderState* s) override;
 
 protected:
@@ -48,6 +75,12 @@ protected:
 private:
   vtkPointSplatPass(const vtkPointSplatPass&) = delete;
   void operator=(const vtkPointSplatPass&) = delete;
+
+  int Method = -1;
+  int Transparency = -1;
+  int MaximumNumberOfLayers = -1;
+  double LayerDistance = -1.0;
+  int NumberOfLayersDrawn = 0;
 };
 
 VTK_ABI_NAMESPACE_END

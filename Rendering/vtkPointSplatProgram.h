@@ -37,6 +37,11 @@ public:
   bool Build(const std::vector<std::pair<GLenum, std::string>>& stages,
     const std::string& defines = std::string());
 
+  /**
+   * Sets uniforms of a program that belongs to somebody else, who also has it in use.
+   */
+  void Borrow(GLuint handle) { this->Handle = handle; }
+
   bool IsBuilt() const { return this->Handle != 0; }
   const std::string& GetLog() const { return this->Log; }
   void Use() const { glUseProgram(this->Handle); }

@@ -154,6 +154,25 @@ void vtkPointSplatResolve::SetMaterial(vtkActor* actor, bool colours, vtkShaderP
 }
 
 //------------------------------------------------------------------------------
+std::string vtkPointSplatResolve::LightDefines(vtkRenderer* renderer, vtkActor* actor)
+{
+  int count = 0;
+  const int level = LightLevel(renderer, actor, count);
+  return "#define LIGHT_LEVEL " + std::to_string(level) + "\n#define LIGHT_COUNT " +
+    std::to_string(count) + "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatResolve::SetShading(vtkRenderer* renderer, vtkActor* actor,
+  const vtkPointSplatView& view, bool colours, vtkShaderProgram* program)
+{
+  int count = 0;
+  const int level = LightLevel(renderer, actor, count);
+  vtkPointSplatResolve::SetLights(renderer, view, program, level, count);
+  vtkPointSplatResolve::SetMaterial(actor, colours, program);
+}
+
+//------------------------------------------------------------------------------
 bool vtkPointSplatResolve::Present(vtkRenderer* renderer, vtkActor* actor,
   vtkPointSplatMapper* mapper, const vtkPointSplatView& view, const vtkPointSplatItem& item,
   vtkPointSplatImages& images, float depthUnit, Output output, int selectionShift, bool gathered)
@@ -164,8 +183,6 @@ bool vtkPointSplatResolve::Present(vtkRenderer* renderer, vtkActor* actor,
     return true; // off the screen
   }
   auto window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  int lightCount = 0;
-  const int lightLevel = shaded ? LightLevel(renderer, actor, lightCount) : 0;
 
   std::string vertex = vtkPointSplatProgram::Source("vtkPointSplatResolveVS");
   std::string geometry;
@@ -178,12 +195,9 @@ bool vtkPointSplatResolve::Present(vtkRenderer* renderer, vtkActor* actor,
     pass->PreReplaceShaderValues(vertex, geometry, fragment, mapper, actor);
     geometryBuffer = geometryBuffer || vtkSSAOPass::SafeDownCast(pass) != nullptr;
   }
-  std::string defines;
-  for (const auto& define : { std::make_pair("OUTPUT", static_cast<int>(output)),
-         std::make_pair("LIGHT_LEVEL", lightLevel), std::make_pair("LIGHT_COUNT", lightCount) })
-  {
-    defines += std::string("#define ") + define.first + " " + std::to_string(define.second) + "\n";
-  }
+  std::string defines = "#define OUTPUT " + std::to_string(static_cast<int>(output)) + "\n" +
+    (shaded ? vtkPointSplatResolve::LightDefines(renderer, actor)
+            : std::string("#define LIGHT_LEVEL 0\n#define LIGHT_COUNT 0\n"));
   if (images.IsCompute())
   {
     defines += "#define COMPUTE_IMAGES\n";
@@ -217,8 +231,8 @@ bool vtkPointSplatResolve::Present(vtkRenderer* renderer, vtkActor* actor,
   program->SetUniform4f("PixelZ", &view.PixelZ.x);
   if (shaded)
   {
-    this->SetLights(renderer, view, program, lightLevel, lightCount);
-    vtkPointSplatResolve::SetMaterial(actor, item.Cloud->HasColours() || gathered, program);
+    vtkPointSplatResolve::SetShading(
+      renderer, actor, view, item.Cloud->HasColours() || gathered, program);
     if (gathered)
     {
       // The points' opacities hold the actors' own.

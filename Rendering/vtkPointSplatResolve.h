@@ -47,10 +47,20 @@ public:
   bool PresentFlat(vtkRenderer* renderer, vtkActor* actor, vtkPointSplatMapper* mapper,
     const vtkPointSplatView& view, GLuint colour, GLuint depth);
 
+  ///@{
+  /**
+   * For other programs that shade: the defines of vtkPointSplatLighting.glsl, and lights and
+   * material as uniforms. colours: the points have their own.
+   */
+  static std::string LightDefines(vtkRenderer* renderer, vtkActor* actor);
+  static void SetShading(vtkRenderer* renderer, vtkActor* actor, const vtkPointSplatView& view,
+    bool colours, vtkShaderProgram* program);
+  ///@}
+
   void Release();
 
 private:
-  void SetLights(vtkRenderer* renderer, const vtkPointSplatView& view, vtkShaderProgram* program,
+  static void SetLights(vtkRenderer* renderer, const vtkPointSplatView& view, vtkShaderProgram* program,
     int level, int count);
   static void SetMaterial(
     vtkActor* actor, bool colours, vtkShaderProgram* program);

@@ -64,7 +64,8 @@ bool vtkPointSplatItem::operator==(const vtkPointSplatItem& other) const
     this->Culling == other.Culling && this->RadiusScale == other.RadiusScale &&
     this->LayerDistance == other.LayerDistance && this->KernelType == other.KernelType &&
     this->KernelShape == other.KernelShape && this->KernelSupport == other.KernelSupport &&
-    this->ClipPlanes == other.ClipPlanes && this->Colour == other.Colour;
+    this->ClipPlanes == other.ClipPlanes && this->Colour == other.Colour &&
+    this->CoveringScale == other.CoveringScale;
 }
 
 //------------------------------------------------------------------------------
@@ -309,8 +310,8 @@ void vtkPointSplatStages::SetStateForQuads(vtkOpenGLState* state, const glm::ive
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatStages::DrawQuads(const vtkPointSplatItem& item,
-  vtkPointSplatCloud::Buffers& buffers, GLuint idMap, vtkIdType first, vtkIdType count)
+void vtkPointSplatStages::BindQuads(const vtkPointSplatItem& item,
+  vtkPointSplatCloud::Buffers& buffers, GLuint idMap, vtkIdType first)
 {
   const GLsizei stride = static_cast<GLsizei>(Stride(*item.Cloud));
   // Without base instances, which OpenGL 3.3 has not: pointers to the first splat.
@@ -353,6 +354,13 @@ void vtkPointSplatStages::DrawQuads(const vtkPointSplatItem& item,
     }
     glVertexAttribDivisor(i, 1);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatStages::DrawQuads(const vtkPointSplatItem& item,
+  vtkPointSplatCloud::Buffers& buffers, GLuint idMap, vtkIdType first, vtkIdType count)
+{
+  vtkPointSplatStages::BindQuads(item, buffers, idMap, first);
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4,
     static_cast<GLsizei>(count < 0 ? item.Cloud->GetNumberOfSplats() - first : count));
   glBindVertexArray(0);

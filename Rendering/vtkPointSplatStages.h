@@ -42,6 +42,7 @@ struct vtkPointSplatItem
   double KernelSupport = 1.5;
   std::vector<glm::dvec4> ClipPlanes; // world coordinates
   glm::ivec4 Window{ 0 };             // pixels that it can cover
+  double CoveringScale = 1.0;         // how much larger group-sorted splats are drawn
   glm::vec4 Colour{ 1.0f };           // and opacity, where layers of several items are gathered
 
   bool operator==(const vtkPointSplatItem& other) const;
@@ -121,6 +122,9 @@ public:
   static void SetStateForQuads(vtkOpenGLState* state, const glm::ivec2& imageSize);
   static void DrawQuads(const vtkPointSplatItem& item, vtkPointSplatCloud::Buffers& buffers,
     GLuint idMap, vtkIdType first = 0, vtkIdType count = -1);
+  /// Binds the vertex array for such a draw.
+  static void BindQuads(const vtkPointSplatItem& item, vtkPointSplatCloud::Buffers& buffers,
+    GLuint idMap, vtkIdType first);
   ///@}
 
 private:

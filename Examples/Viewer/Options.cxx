@@ -196,6 +196,11 @@ Options Options::Parse(int argc, char* argv[])
     { "--array", [&o](auto&, auto& v) { o.Array = v; } },
     { "--method",
       [&o](auto& n, auto& v) { o.Method = OneOf(n, v, { "automatic", "two-pass", "deferred" }); } },
+    { "--transparency",
+      [&o](auto& n, auto& v) {
+        o.Transparency = OneOf(n, v, { "automatic", "peeling", "sorted", "nearest-exact" });
+      } },
+    { "--layers", [&o](auto& n, auto& v) { o.Layers = Whole(n, v, 1, 256); } },
     { "--projection",
       [&o](auto& n, auto& v) {
         o.Projection = OneOf(n, v, { "automatic", "compute", "quads" });
@@ -304,6 +309,8 @@ How it looks
 
 How it is drawn
   --method M           automatic (default), two-pass, deferred
+  --transparency T     automatic (default), peeling, sorted, nearest-exact
+  --layers N           the most layers that are peeled (32)
   --projection P       automatic (default), compute, quads
 
 What comes out

@@ -30,6 +30,8 @@ struct Options
   std::array<double, 3> Background{ { 0.1, 0.2, 0.4 } };
   std::string Array;
   std::string Method = "automatic";
+  std::string Transparency = "automatic";
+  int Layers = 32;
   std::string Projection = "automatic";
   std::string Normals = "keep";
   double RadiusScale = 1.0;

@@ -68,6 +68,19 @@ Surface& AddSurface(
   {
     surface.Mapper->SetMethodToDeferred();
   }
+  if (options.Transparency == "peeling")
+  {
+    surface.Mapper->SetTransparencyToPeeling();
+  }
+  else if (options.Transparency == "sorted")
+  {
+    surface.Mapper->SetTransparencyToSorted();
+  }
+  else if (options.Transparency == "nearest-exact")
+  {
+    surface.Mapper->SetTransparencyToNearestExact();
+  }
+  surface.Mapper->SetMaximumNumberOfLayers(options.Layers);
   if (options.Projection != "automatic")
   {
     surface.Mapper->SetProjection(options.Projection == "quads" ? vtkPointSplatMapper::QUADS

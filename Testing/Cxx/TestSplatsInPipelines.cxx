@@ -290,6 +290,23 @@ int TestSplatsInPipelines(int, char*[])
     };
     Same(checks, "by the pass", alone, DrawOne(Splats(cloud), byPass), 60.0, 0);
     checks.AtMost(DrawOne(Mesh(mesh), byPass).CountDrawn(), 0, "the pass draws no meshes");
+    vtkNew<vtkPointSplatPass> imposing;
+    auto byImposingPass = [&imposing](Window& window, vtkActor* actor) {
+      actor->GetProperty()->SetOpacity(0.5);
+      imposing->SetMaximumNumberOfLayers(1);
+      imposing->SetTransparencyToPeeling();
+      vtkNew<vtkLightsPass> lights;
+      vtkNew<vtkRenderPassCollection> passes;
+      passes->AddItem(lights);
+      passes->AddItem(imposing);
+      vtkNew<vtkSequencePass> sequence;
+      sequence->SetPasses(passes);
+      vtkNew<vtkCameraPass> camera;
+      camera->SetDelegatePass(sequence);
+      window.Renderer->SetPass(camera);
+    };
+    checks.AtLeast(DrawOne(Splats(cloud), byImposingPass).CountDrawn(), 1000, "translucent by the pass");
+    checks.Expect(imposing->GetNumberOfLayersDrawn() == 1, "the pass' number of layers");
   }
   // A picture in tiles is the picture of a larger window.
   {

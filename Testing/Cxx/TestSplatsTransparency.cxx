@@ -459,6 +459,53 @@ void TestPointOpacity(Checks& checks)
   }
 }
 
+/**
+ * Group-sorted layers, all or all but the nearest, against peeled ones; lit, so that smoothing
+ * within a layer counts.
+ */
+void TestSorted(Checks& checks)
+{
+  for (const bool quads : { false, true })
+  {
+    Window window;
+    window.Renderer->SetBackground(Background[0], Background[1], Background[2]);
+    std::vector<vtkSmartPointer<vtkPointSplatMapper>> mappers;
+    for (const Shell& shell : Nested)
+    {
+      auto mapper = vtkSmartPointer<vtkPointSplatMapper>::New();
+      mapper->SetInputData(Torus(0.5 * shell.Radius));
+      mapper->SetProjection(quads ? vtkPointSplatMapper::QUADS : 0);
+      vtkActor* actor = window.Add(mapper);
+      actor->GetProperty()->SetColor(shell.Rgb[0], shell.Rgb[1], shell.Rgb[2]);
+      actor->GetProperty()->SetOpacity(shell.Opacity);
+      mappers.push_back(mapper);
+    }
+    window.Renderer->ResetCamera();
+    window.Renderer->GetActiveCamera()->Elevation(50);
+    window.Renderer->ResetCameraClippingRange();
+    const Picture peeled = window.Draw();
+    auto used = [&]() { return std::string(mappers[0]->GetTransparencyUsed()); };
+    checks.Expect(used() == "peeling", "automatic transparency peels");
+    mappers[0]->SetTransparencyToSorted();
+    const Picture sorted = window.Draw();
+    checks.Expect(used() == "sorted", "sorted transparency, not " + used());
+    mappers[0]->SetTransparencyToNearestExact();
+    const Picture nearest = window.Draw();
+    checks.Expect(used() == "nearest-exact", "the nearest layer exact, not " + used());
+    checks.AtLeast(PsnrOfAll(peeled, sorted), 30.0, "sorted, against peeled");
+    checks.AtLeast(
+      PsnrOfAll(peeled, nearest), PsnrOfAll(peeled, sorted) + 1.0, "nearest exact, against sorted");
+
+    // Among other translucent props, layers are peeled whatever is asked for.
+    vtkNew<vtkPolyDataMapper> mesh;
+    mesh->SetInputData(MakeSphereMesh());
+    vtkActor* actor = window.Add(mesh);
+    actor->GetProperty()->SetOpacity(0.5);
+    window.Draw();
+    checks.Expect(used() == "peeling", "peeled among translucent meshes, not " + used());
+  }
+}
+
 void TestPicking(Checks& checks)
 {
   Window window;
@@ -508,6 +555,7 @@ int TestSplatsTransparency(int, char*[])
   TestNumberOfLayers(checks);
   TestGather(checks);
   TestPointOpacity(checks);
+  TestSorted(checks);
   TestPicking(checks);
   return checks.Failures ? EXIT_FAILURE : EXIT_SUCCESS;
 }
