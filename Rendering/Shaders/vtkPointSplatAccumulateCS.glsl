@@ -45,7 +45,9 @@ void add(Splat q, uint index, int at, Hit hit, float behind)
   }
   float kernel = kernelWeight(hit.r2, KernelSupport) * (Gather ? colour.a : 1.0);
   float weight = max(floor(WeightScale * kernel + 0.5), 1.0);
-  ivec3 n = ivec3(round(weight * normalAt(q, hit.uv)));
+  // Normals of many surfaces: turned to the viewer, or front and back would cancel.
+  float turned = Gather && (q.tag & 1u) != 0u ? -1.0 : 1.0;
+  ivec3 n = ivec3(round(turned * weight * normalAt(q, hit.uv)));
   int depth = int(round(weight * clamp(behind / DepthUnit, -1.0, 1.0)));
   atomicAdd(sums[at], int(weight));
   atomicAdd(sums[at + 1], packSums(n.x, n.y));

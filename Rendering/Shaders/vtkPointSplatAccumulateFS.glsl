@@ -59,7 +59,9 @@ void main()
   float weight =
     max(kernelWeight(hit.r2, KernelSupport) * (Gather ? colour.a : 1.0), 1.0 / 4096.0);
   float behind = clamp((hit.depth - decodeDepth(nearest)) / DepthUnit, -1.0, 1.0);
-  weightAndNormal = weight * vec4(1.0, normalAt(q, hit.uv));
+  // Normals of many surfaces: turned to the viewer, or front and back would cancel.
+  float turned = Gather && (q.tag & 1u) != 0u ? -1.0 : 1.0;
+  weightAndNormal = weight * vec4(1.0, turned * normalAt(q, hit.uv));
   depthAndColour = weight * vec4(behind, colour.rgb);
   opacity = weight * colour.a;
 }
