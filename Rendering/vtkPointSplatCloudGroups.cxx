@@ -23,7 +23,7 @@
 namespace
 {
 // Splats that are sorted as one.
-constexpr vtkIdType LeafSize = 64;
+constexpr vtkIdType LeafSize = 16;
 
 /// A 10-bit number's bits, two zeros between each.
 uint32_t Spread(uint32_t x)

@@ -122,28 +122,44 @@ bool vtkPointSplatSorted::DrawGroup(vtkRenderer* renderer, const std::vector<vtk
   }
 
   size_t command = 0;
-  std::map<GLuint, vtkPointSplatProgram> programs; // keep the places of their uniforms
+  // Looking a shader up by its text takes longer than drawing a leaf: once for each kind.
+  struct Shader
+  {
+    vtkShaderProgram* Ready = nullptr;
+    vtkPointSplatProgram Program;
+  };
+  std::map<std::string, Shader> shaders;
+  std::vector<Shader*> ofItems(request.Items.size(), nullptr);
   vtkPointSplatUnits units(window);
   for (const Batch& batch : batches)
   {
     const vtkPointSplatItem& item = request.Items[batch.Item];
     vtkActor* actor = actors[batch.Item];
-    std::string defines = vtkPointSplatResolve::LightDefines(renderer, actor);
-    if (nearest && nearest->IsCompute())
+    Shader*& shader = ofItems[batch.Item];
+    if (!shader)
     {
-      defines += "#define COMPUTE_IMAGES\n";
+      std::string defines = vtkPointSplatResolve::LightDefines(renderer, actor);
+      if (nearest && nearest->IsCompute())
+      {
+        defines += "#define COMPUTE_IMAGES\n";
+      }
+      shader = &shaders[defines];
+      if (!shader->Ready)
+      {
+        std::string fragment = vtkPointSplatProgram::Source("vtkPointSplatSortedFS");
+        vtkShaderProgram::Substitute(fragment, "//PointSplat::Defines", defines);
+        shader->Ready = window->GetShaderCache()->ReadyShaderProgram(
+          vtkPointSplatProgram::Source("vtkPointSplatQuadVS").c_str(), fragment.c_str(), "");
+        if (!shader->Ready)
+        {
+          this->Error = "the shaders of sorted transparency do not build.";
+          return false;
+        }
+        shader->Program.Borrow(static_cast<GLuint>(shader->Ready->GetHandle()));
+      }
     }
-    std::string fragment = vtkPointSplatProgram::Source("vtkPointSplatSortedFS");
-    vtkShaderProgram::Substitute(fragment, "//PointSplat::Defines", defines);
-    vtkShaderProgram* ready = window->GetShaderCache()->ReadyShaderProgram(
-      vtkPointSplatProgram::Source("vtkPointSplatQuadVS").c_str(), fragment.c_str(), "");
-    if (!ready)
-    {
-      this->Error = "the shaders of sorted transparency do not build.";
-      return false;
-    }
-    vtkPointSplatProgram& program = programs[static_cast<GLuint>(ready->GetHandle())];
-    program.Borrow(static_cast<GLuint>(ready->GetHandle()));
+    window->GetShaderCache()->ReadyShaderProgram(shader->Ready);
+    vtkPointSplatProgram& program = shader->Program;
     vtkPointSplatStages::SetItem(program, request.View, item, this->Size);
     program.Set("RadiusScale", static_cast<float>(item.RadiusScale * item.CoveringScale));
     program.Set("Reach", 1.0f);
@@ -158,7 +174,7 @@ bool vtkPointSplatSorted::DrawGroup(vtkRenderer* renderer, const std::vector<vtk
     units.Bind(program, "SceneDepth", GL_TEXTURE_2D, request.SceneDepth);
     program.Set("PixelZ", request.View.PixelZ);
     vtkPointSplatResolve::SetShading(
-      renderer, actor, request.View, item.Cloud->HasColours(), ready);
+      renderer, actor, request.View, item.Cloud->HasColours(), shader->Ready);
 
     vtkPointSplatCloud::Buffers& buffers = item.Cloud->Upload(window);
     if (indirect)

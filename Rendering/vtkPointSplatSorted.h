@@ -5,7 +5,7 @@
 //
 // Splats are divided into groups, each of which covers the surfaces by itself, with little overlap. For each group:
 // 1. Its leaves, runs of splats in Morton order that were made with the groups, are sorted from the
-//    back by their distance from the eye: one entry for 64 splats, not a sort of all.
+//    back by their distance from the eye: one entry for 16 splats, not a sort of all.
 // 2. They are drawn in this order to one image, blended, shaded a fragment.
 // 3. The image is added to the average of all groups.
 // Images: RGBA16F, premultiplied colour; DEPTH_COMPONENT32F, the coarse depth.
