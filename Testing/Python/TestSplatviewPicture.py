@@ -108,6 +108,23 @@ class TestSplatviewPicture(SplatviewTest):
             self.assertLess(picture.difference(reference), 1.0)
         report, _ = self.draw("globe.xyz", "--method", "two-pass")
         self.assertEqual(report["surfaces"][0]["method"], "two-pass")
+        report, picture = self.draw("globe.xyz", "--method", "deferred")
+        self.assertEqual(report["surfaces"][0]["method"], "deferred")
+        self.assertGreater(report["surfaces"][0]["groups"], 2)
+        self.assertLess(picture.difference(reference), 2.0)
+
+    def test_transparency(self):
+        pictures = {}
+        for kind in ("peeling", "sorted", "nearest-exact"):
+            report, pictures[kind] = self.draw(
+                "globe.xyz", "--opacity", "0.5", "--transparency", kind
+            )
+            self.assertEqual(report["surfaces"][0]["transparency"], kind)
+        self.assertLess(pictures["sorted"].difference(pictures["peeling"]), 3.0)
+        self.assertLess(pictures["nearest-exact"].difference(pictures["peeling"]), 3.0)
+        report, one = self.draw("globe.xyz", "--opacity", "0.5", "--layers", "1")
+        self.assertEqual(report["surfaces"][0]["layers"], 1)
+        self.assertGreater(one.difference(pictures["peeling"]), 1.0)
 
     def test_array_and_scalar_bar(self):
         self.write(
