@@ -4,8 +4,8 @@
  * @class   vtkIsosurfaceThinning
  * @brief   points of one isosurface of which no two are nearer than a distance
  *
- * Internal to vtkIsosurfaceSamples and vtkIsosurfaceScatter. A hash table of cubes, with twice that distance as their
- * side, finds what is near in eight of them.
+ * Internal to vtkIsosurfaceSamples and vtkIsosurfaceScatter. A hash table of cubes, with twice
+ * that distance as their side, finds what is near in eight of them.
  */
 #ifndef vtkIsosurfaceThinning_h
 #define vtkIsosurfaceThinning_h

@@ -10,9 +10,9 @@
  * - Weighted: K colours whatever the graph, such that little weight is left on edges whose ends
  *   share a colour (Zhang, Pajarola 2006, GPU-Accelerated Transparent Point-Based Rendering,
  *   section 2). Greedy initialisation gives each node, heaviest first, the colour that costs
- *   least; largest-first's colours, those past K replaced greedily, are a second start. Optimisation
- *   moves single nodes to the colour that costs least and so only ever lowers the weight. The
- *   better of the two ends is the result.
+ *   least; largest-first's colours, those past K replaced greedily, are a second start.
+ *   Optimisation moves single nodes to the colour that costs least and so only ever lowers the
+ *   weight. The better of the two ends is the result.
  */
 #ifndef vtkPointSplatColoring_h
 #define vtkPointSplatColoring_h

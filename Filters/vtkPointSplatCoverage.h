@@ -8,13 +8,14 @@
  * Single-Pass Point Rendering, section 4.2.2.
  *
  * Areas are found by points spread evenly over each disk, 256 of them (64 where there are so many
- * splats that errors average out). Whether another disk covers a point is told in the plane of the
- * first one: the point goes along its normal to the other's plane, and is covered where it arrives within the other's radius.
- * Disks whose normals differ by more than 72 degrees, and such as lie farther along the normal
- * than both radii, belong to other sheets and cover nothing.
+ * splats that errors average out). Whether another disk covers a point is told in the plane of
+ * the first one: the point goes along its normal to the other's plane, and is covered where it
+ * arrives within the other's radius. Disks whose normals differ by more than 72 degrees, and such
+ * as lie farther along the normal than both radii, belong to other sheets and cover nothing.
  *
- * Where m disks of a set cover a point, each counts 1/m of it. So the disks' shares add up to the area that
- * they cover together, which equation 7, taken literally, would count too small wherever three disks meet.
+ * Where m disks of a set cover a point, each counts 1/m of it. So the disks' shares add up to the
+ * area that they cover together, which equation 7, taken literally, would count too small
+ * wherever three disks meet.
  */
 #ifndef vtkPointSplatCoverage_h
 #define vtkPointSplatCoverage_h
@@ -51,7 +52,8 @@ public:
 
   /**
    * Splats of other groups that fill this one's gaps, by the priority queue of section 4.2.2,
-   * method 1, of which this group's splats clip no more than the given share each. graph: all overlaps.
+   * method 1, of which this group's splats clip no more than the given share each. graph: all
+   * overlaps.
    */
   std::vector<Index> Fill(const std::vector<Index>& group, const vtkPointSplatOverlap& graph,
     double mostClipped) const;

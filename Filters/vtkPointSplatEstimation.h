@@ -33,30 +33,29 @@
  *    as if along a circle's arc, and edges that leave the tangent planes cost more, so that
  *    it does not jump to another sheet. Given normals start the tree; a piece of surface
  *    without any is turned outward at its extreme point.
- * 4. *Disk.* The neighbours are projected to the tangent plane (Pajarola, Sainz, Guidotti
- *    2004, Confetti, section 4.3), but those of other sheets: that lie more than 53 degrees off
- *    the plane, or more than 17 where their normal differs by more than 78. Where most of them
- *    lie off the tangent plane, the normal cannot be the surface's (as at seams of meshes whose
- *    triangles are not oriented consistently), and the plane that fits them takes its place. Bisectors cut the point's
- *    Voronoi cell out of the plane, and the disk reaches to the cell's farthest vertex. A vertex
- *    between two neighbours that are more than 150 degrees apart is left to their disks. Where
- *    the cell stays open, four times as many neighbours are looked at, and if those
- *    lie in a row, one a leaf of the search tree, which reaches past it; if it is open still, the point
- *    lies on a border: then the cell ends at the convex hull of the neighbours.
- *    So border splats reach no farther than inner ones. For ellipses all this is done in
- *    the plane scaled along the principal axes of the neighbours' covariance (Confetti,
- *    section 4.2, equation 3) until it is round there; where Confetti scales the ellipse to
- *    bound the neighbours, here it bounds the cell.
- *    Where the whole cloud is as regular as a mesh's vertices are, vertices much farther than
- *    usual are left out: there is a hole in the surface. In random samplings such are gaps to
- *    be closed.
- *    Circular disks also get the surface's *curvature*: the second fundamental form that fits
- *    the NumberOfNeighbors nearest ones' normals and heights over the tangent plane best, by
- *    least squares (vtkPointSplatCurvature.h has the equations). What those do not agree on is
- *    left out, since noise has no curvature, and a tenth of the rest.
- * 5. *Bound.* No disk is larger than the distance to the farthest neighbour looked at, nor than two and a half
- *    times those of its neighbours, which keeps outliers small. With no neighbour at all, for a
- *    lone point, the radius is 0.1.
+ * 4. *Disk.* The neighbours are projected to the tangent plane (Pajarola, Sainz, Guidotti 2004,
+ *    Confetti, section 4.3), but those of other sheets: that lie more than 53 degrees off the
+ *    plane, or more than 17 where their normal differs by more than 78. Where most of them lie
+ *    off the tangent plane, the normal cannot be the surface's (as at seams of meshes whose
+ *    triangles are not oriented consistently), and the plane that fits them takes its place.
+ *    Bisectors cut the point's Voronoi cell out of the plane, and the disk reaches to the cell's
+ *    farthest vertex. A vertex between two neighbours that are more than 150 degrees apart is
+ *    left to their disks. Where the cell stays open, four times as many neighbours are looked at,
+ *    and if those lie in a row, one a leaf of the search tree, which reaches past it; if it is
+ *    open still, the point lies on a border: then the cell ends at the convex hull of the
+ *    neighbours. So border splats reach no farther than inner ones. For ellipses all this is done
+ *    in the plane scaled along the principal axes of the neighbours' covariance (Confetti,
+ *    section 4.2, equation 3) until it is round there; where Confetti scales the ellipse to bound
+ *    the neighbours, here it bounds the cell. Where the whole cloud is as regular as a mesh's
+ *    vertices are, vertices much farther than usual are left out: there is a hole in the surface.
+ *    In random samplings such are gaps to be closed. Circular disks also get the surface's
+ *    *curvature*: the second fundamental form that fits the NumberOfNeighbors nearest ones'
+ *    normals and heights over the tangent plane best, by least squares (vtkPointSplatCurvature.h
+ *    has the equations). What those do not agree on is left out, since noise has no curvature,
+ *    and a tenth of the rest.
+ * 5. *Bound.* No disk is larger than the distance to the farthest neighbour looked at, nor than
+ *    two and a half times those of its neighbours, which keeps outliers small. With no neighbour
+ *    at all, for a lone point, the radius is 0.1.
  *
  * Bad input: points with a coordinate that is not finite (or beyond 1e37), and hidden ones
  * (vtkGhostType has HIDDENPOINT), take no part; they stay in the output, with radius 0, and

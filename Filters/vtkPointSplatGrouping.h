@@ -11,7 +11,8 @@
  * Input: any vtkPointSet with points of any type and
  * - point normals (3 components), and `SplatRadius` (1 component, world units) or `SplatAxis1`
  *   and `SplatAxis2` (3 components each, world units), of which the longer one is the radius of
- *   the disk that bounds the ellipse. What is missing is estimated, as vtkPointSplatEstimation does;
+ *   the disk that bounds the ellipse. What is missing is estimated, as vtkPointSplatEstimation
+ *   does;
  * - scalars of 3 or 4 components of unsigned char, if colours matter (CoplanarAngle).
  *
  * Output: a vtkPolyData with the same points in the same order, all of the input's point data and
@@ -19,8 +20,8 @@
  * - `SplatGroup` (1 int): 0 to GetNumberOfGroups() - 1, or -1 for a point that is no splat;
  * - with Coverage Duplicate: further points at the end, copies of others in another group;
  * - with Coverage Enlarge: sizes multiplied by GetGroupRadiusScale() of each group;
- * - with either: `vtkOriginalPointIds` (1 vtkIdType), the input's point that each point is, unless the input
- *   has this array already, which then goes on naming what it named.
+ * - with either: `vtkOriginalPointIds` (1 vtkIdType), the input's point that each point is,
+ *   unless the input has this array already, which then goes on naming what it named.
  *
  * Stages:
  * 1. *Overlap.* Splats i and j share an edge where |p_i - p_j| < OverlapFactor Reach (r_i + r_j)
@@ -32,10 +33,10 @@
  *    than MaximumOverlap, and as little overlap within groups as optimisation
  *    reaches (Zhang, Pajarola 2006, GPU-Accelerated Transparent Point-Based Rendering, section 2).
  * 3. *Coverage.* For transparency each group shall cover the whole surface (section 4.2.2).
- *    Duplicate adds to each group splats of others, by a priority queue on the area that the group clips
- *    of them, as long as that is no more than MaximumClipped of their disk (method 1). Enlarge
- *    scales each group's radii by iterating equation 9 (method 2). GetGroupCoverage() tells
- *    each group's share of the surface's area, before and after.
+ *    Duplicate adds to each group splats of others, by a priority queue on the area that the
+ *    group clips of them, as long as that is no more than MaximumClipped of their disk (method
+ *    1). Enlarge scales each group's radii by iterating equation 9 (method 2). GetGroupCoverage()
+ *    tells each group's share of the surface's area, before and after.
  *
  * The result does not depend on the number of threads. Time and memory are linear in points
  * and overlaps.
@@ -107,7 +108,8 @@ public:
 
   ///@{
   /**
-   * On: splats whose normals make an angle of more than 90 degrees may share a group. Off by default.
+   * On: splats whose normals make an angle of more than 90 degrees may share a group. Off by
+   * default.
    */
   vtkSetMacro(IgnoreOpposite, bool);
   vtkGetMacro(IgnoreOpposite, bool);
@@ -137,7 +139,8 @@ public:
 
   ///@{
   /**
-   * Of the weighted colouring: the area by which pairs within groups may overlap, as a share of all splats' area;
+   * Of the weighted colouring: the area by which pairs within groups may overlap, as a share of
+   * all splats' area;
    * 0.05 by default.
    */
   vtkSetClampMacro(MaximumOverlap, double, 0.0, 1.0);
@@ -180,8 +183,9 @@ public:
 
   ///@{
   /**
-   * Of a group, if Coverage is not AsIs: the share of the surface's area that it covers, before and after, by disks
-   * of the radius times Reach, and the factor on its radii. 0, 0 and 1 otherwise.
+   * Of a group, if Coverage is not AsIs: the share of the surface's area that it covers, before
+   * and after, by disks of the radius times Reach, and the factor on its radii. 0, 0 and 1
+   * otherwise.
    */
   double GetGroupCoverageBefore(int group);
   double GetGroupCoverage(int group);

@@ -35,8 +35,8 @@ public:
 
   /**
    * Builds the graph of count splats, positions (3 doubles each) and radii in the same unit.
-   * keep(i, j), where given, says of a pair that overlaps whether it makes an edge. False where there would be
-   * more than mostEdges edges; the graph is empty then.
+   * keep(i, j), where given, says of a pair that overlaps whether it makes an edge. False where
+   * there would be more than mostEdges edges; the graph is empty then.
    */
   bool Build(const double* positions, const double* radii, Index count, double factor,
     std::size_t mostEdges, const std::function<bool(Index, Index)>& keep = nullptr);

@@ -36,13 +36,13 @@
  * overlap among themselves go to an image each, and compositing these images does both
  * (Zhang, Pajarola 2006, section 3.2, Algorithm 1); see vtkPointSplatGrouping.
  *
- * All opaque splat actors of a renderer share stages 2 and 3. All translucent ones share theirs, which
- * are repeated for one layer after the other: what lies within the least layer
- * distance of a layer, measured along the normal, belongs to it, and what is behind makes the next one
- * (Guennebaud, Barthe, Paulin 2006, section 6; Dobrev, Rosenthal, Linsen 2010, sections 4
- * and 5). Layers are presented from the back, each with its own depth, so that VTK's depth
- * peeling, its order-independent pass and plain blending interleave them with
- * translucent meshes; where there are none, they are flattened to one layer first.
+ * All opaque splat actors of a renderer share stages 2 and 3. All translucent ones share theirs,
+ * which are repeated for one layer after the other: what lies within the least layer distance of
+ * a layer, measured along the normal, belongs to it, and what is behind makes the next one
+ * (Guennebaud, Barthe, Paulin 2006, section 6; Dobrev, Rosenthal, Linsen 2010, sections 4 and 5).
+ * Layers are presented from the back, each with its own depth, so that VTK's depth peeling, its
+ * order-independent pass and plain blending interleave them with translucent meshes; where there
+ * are none, they are flattened to one layer first.
  *
  * Input: vtkPolyData (or any vtkPointSet), or a composite data set of them. Only
  * points count; cells serve cell selection and cell scalars.
@@ -119,11 +119,11 @@ public:
 
   ///@{
   /**
-   * How surfaces are reconstructed from splats: by two passes over them, or by deferred
-   * blending in one. Automatic, the default, takes two passes by compute shaders, which were
-   * faster wherever both were measured (see the README); where there are only quads and three splats or more
-   * to four pixels, it takes deferred blending. GetMethodUsed() tells what the last frame took,
-   * and GetMethodReason() why, where that is not what was asked for. One splat mapper of a
+   * How surfaces are reconstructed from splats: by two passes over them, or by deferred blending
+   * in one. Automatic, the default, takes two passes by compute shaders, which were faster
+   * wherever both were measured (see the README); where there are only quads and three splats or
+   * more to four pixels, it takes deferred blending. GetMethodUsed() tells what the last frame
+   * took, and GetMethodReason() why, where that is not what was asked for. One splat mapper of a
    * renderer that wants deferred blending decides for all.
    */
   vtkSetClampMacro(Method, int, AUTOMATIC_METHOD, DEFERRED);
@@ -137,12 +137,12 @@ public:
 
   ///@{
   /**
-   * How translucent splat actors are drawn: by peeling layer after layer, each in
-   * full quality; sorted, by one pass over groups of splats, averaged (Zhang, Pajarola 2006,
-   * Algorithm 2); or with the nearest layer exact and the others sorted (Algorithm 3). Sorted
-   * layers cannot be interleaved with other translucent props: where there are some, layers are peeled.
-   * Automatic, the default, peels; GetTransparencyUsed() tells what was done. One mapper of a
-   * renderer that wants another way than automatic decides for all.
+   * How translucent splat actors are drawn: by peeling layer after layer, each in full quality;
+   * sorted, by one pass over groups of splats, averaged (Zhang, Pajarola 2006, Algorithm 2); or
+   * with the nearest layer exact and the others sorted (Algorithm 3). Sorted layers cannot be
+   * interleaved with other translucent props: where there are some, layers are peeled. Automatic,
+   * the default, peels; GetTransparencyUsed() tells what was done. One mapper of a renderer that
+   * wants another way than automatic decides for all.
    */
   vtkSetClampMacro(Transparency, int, AUTOMATIC_TRANSPARENCY, NEAREST_EXACT);
   vtkGetMacro(Transparency, int);
@@ -208,9 +208,9 @@ public:
 
   ///@{
   /**
-   * Bytes that the groups' images may take, 20 a pixel and group: past it, two passes are
-   * taken, with a warning. And bytes that translucent layers may take, 20 or 36 a pixel and layer: past it, no
-   * further ones are peeled. 0: no bound. Default: 1 GiB.
+   * Bytes that the groups' images may take, 20 a pixel and group: past it, two passes are taken,
+   * with a warning. And bytes that translucent layers may take, 20 or 36 a pixel and layer: past
+   * it, no further ones are peeled. 0: no bound. Default: 1 GiB.
    */
   vtkSetClampMacro(MaximumImageMemory, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(MaximumImageMemory, vtkIdType);

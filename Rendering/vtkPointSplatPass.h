@@ -41,8 +41,8 @@ public:
 
   ///@{
   /**
-   * Properties of vtkPointSplatMapper, imposed on the mappers of all actors that this pass draws; they keep
-   * them. -1, the default: each mapper's own.
+   * Properties of vtkPointSplatMapper, imposed on the mappers of all actors that this pass draws;
+   * they keep them. -1, the default: each mapper's own.
    */
   vtkSetClampMacro(Method, int, -1, 2);
   vtkGetMacro(Method, int);

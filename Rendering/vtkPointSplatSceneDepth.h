@@ -4,8 +4,8 @@
 // cuts the peeling of translucent layers short.
 //
 // It is taken from the framebuffer that is bound for reading: vtkDualDepthPeelingPass binds its
-// own for drawing only, and vtkOrderIndependentTranslucentPass copies depth into its own first. Multisampled
-// framebuffers are resolved.
+// own for drawing only, and vtkOrderIndependentTranslucentPass copies depth into its own first.
+// Multisampled framebuffers are resolved.
 #ifndef vtkPointSplatSceneDepth_h
 #define vtkPointSplatSceneDepth_h
 

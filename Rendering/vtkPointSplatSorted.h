@@ -3,7 +3,8 @@
 // Group-sorted transparency (Zhang, Pajarola 2006, section 5.2, Algorithms 2 and 3): all
 // layers, or all but the nearest, in one pass over the splats.
 //
-// Splats are divided into groups, each of which covers the surfaces by itself, with little overlap. For each group:
+// Splats are divided into groups, each of which covers the surfaces by itself, with little
+// overlap. For each group:
 // 1. Its leaves, runs of splats in Morton order that were made with the groups, are sorted from the
 //    back by their distance from the eye: one entry for 16 splats, not a sort of all.
 // 2. They are drawn in this order to one image, blended, shaded a fragment.

@@ -113,9 +113,9 @@ public:
 
   ///@{
   /**
-   * What other ways to reconstruct a layer share: all uniforms of an item; the state in which quads are
-   * drawn, nearest first with nothing else in the way; the draw itself, of count splats from
-   * first on (all of them if count is negative), with an id map or 0.
+   * What other ways to reconstruct a layer share: all uniforms of an item; the state in which
+   * quads are drawn, nearest first with nothing else in the way; the draw itself, of count splats
+   * from first on (all of them if count is negative), with an id map or 0.
    */
   static void SetItem(vtkPointSplatProgram& program, const vtkPointSplatView& view,
     const vtkPointSplatItem& item, const glm::ivec2& imageSize);

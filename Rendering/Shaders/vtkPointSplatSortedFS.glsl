@@ -3,11 +3,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The geometry pass of group-sorted transparency (Zhang, Pajarola 2006, section
-// 5.2.1, Algorithm 2): one group's splats, drawn from the back, each shaded and
-// blended over what is behind it. Of splats of one surface that overlap only the first stays: the depth
-// that is tested is rounded to the least layer distance (equation 6), and equal
-// ones fail. Fragments of the nearest layer, where that is drawn exactly, and what
-// the opaque scene hides are left out (Algorithm 3).
+// 5.2.1, Algorithm 2): one group's splats, drawn from the back, each shaded and blended over what
+// is behind it. Of splats of one surface that overlap only the first stays: the depth that is
+// tested is rounded to the least layer distance (equation 6), and equal ones fail. Fragments of
+// the nearest layer, where that is drawn exactly, and what the opaque scene hides are left out
+// (Algorithm 3).
 
 //PointSplat::Defines
 
