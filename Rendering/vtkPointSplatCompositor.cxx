@@ -223,6 +223,11 @@ bool vtkPointSplatCompositor::Build(vtkRenderer* renderer, const vtkPointSplatVi
     request.LeastOpacity = 1.0;
   }
   sorted = vtkPointSplatFlat::None;
+  bool points = false;
+  for (const Entry& entry : entries)
+  {
+    points = points || entry.Mapper->GetMethod() == vtkPointSplatMapper::IMAGE_SPACE;
+  }
   for (const Entry& entry : entries)
   {
     const int wanted = entry.Mapper->GetTransparency();
@@ -239,10 +244,11 @@ bool vtkPointSplatCompositor::Build(vtkRenderer* renderer, const vtkPointSplatVi
     request.SceneDepth = this->CaptureScene(renderer, view, failed);
     request.Frame = this->Frame;
     flat = flat && !failed;
-    sorted = flat ? sorted : vtkPointSplatFlat::None;
+    // Points that are projected as single pixels have no extent to be sorted with.
+    sorted = flat && !points ? sorted : vtkPointSplatFlat::None;
   }
   const bool deferred =
-    !translucent && this->WantsDeferred(entries, view.Size, request.Compute);
+    !translucent && !points && this->WantsDeferred(entries, view.Size, request.Compute);
   request.Compute = request.Compute && !deferred;
   for (Entry& entry : entries)
   {
@@ -256,6 +262,12 @@ bool vtkPointSplatCompositor::Build(vtkRenderer* renderer, const vtkPointSplatVi
     voronoi = voronoi && mapper->GetVoronoiDepth();
     request.Items.push_back(entry.Item);
     request.CloudTimes.push_back(entry.Item.Cloud->GetMTime());
+    if (entry.Item.Points)
+    {
+      request.FillSteps = std::max(request.FillSteps,
+        std::min(mapper->GetMaximumNumberOfFillSteps(),
+          entry.Item.SpacingPixels > 0.5 ? 2 : 1));
+    }
     if (translucent)
     {
       request.MaximumLayers = std::max(request.MaximumLayers, mapper->GetMaximumNumberOfLayers());

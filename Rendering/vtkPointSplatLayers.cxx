@@ -18,7 +18,7 @@ bool vtkPointSplatLayersRequest::operator==(const vtkPointSplatLayersRequest& ot
 {
   return this->View == other.View && this->Items == other.Items &&
     this->CloudTimes == other.CloudTimes && this->Compute == other.Compute &&
-    this->VoronoiScale == other.VoronoiScale && this->MaximumLayers == other.MaximumLayers &&
+    this->VoronoiScale == other.VoronoiScale && this->FillSteps == other.FillSteps && this->MaximumLayers == other.MaximumLayers &&
     this->Gather == other.Gather && this->LeastOpacity == other.LeastOpacity &&
     this->MaximumMemory == other.MaximumMemory && this->SceneDepth == other.SceneDepth &&
     (this->SceneDepth == 0 || this->Frame == other.Frame);
@@ -110,10 +110,12 @@ bool vtkPointSplatLayers::BuildLayer(
   {
     peel.Previous.push_back(this->Layers[k - 1].get());
   }
-  images.Allocate(r.Compute, r.View.Size, colours || peel.Gather);
+  const bool filled = r.FillSteps > 0;
+  vtkPointSplatImages& projected = filled ? this->Projected : images;
+  projected.Allocate(r.Compute, r.View.Size, colours || peel.Gather);
   if (r.Compute)
   {
-    images.ClearBuffers(rows);
+    projected.ClearBuffers(rows);
   }
   empty = false;
   const bool peeling = r.MaximumLayers > 1 || r.SceneDepth;
@@ -127,11 +129,21 @@ bool vtkPointSplatLayers::BuildLayer(
     }
     return true;
   }
-  if (!stages.Reconstruct(window, r.View, r.Items, images, this->DepthUnit,
+  if (!stages.Reconstruct(window, r.View, r.Items, projected, this->DepthUnit,
         peeling ? &peel : nullptr, peeling ? &empty : nullptr))
   {
     this->Error = stages.GetError();
     return false;
+  }
+  if (filled && !empty)
+  {
+    images.AllocateFilled(r.Compute, r.View.Size);
+    if (!this->Fill.Reconstruct(window, r.View, r.Items, projected, rows, r.FillSteps,
+          this->DepthUnit, images))
+    {
+      this->Error = this->Fill.GetError();
+      return false;
+    }
   }
   return true;
 }
@@ -144,7 +156,9 @@ bool vtkPointSplatLayers::Identify(
   {
     return true;
   }
-  if (!stages.Identify(window, this->Request.View, this->Request.Items, *this->Layers[0], kind))
+  vtkPointSplatImages& images =
+    this->Request.FillSteps > 0 ? this->Projected : *this->Layers[0];
+  if (!stages.Identify(window, this->Request.View, this->Request.Items, images, kind))
   {
     this->Error = stages.GetError();
     return false;
@@ -156,7 +170,8 @@ bool vtkPointSplatLayers::Identify(
 //------------------------------------------------------------------------------
 vtkIdType vtkPointSplatLayers::GetMemorySize() const
 {
-  vtkIdType bytes = this->Deferred.GetMemorySize();
+  vtkIdType bytes = this->Deferred.GetMemorySize() + this->Projected.GetMemorySize() +
+    this->Fill.GetMemorySize();
   for (const auto& layer : this->Layers)
   {
     bytes += layer->GetMemorySize();
@@ -173,6 +188,8 @@ void vtkPointSplatLayers::Release()
   }
   this->Layers.clear();
   this->Deferred.Release();
+  this->Projected.Release();
+  this->Fill.Release();
   this->Count = 0;
   this->Built = false;
 }

@@ -202,6 +202,10 @@ bool vtkPointSplatResolve::Present(vtkRenderer* renderer, vtkActor* actor,
   {
     defines += "#define COMPUTE_IMAGES\n";
   }
+  if (images.IsFilled())
+  {
+    defines += "#define FILLED_IMAGES\n";
+  }
   vtkShaderProgram::Substitute(fragment, "//PointSplat::Defines", defines);
   vtkShaderProgram::Substitute(fragment, "//PointSplat::GeometryBuffer",
     geometryBuffer && output == Shaded

@@ -1,10 +1,61 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The images of a reconstructed surface layer, from whichever projection made
-// them: buffers of integers (COMPUTE_IMAGES), or textures.
+// The images of a reconstructed surface layer, from whatever made them: buffers of
+// integers (COMPUTE_IMAGES), or textures; as the projection left them, or one image of texels
+// (FILLED_IMAGES).
 
+#if defined(FILLED_IMAGES)
+
+#include "vtkPointSplatTexel"
+
+uniform float DepthUnit;
 #ifdef COMPUTE_IMAGES
+uniform usamplerBuffer Texels; // RGBA32UI, see vtkPointSplatTexel
+uniform usamplerBuffer Filled; // RG32UI: coded depth, and the pixel whose attributes are meant
+uniform usamplerBuffer Ids;    // RG32UI, one a projected pixel
+uniform int ImageWidth;
+
+uvec4 fetchTexel(ivec2 pixel)
+{
+  return texelFetch(Texels, pixel.y * ImageWidth + pixel.x);
+}
+
+uint fetchId(ivec2 pixel)
+{
+  uint source = texelFetch(Filled, pixel.y * ImageWidth + pixel.x).g;
+  return texelFetch(Ids, int(source >> 16) * ImageWidth + int(source & 0xffffu)).g;
+}
+#else
+uniform usampler2D Texels;
+uniform usampler2D Filled;
+uniform usampler2D Ids;
+
+uvec4 fetchTexel(ivec2 pixel)
+{
+  return texelFetch(Texels, pixel, 0);
+}
+
+uint fetchId(ivec2 pixel)
+{
+  uint source = texelFetch(Filled, pixel, 0).g;
+  return texelFetch(Ids, ivec2(source & 0xffffu, source >> 16), 0).r;
+}
+#endif
+
+uint fetchDepth(ivec2 pixel)
+{
+  return fetchTexel(pixel).r;
+}
+
+bool fetchSums(ivec2 pixel, out vec3 normal, out float behind, out vec4 colour)
+{
+  unpackTexel(fetchTexel(pixel), normal, behind, colour);
+  behind *= DepthUnit;
+  return true;
+}
+
+#elif defined(COMPUTE_IMAGES)
 
 #include "vtkPointSplatFixedPoint"
 
@@ -24,22 +75,19 @@ uint fetchId(ivec2 pixel)
   return texelFetch(Ids, pixel.y * ImageWidth + pixel.x).g;
 }
 
-// False: nothing was accumulated here, or more than can be told.
-bool fetchSums(ivec2 pixel, out vec3 normal, out float behind, out vec4 colour)
+// Sums of weights, and of weighted normals, depths in units of DepthUnit, and colours; of
+// nothing where nothing was accumulated, or more than can be told.
+float fetchRawSums(ivec2 pixel, out vec4 normalAndBehind, out vec4 colour)
 {
   int at = (pixel.y * ImageWidth + pixel.x) * TexelsPerPixel;
   ivec4 a = texelFetch(Sums, at);
-  float w = float(a.x);
-  ivec2 nxy = unpackSums(a.y);
-  ivec2 nzDepth = unpackSums(a.z);
-  normal = vec3(nxy, nzDepth.x) / w;
-  behind = DepthUnit * float(nzDepth.y) / w;
-  colour = vec4(1.0);
+  normalAndBehind = vec4(unpackSums(a.y), unpackSums(a.z));
+  colour = vec4(float(a.x));
   if (TexelsPerPixel > 1)
   {
-    colour = vec4(unpackSums(a.w), unpackSums(texelFetch(Sums, at + 1).r)) / w;
+    colour = vec4(unpackSums(a.w), unpackSums(texelFetch(Sums, at + 1).r));
   }
-  return a.x > 0 && a.x < WeightOverflow;
+  return a.x < WeightOverflow ? float(a.x) : 0.0;
 }
 
 #else
@@ -61,14 +109,26 @@ uint fetchId(ivec2 pixel)
   return texelFetch(Ids, pixel, 0).r;
 }
 
-bool fetchSums(ivec2 pixel, out vec3 normal, out float behind, out vec4 colour)
+float fetchRawSums(ivec2 pixel, out vec4 normalAndBehind, out vec4 colour)
 {
   vec4 a = texelFetch(WeightAndNormal, pixel, 0);
   vec4 b = texelFetch(DepthAndColour, pixel, 0);
-  normal = a.yzw / a.x;
-  behind = DepthUnit * b.x / a.x;
-  colour = vec4(b.yzw, texelFetch(Opacities, pixel, 0).r) / a.x;
-  return a.x > 0.0;
+  normalAndBehind = vec4(a.yzw, b.x);
+  colour = vec4(b.yzw, texelFetch(Opacities, pixel, 0).r);
+  return a.x;
 }
 
+#endif
+
+#ifndef FILLED_IMAGES
+// False: nothing was accumulated here, or more than can be told.
+bool fetchSums(ivec2 pixel, out vec3 normal, out float behind, out vec4 colour)
+{
+  vec4 sum;
+  float w = fetchRawSums(pixel, sum, colour);
+  normal = sum.xyz / w;
+  behind = DepthUnit * sum.w / w;
+  colour /= w;
+  return w > 0.0;
+}
 #endif
