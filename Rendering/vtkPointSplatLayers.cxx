@@ -91,15 +91,15 @@ bool vtkPointSplatLayers::BuildLayer(
   }
   vtkPointSplatImages& images = *this->Layers[index];
   bool colours = false;
-  // Only the rows that something can cover are emptied, and read.
-  glm::ivec4 rows(0, r.View.Size.y, r.View.Size.x - 1, -1);
+  // Only the rectangle that something can cover is filled, and only its rows are emptied.
+  glm::ivec4 covered(r.View.Size.x, r.View.Size.y, -1, -1);
   for (const vtkPointSplatItem& item : r.Items)
   {
     colours = colours || item.Cloud->HasColours();
     if (item.Window.x <= item.Window.z)
     {
-      rows.y = std::min(rows.y, item.Window.y);
-      rows.w = std::max(rows.w, item.Window.w);
+      covered = glm::ivec4(std::min(covered.x, item.Window.x), std::min(covered.y, item.Window.y),
+        std::max(covered.z, item.Window.z), std::max(covered.w, item.Window.w));
     }
   }
   vtkPointSplatPeel peel;
@@ -115,7 +115,7 @@ bool vtkPointSplatLayers::BuildLayer(
   projected.Allocate(r.Compute, r.View.Size, colours || peel.Gather);
   if (r.Compute)
   {
-    projected.ClearBuffers(rows);
+    projected.ClearBuffers(covered);
   }
   empty = false;
   const bool peeling = r.MaximumLayers > 1 || r.SceneDepth;
@@ -138,7 +138,7 @@ bool vtkPointSplatLayers::BuildLayer(
   if (filled && !empty)
   {
     images.AllocateFilled(r.Compute, r.View.Size);
-    if (!this->Fill.Reconstruct(window, r.View, r.Items, projected, rows, r.FillSteps,
+    if (!this->Fill.Reconstruct(window, r.View, r.Items, projected, covered, r.FillSteps,
           this->DepthUnit, images))
     {
       this->Error = this->Fill.GetError();
