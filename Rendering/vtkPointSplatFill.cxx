@@ -20,7 +20,7 @@ constexpr int StripLength = 16;
 // Points this far apart, in pixels, or closer leave only holes that one step closes.
 constexpr double DensePixels = 0.7;
 // Beyond this, rims of holes are not closed, and coarser levels are needed.
-constexpr double SparsePixels = 2.0;
+constexpr double SparsePixels = 1.2;
 constexpr int MostLevels = 7;
 }
 

@@ -45,9 +45,10 @@ constexpr double CoveringScale = 2.0;
 // As many as the shaders take; VTK's own mappers take six.
 constexpr int MaximumClipPlanes = 6;
 
-// The automatic layer distance of points that are projected as single pixels: a pixel's width,
-// by which points of one surface within one pixel differ along the normal, or their spacing.
-constexpr double PointLayerPixels = 1.0;
+// The automatic layer distance of points that are projected as single pixels, if it is more than
+// their spacing: within a pixel points of one surface lie up to 1.4 pixels' width apart along the
+// normal, and as much again where the pixel was filled from a neighbour's depth.
+constexpr double PointLayerPixels = 3.0;
 }
 
 struct vtkPointSplatMapper::vtkInternals
@@ -440,6 +441,10 @@ const char* vtkPointSplatMapper::GetProjectionUsed()
 //------------------------------------------------------------------------------
 double vtkPointSplatMapper::GetLayerDistanceUsed()
 {
+  if (this->Method == IMAGE_SPACE && !(this->LayerDistance > 0.0))
+  {
+    return this->Internals->Cloud.GetSpacing();
+  }
   return this->LayerDistance > 0.0
     ? this->LayerDistance
     : LayerFraction * this->RadiusScale * this->Internals->Cloud.GetMedianRadius();
