@@ -12,6 +12,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkPointSplatEnvironment.h"
 #include "vtkPointSplatImages.h"
 #include "vtkPointSplatMapper.h"
 #include "vtkProperty.h"
@@ -177,7 +178,8 @@ bool vtkPointSplatResolve::Present(vtkRenderer* renderer, vtkActor* actor,
   vtkPointSplatMapper* mapper, const vtkPointSplatView& view, const vtkPointSplatItem& item,
   vtkPointSplatImages& images, float depthUnit, Output output, int selectionShift, bool gathered)
 {
-  const bool shaded = output == Shaded || output == Flattened;
+  const bool shaded = output == Shaded || output == Flattened || output == Reflected;
+  const bool reflects = shaded && item.Refracts && this->Environment;
   if (item.Window.x > item.Window.z || item.Window.y > item.Window.w)
   {
     return true; // off the screen
@@ -188,7 +190,7 @@ bool vtkPointSplatResolve::Present(vtkRenderer* renderer, vtkActor* actor,
   std::string geometry;
   std::string fragment = vtkPointSplatProgram::Source("vtkPointSplatResolveFS");
   const std::vector<vtkOpenGLRenderPass*> passes =
-    output == Flattened ? std::vector<vtkOpenGLRenderPass*>() : PassesOf(actor);
+    output == Flattened || output == Reflected ? std::vector<vtkOpenGLRenderPass*>() : PassesOf(actor);
   bool geometryBuffer = false;
   for (vtkOpenGLRenderPass* pass : passes)
   {
@@ -201,6 +203,10 @@ bool vtkPointSplatResolve::Present(vtkRenderer* renderer, vtkActor* actor,
   if (images.IsCompute())
   {
     defines += "#define COMPUTE_IMAGES\n";
+  }
+  if (reflects)
+  {
+    defines += "#define REFLECTION\n" + this->Environment->GetDefines();
   }
   vtkShaderProgram::Substitute(fragment, "//PointSplat::Defines", defines);
   vtkShaderProgram::Substitute(fragment, "//PointSplat::GeometryBuffer",
@@ -222,13 +228,12 @@ bool vtkPointSplatResolve::Present(vtkRenderer* renderer, vtkActor* actor,
   const int origin[2] = { view.Origin.x, view.Origin.y };
   program->SetUniform2i("ImageOrigin", origin);
   program->SetUniformi("Slot", item.Slot);
-  program->SetUniformf("DepthUnit", depthUnit);
-  program->SetUniformf("NearDistance", static_cast<float>(view.Near));
-  program->SetUniformi("Parallel", view.Parallel ? 1 : 0);
-  program->SetUniform4f("PixelX", &view.PixelX.x);
-  program->SetUniform4f("PixelY", &view.PixelY.x);
-  program->SetUniform4f("PixelW", &view.PixelW.x);
-  program->SetUniform4f("PixelZ", &view.PixelZ.x);
+  vtkPointSplatResolve::SetView(view, depthUnit, program);
+  if (reflects)
+  {
+    program->SetUniformf("RefractiveIndex", static_cast<float>(mapper->GetRefractiveIndex()));
+    this->Environment->Bind(view, program);
+  }
   if (shaded)
   {
     vtkPointSplatResolve::SetShading(
@@ -257,7 +262,24 @@ bool vtkPointSplatResolve::Present(vtkRenderer* renderer, vtkActor* actor,
 
   this->DrawScreen(window, view, item.Window);
   images.Unbind(window);
+  if (reflects)
+  {
+    this->Environment->Unbind();
+  }
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatResolve::SetView(
+  const vtkPointSplatView& view, float depthUnit, vtkShaderProgram* program)
+{
+  program->SetUniformf("DepthUnit", depthUnit);
+  program->SetUniformf("NearDistance", static_cast<float>(view.Near));
+  program->SetUniformi("Parallel", view.Parallel ? 1 : 0);
+  program->SetUniform4f("PixelX", &view.PixelX.x);
+  program->SetUniform4f("PixelY", &view.PixelY.x);
+  program->SetUniform4f("PixelW", &view.PixelW.x);
+  program->SetUniform4f("PixelZ", &view.PixelZ.x);
 }
 
 //------------------------------------------------------------------------------

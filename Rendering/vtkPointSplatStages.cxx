@@ -65,7 +65,7 @@ bool vtkPointSplatItem::operator==(const vtkPointSplatItem& other) const
     this->LayerDistance == other.LayerDistance && this->KernelType == other.KernelType &&
     this->KernelShape == other.KernelShape && this->KernelSupport == other.KernelSupport &&
     this->ClipPlanes == other.ClipPlanes && this->Colour == other.Colour &&
-    this->CoveringScale == other.CoveringScale;
+    this->CoveringScale == other.CoveringScale && this->Refracts == other.Refracts;
 }
 
 //------------------------------------------------------------------------------

@@ -44,6 +44,7 @@ struct vtkPointSplatItem
   glm::ivec4 Window{ 0 };             // pixels that it can cover
   double CoveringScale = 1.0;         // how much larger group-sorted splats are drawn
   glm::vec4 Colour{ 1.0f };           // and opacity, where layers of several items are gathered
+  bool Refracts = false;              // the environment
 
   bool operator==(const vtkPointSplatItem& other) const;
 };

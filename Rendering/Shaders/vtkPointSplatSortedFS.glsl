@@ -31,6 +31,10 @@ uniform vec3 Specular[2];
 uniform float SpecularPower[2];
 
 layout(location = 0) out vec4 blended; // premultiplied
+#ifdef LAYER_COUNT
+uniform bool Refracts;
+layout(location = 1) out float layerCount; // added up
+#endif
 
 void main()
 {
@@ -70,6 +74,9 @@ void main()
     m.diffuse *= splatColour.rgb;
     opacity *= splatColour.a;
   }
+#ifdef LAYER_COUNT
+  layerCount = Refracts ? 1.0 : 0.0;
+#endif
   blended = vec4(opacity * shade(m, position, normal), opacity);
   gl_FragDepth =
     clamp((floor(hit.depth / CoarseDepth) + 0.5) * CoarseDepth / DepthRange.y, 0.0, 0.9999999);
