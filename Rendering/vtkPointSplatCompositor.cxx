@@ -441,6 +441,7 @@ bool vtkPointSplatCompositor::PresentTranslucent(vtkRenderer* renderer, vtkActor
       if (!this->Flat.Blend(renderer, parts, layers, this->Resolve, sorted, this->Refraction,
             this->Resolve.GetEnvironment()))
       {
+        this->Error = this->Refraction.GetError();
         return false;
       }
       this->FlatFrame = this->Frame;
@@ -469,6 +470,7 @@ bool vtkPointSplatCompositor::PresentLayers(vtkRenderer* renderer, vtkActor* act
       this->Refraction.DrawImages(renderer, mappers, layers, *this->Resolve.GetEnvironment()) &&
       this->Resolve.PresentFlat(renderer, actor, mapper, view, this->Refraction.GetColour(),
         this->Refraction.GetDepth());
+    this->Error = this->Refraction.GetError();
   }
   for (int layer = layers.GetNumberOfLayers() - 1; layer >= 0; --layer)
   {

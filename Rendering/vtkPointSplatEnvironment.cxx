@@ -44,8 +44,10 @@ bool vtkPointSplatEnvironment::Prepare(vtkRenderer* renderer)
   glSamplerParameteri(this->Sampler, GL_TEXTURE_WRAP_S, GL_REPEAT);
   glSamplerParameteri(this->Sampler, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 
-  const glm::dvec3 up = glm::make_vec3(renderer->GetEnvironmentUp());
-  const glm::dvec3 right = glm::make_vec3(renderer->GetEnvironmentRight());
+  glm::dvec3 up;
+  glm::dvec3 right;
+  renderer->GetEnvironmentUp(&up.x);
+  renderer->GetEnvironmentRight(&right.x);
   this->FromWorld = glm::transpose(glm::dmat3(right, up, glm::cross(right, up)));
   return true;
 }

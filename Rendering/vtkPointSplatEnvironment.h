@@ -5,9 +5,9 @@
 // EnvironmentRight as image-based lighting turns it. A vtkSkybox of the same picture shows it so
 // with SetProjectionToSphere() and SetFloorRight(0, 0, 1).
 //
-// It is read through a sampler of its own, which repeats around the horizon and not across the poles,
-// with the texture's Interpolate and Mipmap, but not its anisotropy: directions do not come
-// with a footprint that would serve it.
+// It is read through a sampler of its own, which repeats around the horizon and not across the
+// poles, with the texture's Interpolate and Mipmap, but not its anisotropy: directions do not
+// come with a footprint that would serve it.
 //
 // Lighting here knows no colour spaces; colours are displayed as they are. A picture of floats, and
 // one with UseSRGBColorSpace, which OpenGL decodes, is linear, and is encoded by a gamma of

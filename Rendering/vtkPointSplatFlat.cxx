@@ -51,15 +51,15 @@ void vtkPointSplatFlat::ClearLayerCount(vtkOpenGLRenderWindow* window)
     vtkOpenGLState::ScopedglActiveTexture active(window->GetState());
     const int unit = window->GetTextureUnitManager()->Allocate();
     window->GetState()->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned>(unit));
-    this->LayerCount = MakeTexture(this->Size, GL_R16F, GL_RED);
+    this->LayerCount = MakeTexture(this->Size, GL_RG16F, GL_RG);
     glBindTexture(GL_TEXTURE_2D, 0);
     window->GetTextureUnitManager()->Free(unit);
-    glFramebufferTexture2D(
-      GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT2, GL_TEXTURE_2D, this->LayerCount, 0);
   }
+  glFramebufferTexture2D(
+    GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT2, GL_TEXTURE_2D, this->LayerCount, 0);
   GLenum third = GL_COLOR_ATTACHMENT2;
   const GLfloat nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
-  window->GetState()->vtkglDrawBuffers(1, &third);
+  glDrawBuffers(1, &third);
   window->GetState()->vtkglDisable(GL_SCISSOR_TEST);
   window->GetState()->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glClearBufferfv(GL_COLOR, 0, nothing);
@@ -90,7 +90,7 @@ bool vtkPointSplatFlat::Blend(vtkRenderer* renderer, const std::vector<Part>& pa
   {
     this->ClearLayerCount(window);
   }
-  state->vtkglDrawBuffers(2, both);
+  glDrawBuffers(2, both); // past the state, which takes another framebuffer's second one for this
   state->vtkglViewport(0, 0, this->Size.x, this->Size.y);
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -115,7 +115,7 @@ bool vtkPointSplatFlat::Blend(vtkRenderer* renderer, const std::vector<Part>& pa
       actors.push_back(part.Actor);
     }
     good = this->Sorted.Draw(renderer, actors, request,
-      sorted == AllButNearest && layers.GetNumberOfLayers() > 0 ? &layers.GetImages(0) : nullptr,
+      layers.GetNumberOfLayers() > 0 ? &layers.GetImages(0) : nullptr, sorted == All,
       layers.GetDepthUnit() / 5.0f, this->Framebuffer, countLayers);
     glDisablei(GL_BLEND, 1);
   }
@@ -145,12 +145,13 @@ bool vtkPointSplatFlat::Blend(vtkRenderer* renderer, const std::vector<Part>& pa
     {
       mappers.push_back(part.Mapper);
     }
-    state->vtkglDrawBuffers(1, both);
+    glDrawBuffers(1, both);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT2, GL_TEXTURE_2D, 0, 0); // is read
     state->vtkglDisable(GL_DEPTH_TEST);
     state->vtkglDisable(GL_CULL_FACE);
     state->vtkglBlendFuncSeparate(GL_ONE_MINUS_DST_ALPHA, GL_ONE, GL_ONE_MINUS_DST_ALPHA, GL_ONE);
     good = refraction.Draw(renderer, mappers, layers, *environment,
-             countLayers ? this->LayerCount : 0, sorted == AllButNearest ? 1 : 0) &&
+             countLayers ? this->LayerCount : 0) &&
       good;
   }
   state->PopFramebufferBindings();

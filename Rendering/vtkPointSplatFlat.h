@@ -5,8 +5,8 @@
 // then have one layer to deal with, and the default order-independent pass, which weights
 // layers instead of sorting them, is exact.
 // Behind the last layer of a refracting body comes the environment that is seen through it.
-// Images: RGBA16F, premultiplied colour; R32F, the nearest layer's depth; R16F, the number of
-// refracting layers where they are sorted.
+// Images: RGBA16F, premultiplied colour; R32F, the nearest layer's depth; RG16F, the number of
+// refracting layers behind the nearest where they are sorted, and of groups that have some.
 #ifndef vtkPointSplatFlat_h
 #define vtkPointSplatFlat_h
 

@@ -59,10 +59,12 @@
  *    colours and opacities come over it, as far as they have some: (1 - alpha)^l of it are left
  *    (equation 11). Clear glass has opacity 0. Where the opaque scene lies behind, that
  *    is seen straight through instead.
- * Normals must point out of the body. Bodies may lie in one another. For the environment's
- * orientation and colours see vtkRenderer::SetEnvironmentUp() and vtkRenderer::SetEnvironmentRight():
- * as image-based lighting has them, which is a vtkSkybox's sphere with FloorRight (0, 0, 1). A picture
- * of floats, or with vtkTexture::UseSRGBColorSpace, is encoded for display by a gamma of 2.2.
+ * Normals must point out of the body. Bodies may lie in one another; each reflects as in the air.
+ * VTK picks no actor of opacity 0; 0.001 shows the same. The environment is an equirectangular
+ * picture or a cube map, turned by vtkRenderer::SetEnvironmentUp() and SetEnvironmentRight() as
+ * image-based lighting has it; a vtkSkybox of it, projected as a sphere, shows it there with
+ * FloorRight (0, 0, 1). A picture of floats, or with vtkTexture::UseSRGBColorSpace, is encoded
+ * for display by a gamma of 2.2.
  *
  * Input: vtkPolyData (or any vtkPointSet), or a composite data set of them. Only
  * points count; cells serve cell selection and cell scalars.

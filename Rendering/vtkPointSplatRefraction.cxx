@@ -154,7 +154,7 @@ bool vtkPointSplatRefraction::MakeInterfaces(
   {
     glFramebufferTextureLayer(
       GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, this->Interfaces, 0, layer);
-    state->vtkglDrawBuffers(1, &first);
+    glDrawBuffers(1, &first);
     state->vtkglDisable(GL_SCISSOR_TEST);
     glClearBufferfv(GL_COLOR, 0, nothing);
     state->vtkglEnable(GL_SCISSOR_TEST);
@@ -203,7 +203,7 @@ void vtkPointSplatRefraction::SetMedia(const std::vector<vtkPointSplatMapper*>& 
 //------------------------------------------------------------------------------
 bool vtkPointSplatRefraction::Draw(vtkRenderer* renderer,
   const std::vector<vtkPointSplatMapper*>& mappers, vtkPointSplatLayers& layers,
-  const vtkPointSplatEnvironment& environment, GLuint layerCounts, int firstLayers)
+  const vtkPointSplatEnvironment& environment, GLuint layerCounts)
 {
   auto window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   if (!this->MakeInterfaces(window, layers))
@@ -237,7 +237,6 @@ bool vtkPointSplatRefraction::Draw(vtkRenderer* renderer,
   this->SetMedia(mappers, request, program);
   program->SetUniformi("InterfaceCount", this->Count);
   program->SetUniformi("HasSceneDepth", request.SceneDepth ? 1 : 0);
-  program->SetUniformf("FirstLayers", static_cast<float>(firstLayers));
   environment.Bind(request.View, program);
   {
     vtkPointSplatUnits units(window);
@@ -286,13 +285,13 @@ bool vtkPointSplatRefraction::DrawImages(vtkRenderer* renderer,
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, this->Depth, 0);
   }
   GLenum both[] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1 };
-  state->vtkglDrawBuffers(2, both);
+  glDrawBuffers(2, both); // past the state, which takes another framebuffer's second one for this
   SetStateForImages(state, size);
   const GLfloat nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
   const GLfloat farthest[4] = { 1.0f, 1.0f, 1.0f, 1.0f };
   glClearBufferfv(GL_COLOR, 0, nothing);
   glClearBufferfv(GL_COLOR, 1, farthest);
-  const bool good = this->Draw(renderer, mappers, layers, environment, 0, 0);
+  const bool good = this->Draw(renderer, mappers, layers, environment, 0);
   state->PopFramebufferBindings();
   state->Pop();
   return good;

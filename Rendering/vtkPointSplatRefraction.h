@@ -49,11 +49,11 @@ public:
   /**
    * Draws colour and depth to the colour attachments of the framebuffer that is bound, all
    * of whose pixels are the layers'. mappers: of the layers' items. layerCounts: an image of the
-   * number of sorted layers, or 0; firstLayers: those that it leaves out.
+   * number of sorted layers behind the nearest, and of the groups that have some, or 0.
    */
   bool Draw(vtkRenderer* renderer, const std::vector<vtkPointSplatMapper*>& mappers,
-    vtkPointSplatLayers& layers, const vtkPointSplatEnvironment& environment, GLuint layerCounts,
-    int firstLayers);
+    vtkPointSplatLayers& layers, const vtkPointSplatEnvironment& environment,
+    GLuint layerCounts);
 
   ///@{
   /**

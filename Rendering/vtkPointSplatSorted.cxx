@@ -100,7 +100,7 @@ std::vector<vtkPointSplatSorted::Batch> vtkPointSplatSorted::Order(
 //------------------------------------------------------------------------------
 bool vtkPointSplatSorted::DrawGroup(vtkRenderer* renderer, const std::vector<vtkActor*>& actors,
   const vtkPointSplatLayersRequest& request, const vtkPointSplatImages* nearest,
-  float coarseDepth, int group, bool countLayers)
+  bool keepNearest, float coarseDepth, int group, bool countLayers)
 {
   auto window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   const std::vector<Batch> batches = vtkPointSplatSorted::Order(request, group);
@@ -179,6 +179,7 @@ bool vtkPointSplatSorted::DrawGroup(vtkRenderer* renderer, const std::vector<vtk
     units.Bind(program, "SceneDepth", GL_TEXTURE_2D, request.SceneDepth);
     program.Set("PixelZ", request.View.PixelZ);
     program.Set("Refracts", item.Refracts);
+    program.Set("KeepNearest", keepNearest);
     vtkPointSplatResolve::SetShading(
       renderer, actor, request.View, item.Cloud->HasColours(), shader->Ready);
 
@@ -208,7 +209,7 @@ bool vtkPointSplatSorted::DrawGroup(vtkRenderer* renderer, const std::vector<vtk
 //------------------------------------------------------------------------------
 bool vtkPointSplatSorted::Draw(vtkRenderer* renderer, const std::vector<vtkActor*>& actors,
   const vtkPointSplatLayersRequest& request, const vtkPointSplatImages* nearest,
-  float coarseDepth, GLuint framebuffer, bool countLayers)
+  bool keepNearest, float coarseDepth, GLuint framebuffer, bool countLayers)
 {
   auto window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   this->Allocate(window, request.View.Size);
@@ -242,7 +243,9 @@ bool vtkPointSplatSorted::Draw(vtkRenderer* renderer, const std::vector<vtkActor
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, this->Depth, 0);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D,
       countLayers ? this->LayerCount : 0, 0);
-    state->vtkglDrawBuffers(countLayers ? 2 : 1, attachments);
+    // Not through the state: of several draw buffers it takes those of the framebuffer that was
+    // bound before for this one's.
+    glDrawBuffers(countLayers ? 2 : 1, attachments);
     vtkPointSplatStages::SetStateForQuads(state, this->Size);
     glClearBufferfv(GL_COLOR, 0, nothing);
     glClearBufferfv(GL_DEPTH, 0, &farthest);
@@ -255,10 +258,11 @@ bool vtkPointSplatSorted::Draw(vtkRenderer* renderer, const std::vector<vtkActor
       glEnablei(GL_BLEND, 1);
       glBlendFunci(1, GL_ONE, GL_ONE);
     }
-    good = this->DrawGroup(renderer, actors, request, nearest, coarseDepth, group, countLayers);
+    good = this->DrawGroup(
+      renderer, actors, request, nearest, keepNearest, coarseDepth, group, countLayers);
 
     state->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    state->vtkglDrawBuffers(countLayers ? 3 : 2, attachments);
+    glDrawBuffers(countLayers ? 3 : 2, attachments);
     state->vtkglDisable(GL_DEPTH_TEST);
     state->vtkglDepthMask(GL_FALSE);
     state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);

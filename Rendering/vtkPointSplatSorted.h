@@ -28,12 +28,14 @@ public:
 
   /**
    * Adds the average of all groups to the first colour attachment of a framebuffer, the
-   * nearest depth to its second one and, if wanted, the number of refracting layers to its third.
-   * actors: of the request's items. nearest: the layer that is left out, or null.
+   * nearest depth to its second one and, if wanted, to its third the number of refracting
+   * layers behind the nearest, summed over groups, and of groups that have some.
+   * actors: of the request's items. nearest: that layer, which is left out unless keepNearest, or
+   * null.
    */
   bool Draw(vtkRenderer* renderer, const std::vector<vtkActor*>& actors,
     const vtkPointSplatLayersRequest& request, const vtkPointSplatImages* nearest,
-    float coarseDepth, GLuint framebuffer, bool countLayers);
+    bool keepNearest, float coarseDepth, GLuint framebuffer, bool countLayers);
 
   const std::string& GetError() const { return this->Error; }
   void Release();
@@ -48,7 +50,7 @@ private:
   void Allocate(vtkOpenGLRenderWindow* window, const glm::ivec2& size);
   bool DrawGroup(vtkRenderer* renderer, const std::vector<vtkActor*>& actors,
     const vtkPointSplatLayersRequest& request, const vtkPointSplatImages* nearest,
-    float coarseDepth, int group, bool countLayers);
+    bool keepNearest, float coarseDepth, int group, bool countLayers);
 
   vtkPointSplatProgram Average;
   vtkPointSplatProgram AverageAndCount;

@@ -16,7 +16,7 @@ layout(location = 0) out vec4 average;
 layout(location = 1) out float nearestDepth;
 #ifdef LAYER_COUNT
 uniform sampler2D GroupLayerCount;
-layout(location = 2) out float layerCount;
+layout(location = 2) out vec2 layerCount; // and of groups that have some
 #endif
 
 void main()
@@ -29,7 +29,8 @@ void main()
   }
   average = Share * texelFetch(GroupColour, pixel, 0);
 #ifdef LAYER_COUNT
-  layerCount = Share * texelFetch(GroupLayerCount, pixel, 0).r;
+  float layers = texelFetch(GroupLayerCount, pixel, 0).r;
+  layerCount = vec2(layers, min(layers, 1.0));
 #endif
   float z = -(depth * DepthRange.y + DepthRange.x);
   nearestDepth =

@@ -25,7 +25,8 @@ vec3 displayed(vec3 colour)
 // Of the level of detail that shows each texel, of a change in texels from pixel to pixel.
 float levelOf(vec2 dx, vec2 dy)
 {
-  return 0.5 * log2(max(max(dot(dx, dx), dot(dy, dy)), 1e-12));
+  float q = max(dot(dx, dx), dot(dy, dy));
+  return q > 1.0 && q < 1e12 ? 0.5 * log2(q) : 0.0;
 }
 
 // Of a unit direction and its change from pixel to pixel: angles jump by a turn on the picture's
@@ -33,6 +34,8 @@ float levelOf(vec2 dx, vec2 dy)
 vec3 environmentAlong(vec3 direction, vec3 dx, vec3 dy)
 {
   vec3 e = EnvironmentFromView * direction;
+  // Neighbours that are about to be discarded have no direction, but look one up.
+  e = dot(e, e) > 0.5 && dot(e, e) < 2.0 ? e : vec3(0.0, 0.0, 1.0);
 #ifdef ENVIRONMENT_CUBE
   float size = float(textureSize(Environment, 0).x);
   float level = levelOf(0.5 * size * vec2(length(dx), 0.0), 0.5 * size * vec2(length(dy), 0.0));

@@ -5,8 +5,8 @@
 //
 // The environment as it is seen through refracting bodies: colour of opacity 1, and a depth just
 // behind the pixel's last layer. Nothing where the opaque scene lies behind.
-// LAYER_COUNT: rays are bent once, by the number of layers (Zhang, Pajarola 2006, equation 12); else
-// they are traced through all interfaces. DISPERSION: once for each of red, green and blue.
+// LAYER_COUNT: rays are bent once, by the number of layers (Zhang, Pajarola 2006, equation 12);
+// else they are traced through all interfaces. DISPERSION: once for each of red, green and blue.
 
 //PointSplat::Defines
 
@@ -19,8 +19,7 @@ uniform float SceneReach;     // the longest way from one body to another
 uniform bool HasSceneDepth;
 uniform sampler2D SceneDepth; // of the opaque scene, as OpenGL has it
 #ifdef LAYER_COUNT
-uniform sampler2D LayerCounts;
-uniform float FirstLayers;    // that LayerCounts leaves out
+uniform sampler2D LayerCounts; // behind the first, summed over groups; groups that have some
 #endif
 
 const int MaximumBends = 12;
@@ -43,24 +42,14 @@ float indexOf(int slot, float shift)
   return max(Medium[slot].x + shift * Medium[slot].y, 1.0);
 }
 
-// Follows a ray to where the number of bodies around it changes, at most to its reach: first by
-// steps, then by halving the last one, then by the interface's tangent plane.
-bool follow(vec3 from, vec3 ray, int bodies, float reach, inout Interface hit)
+// Where a ray passes an interface between two distances from its start, of which the number of
+// bodies around tells that it does: by halving, then by the interface's tangent plane. False
+// where there is no such interface after all, but a crack.
+bool meet(
+  vec3 from, vec3 ray, int bodies, bool leaving, float before, float behind, inout Interface hit)
 {
-  float before = 0.0;
-  float behind = 0.0;
-  int other = bodies;
-  for (int i = 0; i < Steps && other == bodies; ++i)
-  {
-    before = behind;
-    behind = reach * float(i + 1) / float(Steps);
-    other = bodiesAround(from + behind * ray);
-  }
-  if (other == bodies)
-  {
-    return false;
-  }
-  bool leaving = other < bodies;
+  float reach = behind - before;
+  vec2 bounds = vec2(max(before - reach, 0.0), behind + reach);
   for (int i = 0; i < Halvings; ++i)
   {
     float middle = 0.5 * (before + behind);
@@ -70,27 +59,49 @@ bool follow(vec3 from, vec3 ray, int bodies, float reach, inout Interface hit)
   }
   float t = behind;
   vec3 at = from + t * ray;
-  if (!nearestInterface(ivec2(floor(pixelOfPoint(at))), at.z, ray, leaving, hit))
+  Interface found;
+  if (!nearestInterface(ivec2(floor(pixelOfPoint(at))), at.z, ray, leaving, found))
   {
     // Beyond an outline.
     t = before;
     at = from + t * ray;
-    if (!nearestInterface(ivec2(floor(pixelOfPoint(at))), at.z, ray, leaving, hit))
+    if (!nearestInterface(ivec2(floor(pixelOfPoint(at))), at.z, ray, leaving, found))
     {
       return false;
     }
   }
   for (int i = 0; i < TangentSteps; ++i)
   {
-    float slope = dot(ray, hit.normal);
-    float next = abs(slope) > 0.02 ? dot(hit.position - from, hit.normal) / slope : t;
-    t = clamp(next, max(before - reach / float(Steps), 0.0), behind + reach / float(Steps));
+    float slope = dot(ray, found.normal);
+    float next = abs(slope) > 0.02 ? dot(found.position - from, found.normal) / slope : t;
+    t = clamp(next, bounds.x, bounds.y);
     at = from + t * ray;
-    nearestInterface(ivec2(floor(pixelOfPoint(at))), at.z, ray, leaving, hit);
+    nearestInterface(ivec2(floor(pixelOfPoint(at))), at.z, ray, leaving, found);
   }
+  if (abs(dot(found.position - at, found.normal)) > 0.1 * reach)
+  {
+    return false;
+  }
+  hit = found;
   hit.position = at;
-  hit.normal = smoothNormal(at, ray, leaving, hit);
+  hit.normal = smoothNormal(at, ray, leaving, found);
   return true;
+}
+
+// Follows a ray to the next interface, at most to its reach.
+bool follow(vec3 from, vec3 ray, int bodies, float reach, inout Interface hit)
+{
+  float size = reach / float(Steps);
+  for (int i = 0; i < Steps; ++i)
+  {
+    float behind = size * float(i + 1);
+    int other = bodiesAround(from + behind * ray);
+    if (other != bodies && meet(from, ray, bodies, other < bodies, behind - size, behind, hit))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 // Traces a ray from its first interface. shift: of the index, in spreads.
@@ -183,7 +194,8 @@ void main()
   vec3 ray = eyeRay(first.position);
   Path path = Path(vec3(0.0), vec3(1.0), ray);
 #ifdef LAYER_COUNT
-  float layers = max(texelFetch(LayerCounts, at, 0).r + FirstLayers, 1.0);
+  vec2 counts = texelFetch(LayerCounts, at, 0).rg;
+  float layers = 1.0 + counts.x / max(counts.y, 1.0);
 #define PATH(shift) bend(first, ray, shift, layers)
 #else
 #define PATH(shift) trace(first, ray, shift)
