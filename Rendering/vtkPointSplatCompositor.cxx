@@ -169,6 +169,22 @@ bool vtkPointSplatCompositor::WantsDeferred(
 }
 
 //------------------------------------------------------------------------------
+void vtkPointSplatCompositor::PrepareEnvironment(
+  vtkRenderer* renderer, const std::vector<Entry>& entries)
+{
+  const bool wanted = !renderer->GetSelector() &&
+    std::any_of(entries.begin(), entries.end(),
+      [](const Entry& entry) { return entry.Mapper->GetRefraction(); });
+  if (wanted && this->EnvironmentFrame != this->Frame)
+  {
+    this->HasPreparedEnvironment = this->Environment.Prepare(renderer);
+    this->EnvironmentFrame = this->Frame;
+  }
+  this->Resolve.SetEnvironment(
+    wanted && this->HasPreparedEnvironment ? &this->Environment : nullptr);
+}
+
+//------------------------------------------------------------------------------
 GLuint vtkPointSplatCompositor::CaptureScene(
   vtkRenderer* renderer, const vtkPointSplatView& view, bool& failed)
 {
@@ -215,6 +231,7 @@ bool vtkPointSplatCompositor::Build(vtkRenderer* renderer, const vtkPointSplatVi
   request.View = view;
   request.Compute = this->WantsCompute(window, entries, view.Size);
   bool voronoi = true;
+  bool refracts = false;
   double layer = 0.0;
   int slot = 0;
   if (translucent)
@@ -257,6 +274,8 @@ bool vtkPointSplatCompositor::Build(vtkRenderer* renderer, const vtkPointSplatVi
     const double scale =
       sorted != vtkPointSplatFlat::None ? mapper->MakeCoveringGroups() : 1.0;
     mapper->FillItem(entry.Actor, view, entry.Item);
+    entry.Item.Refracts = mapper->GetRefraction() && this->Resolve.GetEnvironment();
+    refracts = refracts || entry.Item.Refracts;
     entry.Item.CoveringScale = scale;
     layer = std::max(layer, entry.Item.LargestLayer);
     voronoi = voronoi && mapper->GetVoronoiDepth();
@@ -282,7 +301,8 @@ bool vtkPointSplatCompositor::Build(vtkRenderer* renderer, const vtkPointSplatVi
   request.VoronoiScale = !deferred ? -1.0f : voronoi ? static_cast<float>(layer) : 0.0f;
   if (sorted != vtkPointSplatFlat::None)
   {
-    request.MaximumLayers = sorted == vtkPointSplatFlat::All ? 0 : 1;
+    // What the nearest layer reflects and refracts needs it, sorted or not.
+    request.MaximumLayers = sorted == vtkPointSplatFlat::All && !refracts ? 0 : 1;
     request.Gather = false;
   }
   this->Last = &layers;
@@ -310,7 +330,7 @@ bool vtkPointSplatCompositor::Present(
     this->Opaque.Invalidate();
     this->Translucent.Invalidate();
     this->Alone.clear();
-    this->SceneFrame = this->FlatFrame = 0;
+    this->SceneFrame = this->FlatFrame = this->EnvironmentFrame = 0;
     this->Window = window;
   }
   this->Users.insert(mapper);
@@ -370,6 +390,7 @@ bool vtkPointSplatCompositor::Present(
 
   vtkPointSplatLayers& layers = alone ? **alone : translucent ? this->Translucent : this->Opaque;
   vtkPointSplatFlat::SortedLayers sorted = vtkPointSplatFlat::None;
+  this->PrepareEnvironment(renderer, entries);
   if (!this->Build(renderer, view, entries, translucent, layers, flat, sorted))
   {
     return false;
@@ -429,8 +450,10 @@ bool vtkPointSplatCompositor::PresentTranslucent(vtkRenderer* renderer, vtkActor
       {
         parts.push_back({ entry.Actor, entry.Mapper });
       }
-      if (!this->Flat.Blend(renderer, parts, layers, this->Resolve, sorted))
+      if (!this->Flat.Blend(renderer, parts, layers, this->Resolve, sorted, this->Refraction,
+            this->Resolve.GetEnvironment()))
       {
+        this->Error = this->Refraction.GetError();
         return false;
       }
       this->FlatFrame = this->Frame;
@@ -438,7 +461,29 @@ bool vtkPointSplatCompositor::PresentTranslucent(vtkRenderer* renderer, vtkActor
     }
     return this->Flat.Present(renderer, actor, mapper, view, this->Resolve);
   }
+  return this->PresentLayers(renderer, actor, mapper, view, entries, batched, layers);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatCompositor::PresentLayers(vtkRenderer* renderer, vtkActor* actor,
+  vtkPointSplatMapper* mapper, const vtkPointSplatView& view, const std::vector<Entry>& entries,
+  bool batched, vtkPointSplatLayers& layers)
+{
   bool good = true;
+  if (this->Resolve.GetEnvironment() && vtkPointSplatRefraction::IsNeeded(layers) &&
+    (!batched || entries.front().Actor == actor))
+  {
+    std::vector<vtkPointSplatMapper*> mappers;
+    for (const Entry& entry : entries)
+    {
+      mappers.push_back(entry.Mapper);
+    }
+    good =
+      this->Refraction.DrawImages(renderer, mappers, layers, *this->Resolve.GetEnvironment()) &&
+      this->Resolve.PresentFlat(renderer, actor, mapper, view, this->Refraction.GetColour(),
+        this->Refraction.GetDepth());
+    this->Error = this->Refraction.GetError();
+  }
   for (int layer = layers.GetNumberOfLayers() - 1; layer >= 0; --layer)
   {
     for (const Entry& entry : entries)
@@ -506,7 +551,8 @@ bool vtkPointSplatCompositor::PresentSelection(vtkRenderer* renderer, vtkActor* 
 //------------------------------------------------------------------------------
 vtkIdType vtkPointSplatCompositor::GetMemorySize() const
 {
-  vtkIdType bytes = this->Opaque.GetMemorySize() + this->Translucent.GetMemorySize();
+  vtkIdType bytes = this->Opaque.GetMemorySize() + this->Translucent.GetMemorySize() +
+    this->Refraction.GetMemorySize();
   for (const auto& alone : this->Alone)
   {
     bytes += alone.second ? alone.second->GetMemorySize() : 0;
@@ -541,8 +587,10 @@ void vtkPointSplatCompositor::ReleaseAll()
   this->Translucent.Release();
   this->Scene.Release();
   this->Flat.Release();
+  this->Refraction.Release();
+  this->Environment.Release();
   this->Stages.Release();
   this->Resolve.Release();
   this->Last = nullptr;
-  this->SceneFrame = this->FlatFrame = 0;
+  this->SceneFrame = this->FlatFrame = this->EnvironmentFrame = 0;
 }

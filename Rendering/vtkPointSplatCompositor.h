@@ -18,8 +18,10 @@
 #ifndef vtkPointSplatCompositor_h
 #define vtkPointSplatCompositor_h
 
+#include "vtkPointSplatEnvironment.h"
 #include "vtkPointSplatFlat.h"
 #include "vtkPointSplatLayers.h"
+#include "vtkPointSplatRefraction.h"
 #include "vtkPointSplatResolve.h"
 #include "vtkPointSplatSceneDepth.h"
 #include "vtkPointSplatStages.h"
@@ -72,6 +74,9 @@ public:
 
   /// Why two passes were taken where deferred blending was asked for; else empty.
   const std::string& GetMethodReason() const { return this->MethodReason; }
+
+  /// Whether there is something to refract, where a mapper of the last call of Present() wanted it.
+  bool HasEnvironment() const { return this->HasPreparedEnvironment; }
   vtkIdType GetMemorySize() const;
 
 private:
@@ -91,6 +96,7 @@ private:
     const glm::ivec2& size) const;
   bool WantsDeferred(
     const std::vector<Entry>& entries, const glm::ivec2& size, bool compute);
+  void PrepareEnvironment(vtkRenderer* renderer, const std::vector<Entry>& entries);
   GLuint CaptureScene(vtkRenderer* renderer, const vtkPointSplatView& view, bool& failed);
   bool Build(vtkRenderer* renderer, const vtkPointSplatView& view, std::vector<Entry>& entries,
     bool translucent, vtkPointSplatLayers& layers, bool& flat,
@@ -98,6 +104,9 @@ private:
   bool PresentTranslucent(vtkRenderer* renderer, vtkActor* actor, vtkPointSplatMapper* mapper,
     const vtkPointSplatView& view, const std::vector<Entry>& entries, bool joint, bool flat,
     vtkPointSplatFlat::SortedLayers sorted, vtkPointSplatLayers& layers);
+  bool PresentLayers(vtkRenderer* renderer, vtkActor* actor, vtkPointSplatMapper* mapper,
+    const vtkPointSplatView& view, const std::vector<Entry>& entries, bool batched,
+    vtkPointSplatLayers& layers);
   bool PresentSelection(vtkRenderer* renderer, vtkActor* actor, vtkPointSplatMapper* mapper,
     const vtkPointSplatView& view, const vtkPointSplatItem& item, vtkPointSplatLayers& layers);
   void ReleaseAll();
@@ -109,6 +118,8 @@ private:
   std::map<vtkPointSplatMapper*, std::unique_ptr<vtkPointSplatLayers>> Alone;
   vtkPointSplatSceneDepth Scene;
   vtkPointSplatFlat Flat;
+  vtkPointSplatEnvironment Environment;
+  vtkPointSplatRefraction Refraction;
   const vtkPointSplatLayers* Last = nullptr;
   const char* TransparencyUsed = "none";
 
@@ -126,6 +137,8 @@ private:
   bool SceneGood = false;
   unsigned long FlatFrame = 0;
   unsigned long FlatGeneration = 0;
+  unsigned long EnvironmentFrame = 0;
+  bool HasPreparedEnvironment = false;
   unsigned long PresenterFrame = 0;
   vtkActor* Presenter = nullptr; // compared only
 };

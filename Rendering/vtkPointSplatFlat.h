@@ -4,11 +4,14 @@
 // behind it, where nothing else translucent can lie between them. VTK's translucent passes
 // then have one layer to deal with, and the default order-independent pass, which weights
 // layers instead of sorting them, is exact.
-// Images: RGBA16F, premultiplied colour; R32F, the nearest layer's depth.
+// Behind the last layer of a refracting body comes the environment that is seen through it.
+// Images: RGBA16F, premultiplied colour; R32F, the nearest layer's depth; RG16F, the number of
+// refracting layers behind the nearest where they are sorted, and of groups that have some.
 #ifndef vtkPointSplatFlat_h
 #define vtkPointSplatFlat_h
 
 #include "vtkPointSplatLayers.h"
+#include "vtkPointSplatRefraction.h"
 #include "vtkPointSplatResolve.h"
 #include "vtkPointSplatSorted.h"
 
@@ -41,9 +44,11 @@ public:
 
   /**
    * Blends all layers, parts in the order of their items; what the opaque scene hides is left out.
+   * environment: what refracting items refract, or null.
    */
   bool Blend(vtkRenderer* renderer, const std::vector<Part>& parts, vtkPointSplatLayers& layers,
-    vtkPointSplatResolve& resolve, SortedLayers sorted);
+    vtkPointSplatResolve& resolve, SortedLayers sorted, vtkPointSplatRefraction& refraction,
+    const vtkPointSplatEnvironment* environment);
 
   /**
    * Presents the image in the pass that is under way, by one actor on behalf of all.
@@ -55,10 +60,12 @@ public:
 
 private:
   void Allocate(vtkOpenGLRenderWindow* window, const glm::ivec2& size);
+  void ClearLayerCount(vtkOpenGLRenderWindow* window);
 
   glm::ivec2 Size{ 0, 0 };
   GLuint Colour = 0;
   GLuint Depth = 0;
+  GLuint LayerCount = 0; // made at need
   GLuint Framebuffer = 0;
   vtkPointSplatSorted Sorted;
 };

@@ -103,6 +103,13 @@ void vtkPointSplatImages::Allocate(bool compute, const glm::ivec2& size, bool co
 }
 
 //------------------------------------------------------------------------------
+std::string vtkPointSplatImages::GetDefines() const
+{
+  return std::string(this->Compute ? "#define COMPUTE_IMAGES\n" : "") +
+    (this->Texels ? "#define FILLED_IMAGES\n" : "");
+}
+
+//------------------------------------------------------------------------------
 void vtkPointSplatImages::AllocateFilled(bool compute, const glm::ivec2& size)
 {
   if (this->Texels && this->Compute == compute && this->Size == size)

@@ -18,6 +18,8 @@
 
 #include "vtkType.h"
 
+#include <string>
+
 #include "vtkPointSplattingABI.h"
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -50,6 +52,8 @@ public:
    */
   void AllocateFilled(bool compute, const glm::ivec2& size);
   bool IsFilled() const { return this->Texels != 0; }
+  /// What tells vtkPointSplatFetch.glsl of which kind the images are.
+  std::string GetDefines() const;
   GLuint GetTexels() const { return this->Texels; }
   /// Where a filled layer's ids are: in the images that were projected, at the pixel that
   /// the image filled (RG32UI: a texture, of a buffer or not) tells.

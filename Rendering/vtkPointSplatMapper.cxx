@@ -56,6 +56,7 @@ struct vtkPointSplatMapper::vtkInternals
   vtkPointSplatCloud Cloud;
   std::shared_ptr<vtkPointSplatCompositor> Compositor; // that drew last
   bool WarnedOfClipPlanes = false;
+  bool WarnedOfEnvironment = false; // and still there is none
   std::string LastError;
   const char* ProjectionUsed = "none"; // by the last frame
   const char* MethodUsed = "none";
@@ -193,6 +194,15 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
       vtkWarningMacro("Two passes instead of deferred blending: " << this->Internals->MethodReason);
     }
   }
+  const bool noEnvironment =
+    this->Refraction && !renderer->GetSelector() && !compositor->HasEnvironment();
+  if (noEnvironment && !this->Internals->WarnedOfEnvironment)
+  {
+    vtkWarningMacro("Nothing is refracted: the renderer has no environment texture, or one without "
+                    "a picture. Call vtkRenderer::SetEnvironmentTexture().");
+  }
+  this->Internals->WarnedOfEnvironment =
+    noEnvironment || (this->Internals->WarnedOfEnvironment && renderer->GetSelector());
   this->UpdateProgress(1.0);
 }
 
@@ -371,6 +381,21 @@ void vtkPointSplatMapper::ReleaseGraphicsResources(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
+void vtkPointSplatMapper::SetAbsorption(double red, double green, double blue)
+{
+  const double wanted[3] = { red, green, blue };
+  for (int c = 0; c < 3; ++c)
+  {
+    const double absorption = wanted[c] > 0.0 ? wanted[c] : 0.0; // of NaN too
+    if (this->Absorption[c] != absorption)
+    {
+      this->Absorption[c] = absorption;
+      this->Modified();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 const char* vtkPointSplatMapper::GetMethodUsed()
 {
   return this->Internals->MethodUsed;
@@ -478,10 +503,15 @@ void vtkPointSplatMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetMaximumNumberOfLayers(other->MaximumNumberOfLayers);
     this->SetGatherRemaining(other->GatherRemaining);
     this->SetPickOpacityThreshold(other->PickOpacityThreshold);
+    this->SetRefraction(other->Refraction);
+    this->SetRefractiveIndex(other->RefractiveIndex);
+    this->SetDispersion(other->Dispersion);
+    this->SetAbsorption(other->Absorption);
     this->SetOverlapFactor(other->OverlapFactor);
     this->SetVoronoiDepth(other->VoronoiDepth);
     this->SetMaximumImageMemory(other->MaximumImageMemory);
     this->SetMaximumNumberOfFillSteps(other->MaximumNumberOfFillSteps);
+    this->SetAntiAliasing(other->AntiAliasing);
     this->SetProjection(other->Projection);
     this->SetKernel(other->Kernel);
     this->SetKernelSigma(other->KernelSigma);
@@ -506,11 +536,17 @@ void vtkPointSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfLayersDrawn: " << this->GetNumberOfLayersDrawn() << "\n";
   os << indent << "GatherRemaining: " << (this->GatherRemaining ? "On" : "Off") << "\n";
   os << indent << "PickOpacityThreshold: " << this->PickOpacityThreshold << "\n";
+  os << indent << "Refraction: " << (this->Refraction ? "On" : "Off") << "\n";
+  os << indent << "RefractiveIndex: " << this->RefractiveIndex << "\n";
+  os << indent << "Dispersion: " << this->Dispersion << "\n";
+  os << indent << "Absorption: " << this->Absorption[0] << ", " << this->Absorption[1] << ", "
+     << this->Absorption[2] << "\n";
   os << indent << "OverlapFactor: " << this->OverlapFactor << "\n";
   os << indent << "VoronoiDepth: " << (this->VoronoiDepth ? "On" : "Off") << "\n";
   os << indent << "MaximumImageMemory: " << this->MaximumImageMemory << "\n";
   os << indent << "MaximumNumberOfFillSteps: " << this->MaximumNumberOfFillSteps << "\n";
   os << indent << "NumberOfFillSteps: " << this->GetNumberOfFillSteps() << "\n";
+  os << indent << "AntiAliasing: " << (this->AntiAliasing ? "On" : "Off") << "\n";
   os << indent << "ProjectedSpacing: " << this->GetProjectedSpacing() << "\n";
   os << indent << "NumberOfGroups: " << this->GetNumberOfGroups() << "\n";
   os << indent << "Projection: " << this->Projection << " (used: " << this->GetProjectionUsed()

@@ -44,6 +44,28 @@
  * order-independent pass and plain blending interleave them with translucent meshes; where there
  * are none, they are flattened to one layer first.
  *
+ * With Refraction On (Zhang, Pajarola 2006, section 5.2.3), in view coordinates, eye ray I, unit
+ * normal N out of the body, index n:
+ * 6. Reflection. What shows its front reflects the share F of the environment in the direction
+ *    I - 2 (I N) N, by Fresnel's equations for unpolarised light; at normal incidence F =
+ *    ((n - 1) / (n + 1))^2. All else is dimmed by 1 - F. Opaque surfaces do no more than that.
+ * 7. Refraction of translucent layers: sin T = sin I / n where a ray enters a body, sin T = n sin I
+ *    where it leaves one, or total reflection. The peeled layers tell where in the body the bent
+ *    ray arrives, and light is absorbed on the way by exp(-a d). Cracks and open surfaces, that
+ *    have a front and no back, bend it once. Layers that Transparency sorts are but counted,
+ *    and sin T = eta^l sin I with eta = 1 / n and l layers (equation 12).
+ * 8. The environment in the direction in which the ray leaves is put behind the last layer, with
+ *    opacity 1: what is translucent and lies behind does not show, and the layers' own
+ *    colours and opacities come over it, as far as they have some: (1 - alpha)^l of it are left
+ *    (equation 11). Clear glass has opacity 0. Where the opaque scene lies behind, that
+ *    is seen straight through instead.
+ * Normals must point out of the body. Bodies may lie in one another; each reflects as in the air.
+ * VTK picks no actor of opacity 0; 0.001 shows the same. The environment is an equirectangular
+ * picture or a cube map, turned by vtkRenderer::SetEnvironmentUp() and SetEnvironmentRight() as
+ * image-based lighting has it; a vtkSkybox of it, projected as a sphere, shows it there with
+ * FloorRight (0, 0, 1). A picture of floats, or with vtkTexture::UseSRGBColorSpace, is encoded
+ * for display by a gamma of 2.2.
+ *
  * Input: vtkPolyData (or any vtkPointSet), or a composite data set of them. Only
  * points count; cells serve cell selection and cell scalars.
  * - Point normals, 3 components. Missing ones are estimated.
@@ -62,7 +84,8 @@
  *
  * Images (compute; w x h are the viewport's): coded depths, 1 uint a pixel; sums,
  * 8 ints a pixel. Images (quads): the same as R32UI and two RGBA32F textures. Deferred
- * blending has besides, for each group, a layer of RGBA32UI and one of 32-bit depth.
+ * blending has besides, for each group, a layer of RGBA32UI and one of 32-bit depth; refraction,
+ * for each layer up to the twelfth, one of RGBA32F.
  *
  * @sa vtkPointSplatPass vtkPointSplatEstimation vtkIsosurfacePoints
  */
@@ -189,6 +212,52 @@ public:
 
   ///@{
   /**
+   * Whether the surface reflects and refracts the renderer's environment texture
+   * (vtkRenderer::SetEnvironmentTexture(); UseImageBasedLighting is not needed), as the boundary of
+   * a dielectric does; stages 6 to 8 above. Off by default. Without an environment texture it
+   * stays off, with a warning.
+   */
+  vtkSetMacro(Refraction, bool);
+  vtkGetMacro(Refraction, bool);
+  vtkBooleanMacro(Refraction, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Of refraction: the index of refraction of the body against the air around, 1 to 4. Default:
+   * 1.5, as glass has it. With 1 nothing is bent or reflected.
+   */
+  vtkSetClampMacro(RefractiveIndex, double, 1.0, 4.0);
+  vtkGetMacro(RefractiveIndex, double);
+  ///@}
+
+  ///@{
+  /**
+   * Of refraction: how much larger the index is for blue light than for red, relative to
+   * RefractiveIndex, which is green's: n (1 - Dispersion / 2), n, n (1 + Dispersion / 2), not less
+   * than 1. 0 to 1; glass has 0.01 to 0.04. Default: 0.
+   */
+  vtkSetClampMacro(Dispersion, double, 0.0, 1.0);
+  vtkGetMacro(Dispersion, double);
+  ///@}
+
+  ///@{
+  /**
+   * Of refraction: how much red, green and blue light the body absorbs on its way from one
+   * interface to the next, in 1 / world units: exp(-a d) of it remains after the distance d.
+   * Not negative. Default: 0, 0, 0. It acts on the environment's light through peeled layers; the
+   * layers' own opacity takes (1 - alpha)^l of it besides (Zhang, Pajarola 2006, equation 11).
+   */
+  void SetAbsorption(double red, double green, double blue);
+  void SetAbsorption(const double absorption[3])
+  {
+    this->SetAbsorption(absorption[0], absorption[1], absorption[2]);
+  }
+  vtkGetVector3Macro(Absorption, double);
+  ///@}
+
+  ///@{
+  /**
    * Of deferred blending, where the input has no `SplatGroup`: the factor c on the distance at
    * which splats count as overlapping when they are grouped (vtkPointSplatGrouping). 1 gives the
    * picture of two passes; less gives fewer groups and small faults. Default: 0.8.
@@ -229,6 +298,18 @@ public:
   vtkGetMacro(MaximumNumberOfFillSteps, int);
   int GetNumberOfFillSteps();
   double GetProjectedSpacing();
+  ///@}
+
+  ///@{
+  /**
+   * Of Method ImageSpace: whether pixels at silhouettes, which the Laplacian of the depth finds,
+   * are blended with what lies beyond (Dobrev, Rosenthal, Linsen 2010, section 3.5), half and half,
+   * since points mark all of the pixel that they fall in. Before the background they are half
+   * transparent then, in opaque actors too. On by default.
+   */
+  vtkSetMacro(AntiAliasing, bool);
+  vtkGetMacro(AntiAliasing, bool);
+  vtkBooleanMacro(AntiAliasing, bool);
   ///@}
 
   ///@{
@@ -379,10 +460,15 @@ private:
   int MaximumNumberOfLayers = 32;
   bool GatherRemaining = false;
   double PickOpacityThreshold = 0.0;
+  bool Refraction = false;
+  double RefractiveIndex = 1.5;
+  double Dispersion = 0.0;
+  double Absorption[3] = { 0.0, 0.0, 0.0 };
   double OverlapFactor = 0.8;
   bool VoronoiDepth = true;
   vtkIdType MaximumImageMemory = vtkIdType(1) << 30;
   int MaximumNumberOfFillSteps = 32;
+  bool AntiAliasing = true;
   int Projection = AUTOMATIC_PROJECTION;
   int Kernel = GAUSSIAN;
   double KernelSigma = 0.6;

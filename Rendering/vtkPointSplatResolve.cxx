@@ -12,6 +12,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkPointSplatEnvironment.h"
 #include "vtkPointSplatImages.h"
 #include "vtkPointSplatMapper.h"
 #include "vtkProperty.h"
@@ -177,7 +178,8 @@ bool vtkPointSplatResolve::Present(vtkRenderer* renderer, vtkActor* actor,
   vtkPointSplatMapper* mapper, const vtkPointSplatView& view, const vtkPointSplatItem& item,
   vtkPointSplatImages& images, float depthUnit, Output output, int selectionShift, bool gathered)
 {
-  const bool shaded = output == Shaded || output == Flattened;
+  const bool shaded = output == Shaded || output == Flattened || output == Reflected;
+  const bool reflects = shaded && item.Refracts && this->Environment;
   if (item.Window.x > item.Window.z || item.Window.y > item.Window.w)
   {
     return true; // off the screen
@@ -188,7 +190,7 @@ bool vtkPointSplatResolve::Present(vtkRenderer* renderer, vtkActor* actor,
   std::string geometry;
   std::string fragment = vtkPointSplatProgram::Source("vtkPointSplatResolveFS");
   const std::vector<vtkOpenGLRenderPass*> passes =
-    output == Flattened ? std::vector<vtkOpenGLRenderPass*>() : PassesOf(actor);
+    output == Flattened || output == Reflected ? std::vector<vtkOpenGLRenderPass*>() : PassesOf(actor);
   bool geometryBuffer = false;
   for (vtkOpenGLRenderPass* pass : passes)
   {
@@ -198,13 +200,14 @@ bool vtkPointSplatResolve::Present(vtkRenderer* renderer, vtkActor* actor,
   std::string defines = "#define OUTPUT " + std::to_string(static_cast<int>(output)) + "\n" +
     (shaded ? vtkPointSplatResolve::LightDefines(renderer, actor)
             : std::string("#define LIGHT_LEVEL 0\n#define LIGHT_COUNT 0\n"));
-  if (images.IsCompute())
+  defines += images.GetDefines();
+  if (images.IsFilled() && shaded && mapper->GetAntiAliasing())
   {
-    defines += "#define COMPUTE_IMAGES\n";
+    defines += "#define SILHOUETTES\n";
   }
-  if (images.IsFilled())
+  if (reflects)
   {
-    defines += "#define FILLED_IMAGES\n";
+    defines += "#define REFLECTION\n" + this->Environment->GetDefines();
   }
   vtkShaderProgram::Substitute(fragment, "//PointSplat::Defines", defines);
   vtkShaderProgram::Substitute(fragment, "//PointSplat::GeometryBuffer",
@@ -226,13 +229,17 @@ bool vtkPointSplatResolve::Present(vtkRenderer* renderer, vtkActor* actor,
   const int origin[2] = { view.Origin.x, view.Origin.y };
   program->SetUniform2i("ImageOrigin", origin);
   program->SetUniformi("Slot", item.Slot);
-  program->SetUniformf("DepthUnit", depthUnit);
-  program->SetUniformf("NearDistance", static_cast<float>(view.Near));
-  program->SetUniformi("Parallel", view.Parallel ? 1 : 0);
-  program->SetUniform4f("PixelX", &view.PixelX.x);
-  program->SetUniform4f("PixelY", &view.PixelY.x);
-  program->SetUniform4f("PixelW", &view.PixelW.x);
-  program->SetUniform4f("PixelZ", &view.PixelZ.x);
+  if (images.IsFilled())
+  {
+    const int size[2] = { view.Size.x, view.Size.y };
+    program->SetUniform2i("PresentedSize", size);
+  }
+  vtkPointSplatResolve::SetView(view, depthUnit, program);
+  if (reflects)
+  {
+    program->SetUniformf("RefractiveIndex", static_cast<float>(mapper->GetRefractiveIndex()));
+    this->Environment->Bind(view, program);
+  }
   if (shaded)
   {
     vtkPointSplatResolve::SetShading(
@@ -261,7 +268,24 @@ bool vtkPointSplatResolve::Present(vtkRenderer* renderer, vtkActor* actor,
 
   this->DrawScreen(window, view, item.Window);
   images.Unbind(window);
+  if (reflects)
+  {
+    this->Environment->Unbind();
+  }
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatResolve::SetView(
+  const vtkPointSplatView& view, float depthUnit, vtkShaderProgram* program)
+{
+  program->SetUniformf("DepthUnit", depthUnit);
+  program->SetUniformf("NearDistance", static_cast<float>(view.Near));
+  program->SetUniformi("Parallel", view.Parallel ? 1 : 0);
+  program->SetUniform4f("PixelX", &view.PixelX.x);
+  program->SetUniform4f("PixelY", &view.PixelY.x);
+  program->SetUniform4f("PixelW", &view.PixelW.x);
+  program->SetUniform4f("PixelZ", &view.PixelZ.x);
 }
 
 //------------------------------------------------------------------------------

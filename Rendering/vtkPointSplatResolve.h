@@ -18,6 +18,8 @@ class vtkRenderer;
 class vtkShaderProgram;
 VTK_ABI_NAMESPACE_END
 
+class vtkPointSplatEnvironment;
+
 class vtkPointSplatResolve
 {
 public:
@@ -29,7 +31,8 @@ public:
     Shaded,
     SelectionColour,
     SelectionIds,
-    Flattened // premultiplied, and its depth, with no pass' hooks
+    Flattened, // premultiplied, and its depth, with no pass' hooks
+    Reflected  // as Flattened, but what the surface reflects of the environment alone
   };
 
   /**
@@ -57,6 +60,20 @@ public:
     bool colours, vtkShaderProgram* program);
   ///@}
 
+  /**
+   * The uniforms of vtkPointSplatSurface.glsl. depthUnit: of the depths in the sums.
+   */
+  static void SetView(const vtkPointSplatView& view, float depthUnit, vtkShaderProgram* program);
+
+  /**
+   * What refracting items reflect, until another one is set; null: nothing.
+   */
+  void SetEnvironment(const vtkPointSplatEnvironment* environment)
+  {
+    this->Environment = environment;
+  }
+  const vtkPointSplatEnvironment* GetEnvironment() const { return this->Environment; }
+
   void Release();
 
 private:
@@ -68,6 +85,7 @@ private:
   void DrawScreen(vtkOpenGLRenderWindow* window, const vtkPointSplatView& view,
     const glm::ivec4& rectangle);
 
+  const vtkPointSplatEnvironment* Environment = nullptr;
   GLuint VertexArray = 0;
 };
 

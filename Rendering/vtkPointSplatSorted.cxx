@@ -42,7 +42,8 @@ void vtkPointSplatSorted::Allocate(vtkOpenGLRenderWindow* window, const glm::ive
     GLenum Internal;
     GLenum Format;
   } images[] = { { &this->Colour, GL_RGBA16F, GL_RGBA },
-    { &this->Depth, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT } };
+    { &this->Depth, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT },
+    { &this->LayerCount, GL_R16F, GL_RED } };
   for (const auto& image : images)
   {
     glGenTextures(1, image.Texture);
@@ -99,7 +100,7 @@ std::vector<vtkPointSplatSorted::Batch> vtkPointSplatSorted::Order(
 //------------------------------------------------------------------------------
 bool vtkPointSplatSorted::DrawGroup(vtkRenderer* renderer, const std::vector<vtkActor*>& actors,
   const vtkPointSplatLayersRequest& request, const vtkPointSplatImages* nearest,
-  float coarseDepth, int group)
+  bool keepNearest, float coarseDepth, int group, bool countLayers)
 {
   auto window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   const std::vector<Batch> batches = vtkPointSplatSorted::Order(request, group);
@@ -143,6 +144,10 @@ bool vtkPointSplatSorted::DrawGroup(vtkRenderer* renderer, const std::vector<vtk
       {
         defines += "#define COMPUTE_IMAGES\n";
       }
+      if (countLayers)
+      {
+        defines += "#define LAYER_COUNT\n";
+      }
       shader = &shaders[defines];
       if (!shader->Ready)
       {
@@ -173,6 +178,8 @@ bool vtkPointSplatSorted::DrawGroup(vtkRenderer* renderer, const std::vector<vtk
     program.Set("HasSceneDepth", request.SceneDepth != 0);
     units.Bind(program, "SceneDepth", GL_TEXTURE_2D, request.SceneDepth);
     program.Set("PixelZ", request.View.PixelZ);
+    program.Set("Refracts", item.Refracts);
+    program.Set("KeepNearest", keepNearest);
     vtkPointSplatResolve::SetShading(
       renderer, actor, request.View, item.Cloud->HasColours(), shader->Ready);
 
@@ -202,15 +209,17 @@ bool vtkPointSplatSorted::DrawGroup(vtkRenderer* renderer, const std::vector<vtk
 //------------------------------------------------------------------------------
 bool vtkPointSplatSorted::Draw(vtkRenderer* renderer, const std::vector<vtkActor*>& actors,
   const vtkPointSplatLayersRequest& request, const vtkPointSplatImages* nearest,
-  float coarseDepth, GLuint framebuffer)
+  bool keepNearest, float coarseDepth, GLuint framebuffer, bool countLayers)
 {
   auto window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   this->Allocate(window, request.View.Size);
-  if (!this->Average.IsBuilt() &&
-    !this->Average.Build({ { GL_VERTEX_SHADER, "vtkPointSplatResolveVS" },
-      { GL_FRAGMENT_SHADER, "vtkPointSplatAverageFS" } }))
+  vtkPointSplatProgram& average = countLayers ? this->AverageAndCount : this->Average;
+  if (!average.IsBuilt() &&
+    !average.Build({ { GL_VERTEX_SHADER, "vtkPointSplatResolveVS" },
+                     { GL_FRAGMENT_SHADER, "vtkPointSplatAverageFS" } },
+      countLayers ? "#define LAYER_COUNT\n" : ""))
   {
-    this->Error = this->Average.GetLog();
+    this->Error = average.GetLog();
     return false;
   }
   int groups = 1;
@@ -222,7 +231,7 @@ bool vtkPointSplatSorted::Draw(vtkRenderer* renderer, const std::vector<vtkActor
   vtkOpenGLState* state = window->GetState();
   state->Push();
   state->PushFramebufferBindings();
-  GLenum both[] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1 };
+  GLenum attachments[] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2 };
   const GLfloat nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
   const GLfloat farthest = 1.0f;
   bool good = true;
@@ -232,17 +241,28 @@ bool vtkPointSplatSorted::Draw(vtkRenderer* renderer, const std::vector<vtkActor
     glFramebufferTexture2D(
       GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Colour, 0);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, this->Depth, 0);
-    state->vtkglDrawBuffers(1, both);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D,
+      countLayers ? this->LayerCount : 0, 0);
+    // Not through the state: of several draw buffers it takes those of the framebuffer that was
+    // bound before for this one's.
+    glDrawBuffers(countLayers ? 2 : 1, attachments);
     vtkPointSplatStages::SetStateForQuads(state, this->Size);
     glClearBufferfv(GL_COLOR, 0, nothing);
     glClearBufferfv(GL_DEPTH, 0, &farthest);
     state->vtkglEnable(GL_BLEND);
     state->vtkglBlendEquation(GL_FUNC_ADD);
     state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    good = this->DrawGroup(renderer, actors, request, nearest, coarseDepth, group);
+    if (countLayers)
+    {
+      glClearBufferfv(GL_COLOR, 1, nothing);
+      glEnablei(GL_BLEND, 1);
+      glBlendFunci(1, GL_ONE, GL_ONE);
+    }
+    good = this->DrawGroup(
+      renderer, actors, request, nearest, keepNearest, coarseDepth, group, countLayers);
 
     state->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    state->vtkglDrawBuffers(2, both);
+    glDrawBuffers(countLayers ? 3 : 2, attachments);
     state->vtkglDisable(GL_DEPTH_TEST);
     state->vtkglDepthMask(GL_FALSE);
     state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
@@ -250,13 +270,17 @@ bool vtkPointSplatSorted::Draw(vtkRenderer* renderer, const std::vector<vtkActor
     glBlendEquationi(1, GL_MIN);
     {
       vtkPointSplatUnits units(window);
-      this->Average.Use();
-      units.Bind(this->Average, "GroupColour", GL_TEXTURE_2D, this->Colour);
-      units.Bind(this->Average, "GroupDepth", GL_TEXTURE_2D, this->Depth);
-      this->Average.Set("Share", 1.0f / static_cast<float>(groups));
-      this->Average.Set("DepthRange", glm::vec2(request.View.Near, request.View.Far - request.View.Near));
-      this->Average.Set("PixelZ", request.View.PixelZ);
-      this->Average.Set("PixelW", request.View.PixelW);
+      average.Use();
+      units.Bind(average, "GroupColour", GL_TEXTURE_2D, this->Colour);
+      units.Bind(average, "GroupDepth", GL_TEXTURE_2D, this->Depth);
+      if (countLayers)
+      {
+        units.Bind(average, "GroupLayerCount", GL_TEXTURE_2D, this->LayerCount);
+      }
+      average.Set("Share", 1.0f / static_cast<float>(groups));
+      average.Set("DepthRange", glm::vec2(request.View.Near, request.View.Far - request.View.Near));
+      average.Set("PixelZ", request.View.PixelZ);
+      average.Set("PixelW", request.View.PixelW);
       glBindVertexArray(this->VertexArray);
       glDrawArrays(GL_TRIANGLES, 0, 3);
       glBindVertexArray(0);
@@ -274,13 +298,15 @@ void vtkPointSplatSorted::Release()
 {
   if (this->Framebuffer)
   {
-    const GLuint textures[] = { this->Colour, this->Depth };
-    glDeleteTextures(2, textures);
+    const GLuint textures[] = { this->Colour, this->Depth, this->LayerCount };
+    glDeleteTextures(3, textures);
     glDeleteFramebuffers(1, &this->Framebuffer);
     glDeleteVertexArrays(1, &this->VertexArray);
     glDeleteBuffers(1, &this->Commands);
   }
-  this->Colour = this->Depth = this->Framebuffer = this->VertexArray = this->Commands = 0;
+  this->Colour = this->Depth = this->LayerCount = this->Framebuffer = this->VertexArray =
+    this->Commands = 0;
   this->Size = glm::ivec2(0);
   this->Average.Release();
+  this->AverageAndCount.Release();
 }

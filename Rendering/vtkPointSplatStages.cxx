@@ -64,8 +64,9 @@ bool vtkPointSplatItem::operator==(const vtkPointSplatItem& other) const
     this->LayerDistance == other.LayerDistance && this->KernelType == other.KernelType &&
     this->KernelShape == other.KernelShape && this->KernelSupport == other.KernelSupport &&
     this->ClipPlanes == other.ClipPlanes && this->Colour == other.Colour &&
-    this->CoveringScale == other.CoveringScale && this->Points == other.Points &&
-    this->PointLayer == other.PointLayer && this->PointLayerPixels == other.PointLayerPixels;
+    this->CoveringScale == other.CoveringScale && this->Refracts == other.Refracts &&
+    this->Points == other.Points && this->PointLayer == other.PointLayer &&
+    this->PointLayerPixels == other.PointLayerPixels;
 }
 
 //------------------------------------------------------------------------------

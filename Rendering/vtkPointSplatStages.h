@@ -49,6 +49,7 @@ struct vtkPointSplatItem
   double Spacing = 0.0;               // of such points, world units
   double SpacingPixels = 0.0;         // the same where they are nearest to the eye, pixels
   glm::vec4 Colour{ 1.0f };           // and opacity, where layers of several items are gathered
+  bool Refracts = false;              // the environment
 
   bool operator==(const vtkPointSplatItem& other) const;
 };

@@ -14,6 +14,10 @@ uniform vec4 PixelW;           // view coordinates to w
 
 layout(location = 0) out vec4 average;
 layout(location = 1) out float nearestDepth;
+#ifdef LAYER_COUNT
+uniform sampler2D GroupLayerCount;
+layout(location = 2) out vec2 layerCount; // and of groups that have some
+#endif
 
 void main()
 {
@@ -24,6 +28,10 @@ void main()
     discard;
   }
   average = Share * texelFetch(GroupColour, pixel, 0);
+#ifdef LAYER_COUNT
+  float layers = texelFetch(GroupLayerCount, pixel, 0).r;
+  layerCount = vec2(layers, min(layers, 1.0));
+#endif
   float z = -(depth * DepthRange.y + DepthRange.x);
   nearestDepth =
     clamp(0.5 * (PixelZ.z * z + PixelZ.w) / (PixelW.z * z + PixelW.w) + 0.5, 0.0, 1.0);

@@ -31,6 +31,11 @@ uniform vec3 Specular[2];
 uniform float SpecularPower[2];
 
 layout(location = 0) out vec4 blended; // premultiplied
+#ifdef LAYER_COUNT
+uniform bool Refracts;
+uniform bool KeepNearest;                  // of the nearest layer: drawn, but not counted
+layout(location = 1) out float layerCount; // added up
+#endif
 
 void main()
 {
@@ -41,6 +46,7 @@ void main()
   {
     discard;
   }
+  bool peeled = false;
   if (PreviousCount > 0)
   {
 #ifdef COMPUTE_IMAGES
@@ -48,10 +54,15 @@ void main()
 #else
     uint nearest = texelFetch(Previous0, pixel, 0).r;
 #endif
-    if (isPeeled(q, hit.depth, uvec3(nearest)))
-    {
-      discard;
-    }
+    peeled = isPeeled(q, hit.depth, uvec3(nearest));
+  }
+#ifdef LAYER_COUNT
+  layerCount = Refracts && !peeled ? 1.0 : 0.0;
+  peeled = peeled && !KeepNearest;
+#endif
+  if (peeled)
+  {
+    discard;
   }
   if (HasSceneDepth && isHidden(hit.depth, pixel))
   {
