@@ -1,0 +1,220 @@
+# SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes what was measured: CSV, JSON, charts, and a report in Markdown that is also printed."""
+import csv
+import datetime
+import json
+import os
+import platform
+import re
+import subprocess
+
+from vtkmodules.vtkCommonCore import vtkVersion
+
+from . import analysis, charts
+from .cells import COLUMNS
+
+GROWTHS = (("points", "points", "points"), ("pixels", "pixels", "pixels of the window"),
+           ("asked_layers", "layers", "layers asked for"),
+           ("asked_samples", "samples", "shadow samples"))
+
+
+def first_line(path, key):
+    try:
+        with open(path, encoding="utf-8") as file:
+            for line in file:
+                if line.startswith(key):
+                    return line.split(":", 1)[1].strip()
+    except OSError:
+        pass
+    return ""
+
+
+def commit():
+    here = os.path.dirname(os.path.abspath(__file__))
+    try:
+        done = subprocess.run(["git", "-C", here, "describe", "--always", "--dirty"], check=True,
+                              capture_output=True, text=True)
+        return done.stdout.strip()
+    except (OSError, subprocess.CalledProcessError):
+        return "unknown"
+
+
+def machine(window):
+    """Of the machine, the driver and the build; window: one that has drawn."""
+    capabilities = {}
+    for line in window.ReportCapabilities().splitlines():
+        for key in ("vendor", "renderer", "version"):
+            if line.startswith(f"OpenGL {key} string:"):
+                capabilities[key] = line.split(":", 1)[1].strip()
+    return {"date": datetime.datetime.now(datetime.timezone.utc).isoformat(timespec="seconds"),
+            "cpu": first_line("/proc/cpuinfo", "model name") or platform.processor(),
+            "cores": os.cpu_count(), "memory": first_line("/proc/meminfo", "MemTotal"),
+            "system": platform.platform(), "opengl": capabilities,
+            "vtk": vtkVersion.GetVTKVersion(), "commit": commit()}
+
+
+class Report:
+    def __init__(self, folder, plan, name):
+        self.folder, self.plan, self.name = folder, plan, name
+        self.rows, self.machine = [], {}
+        self.text = []
+        os.makedirs(folder, exist_ok=True)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def say(self, line=""):
+        print(line, flush=True)
+        self.text.append(line)
+
+    def write(self, seconds):
+        for row in self.rows:
+            row["pixels"] = row["size"] ** 2
+        self.colours = charts.Colours(
+            dict.fromkeys((row["family"], row["peer"]) for row in self.rows))
+        self.say(f"# splatbench --{self.name}: {seconds / 60:.0f} minutes")
+        self.say()
+        for key, value in self.machine.items():
+            self.say(f"- {key}: {value}")
+        found = {"growth": self.growths(), "scenes": self.scenes()}
+        self.gaps()
+        with open(self.path("splatbench.csv"), "w", newline="", encoding="utf-8") as file:
+            writer = csv.DictWriter(file, [name for name, _ in COLUMNS], extrasaction="ignore")
+            writer.writeheader()
+            writer.writerows(self.rows)
+        with open(self.path("splatbench.json"), "w", encoding="utf-8") as file:
+            json.dump({"machine": self.machine, "plan": self.name, "seconds": seconds,
+                       "columns": dict(COLUMNS), **found, "rows": self.rows}, file, indent=1)
+        with open(self.path("splatbench.md"), "w", encoding="utf-8") as file:
+            file.write("\n".join(self.text) + "\n")
+
+    def cut(self, scene, **fixed):
+        return [row for row in self.rows if row["scene"] == scene and
+                all(row[key] == value for key, value in fixed.items())]
+
+    def growths(self):
+        """Charts of cost, and exponents."""
+        found = []
+        self.say()
+        self.say("## How cost grows")
+        self.say()
+        self.say("ms = a x^exponent over all x, and between the two largest; and the line fixed + each x")
+        for scene in dict.fromkeys(row["scene"] for row in self.rows):
+            here = self.at(scene)
+            cuts = {"points": self.cut(scene, size=here[1]), "pixels": self.near(scene, here[0]),
+                    "asked_layers": self.near(scene, here[0], here[1]),
+                    "asked_samples": self.near(scene, here[0], here[1])}
+            for column, name, title in GROWTHS:
+                series = analysis.series(cuts[column], column,
+                                         "family" if column.startswith("asked") else "setting")
+                if not series:
+                    continue
+                where = {"points": f"{here[1]} x {here[1]} pixels",
+                         "pixels": f"{here[0]} points"}.get(
+                             name, f"{here[0]} points, {here[1]} x {here[1]} pixels")
+                charts.cost_over(self.path(f"{slug(scene)}-cost-over-{name}"),
+                                 f"{scene}: cost over {name}, {where}", title, column, series,
+                                 self.colours)
+                self.say()
+                self.say(f"| {scene}, {where} | exponent over {name} | upper end | fixed ms | "
+                         f"ms each{' million' if name in ('points', 'pixels') else ''} | off the line |")
+                self.say("|---|---|---|---|---|---|")
+                worst = {}
+                for setting, rows in series.items():
+                    grown = analysis.growth([row[column] for row in rows], [row["ms"] for row in rows])
+                    scale = 1e6 if name in ("points", "pixels") else 1
+                    self.say(f"| {setting} | {grown['exponent']:.2f} | {grown['exponent_upper']:.2f} | "
+                             f"{grown['fixed_ms']:.0f} | {scale * grown['each_ms']:.1f} | "
+                             f"{100 * grown['off_line']:.0f} % |")
+                    found.append(dict(scene=scene, over=name, where=where, setting=setting, **grown))
+                    if not rows[0]["peer"]:
+                        worst[setting] = max(grown["exponent"], grown["exponent_upper"])
+                if worst:
+                    setting = max(worst, key=worst.get)
+                    self.say()
+                    self.say(f"Largest exponent over {name} of ours: {worst[setting]:.2f} ({setting}).")
+        return found
+
+    def at(self, scene):
+        """The number of points and the size at which a scene is charted: the plan's, or what comes
+        nearest to it."""
+        places = {(row["points"], row["size"]) for row in analysis.measured(self.rows)
+                  if row["scene"] == scene}
+        return min(places, key=lambda place: (abs(place[1] - self.plan.size),
+                                              abs(place[0] - self.plan.points)))
+
+    def near(self, scene, points, size=None):
+        return [row for row in self.cut(scene, points=points) if size in (None, row["size"])]
+
+    def scenes(self):
+        """Charts of error over time, what to choose when, and peers that nothing beats."""
+        found = []
+        for scene in dict.fromkeys(row["scene"] for row in self.rows):
+            points, size = self.at(scene)
+            rows = self.near(scene, points, size)
+            front = analysis.front(rows)
+            title = f"{scene}: {points} points, {size} x {size} pixels"
+            charts.error_over_time(self.path(f"{slug(scene)}-error-over-time"), title, rows, front,
+                                   self.colours)
+            self.say()
+            self.say(f"## {title}")
+            self.say()
+            self.table(rows, {row["setting"] for row in front})
+            self.say()
+            self.choose(analysis.choices(rows))
+            free, better = analysis.not_dominated(rows)
+            for words, peers in (("that no setting of ours equals in both time and error", free),
+                                 ("that equal or beat every setting of ours in both", better)):
+                self.say()
+                self.say(f"Peers {words}: {', '.join(row['setting'] for row in peers) or 'none'}.")
+            found.append(dict(scene=scene, points=points, size=size,
+                              front=[row["setting"] for row in front],
+                              peers_not_dominated=[row["setting"] for row in free],
+                              peers_better_than_all=[row["setting"] for row in better]))
+        return found
+
+    def table(self, rows, front):
+        self.say("| setting | ms (quartiles) | cold ms | psnr | inside | ssim | depth, diagonals | "
+                 "normal | silhouette | holes | layers | wrong layers | |")
+        self.say("|---|---|---|---|---|---|---|---|---|---|---|---|---|")
+        for row in sorted(analysis.measured(rows), key=lambda row: row["ms"]):
+            cells = [row["setting"], f"{row['ms']:.0f} ({row['ms_q1']:.0f}-{row['ms_q3']:.0f})",
+                     f"{row['cold_ms']:.0f}"]
+            for key, form in (("psnr", ".1f"), ("psnr_inside", ".1f"), ("ssim", ".3f"),
+                              ("depth", ".1e"), ("normal", ".2f"), ("silhouette", ".2f"),
+                              ("holes", "d"), ("layers", "d"), ("layer_error", ".3f")):
+                value = row.get(key)
+                cells.append("" if value is None else format(value, form))
+            cells.append("front" if row["setting"] in front else "")
+            self.say("| " + " | ".join(cells) + " |")
+
+    def choose(self, choices):
+        def told(row):
+            return (f"{row['setting']}: {row['ms']:.0f} ms, {row['psnr_inside']:.1f} dB" if row
+                    else "none")
+
+        self.say("| psnr inside, no holes | fastest of ours | fastest peer |")
+        self.say("|---|---|---|")
+        for entry in choices:
+            level = f"{entry['level']:.0f} dB" if entry["level"] else "the most accurate"
+            self.say(f"| {level} | {told(entry['ours'])} | {told(entry['peer'])} |")
+
+    def gaps(self):
+        missing = dict.fromkeys((row["setting"], row["status"]) for row in self.rows
+                                if row["status"].startswith("not"))
+        skipped = [row for row in self.rows if row["status"].startswith("skipped")]
+        if missing or skipped:
+            self.say()
+            self.say("## Not measured")
+            self.say()
+        for setting, status in missing:
+            self.say(f"- {setting}: {status}")
+        for row in skipped:
+            self.say(f"- {row['scene']}, {row['points']} points, {row['size']} pixels, "
+                     f"{row['setting']}: {row['status']}")
+
+
+def slug(name):
+    """For file names."""
+    return re.sub(r"[^A-Za-z0-9.]+", "-", name).strip("-")
