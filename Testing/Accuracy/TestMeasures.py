@@ -43,8 +43,8 @@ class TestMeasures(unittest.TestCase):
         depth = np.full((40, 50), 7.0)
         self.assertAlmostEqual(measures.depth_error(depth + 0.2, depth, self.every, 4.0), 0.05)
         depth[0] = np.inf
-        self.assertAlmostEqual(
-            measures.depth_error(np.where(np.isinf(depth), 1, depth), depth, np.isfinite(depth), 1.0), 0)
+        elsewhere = np.where(np.isinf(depth), 1, depth)
+        self.assertAlmostEqual(measures.depth_error(elsewhere, depth, np.isfinite(depth), 1.0), 0)
         normal = np.tile([0.0, 0, 1], (40, 50, 1))
         turned = np.tile([0, np.sin(0.1), np.cos(0.1)], (40, 50, 1))
         self.assertAlmostEqual(measures.normal_angle(turned, normal, self.every), np.degrees(0.1))

@@ -47,7 +47,7 @@ def grid_triangles(columns, rows, numbers):
     """Two triangles for each square between numbers[row, column]."""
     a, b = numbers[:rows, :columns], numbers[:rows, 1:columns + 1]
     c, d = numbers[1:rows + 1, 1:columns + 1], numbers[1:rows + 1, :columns]
-    return np.concatenate([np.stack([a, b, c], -1).reshape(-1, 3), np.stack([a, c, d], -1).reshape(-1, 3)])
+    return np.stack([a, b, c, a, c, d], -1).reshape(-1, 3)
 
 
 def sphere_mesh(count, radius, centre=(0, 0, 0)):
@@ -241,7 +241,8 @@ def shadow_scene(name="shadows"):
     return Scene(name, [torus, ball],
                  lambda count: [torus_mesh(0.95 * count, 1.0, 0.4),
                                 sphere_mesh(0.05 * count, 0.35, centre)],
-                 [1.0, 1.0], ([-1.4, -1.4, -0.4], [1.4, 1.4, 1.35]), light=(2.0, -1.0, 5.0), light_radius=0.3)
+                 [1.0, 1.0], ([-1.4, -1.4, -0.4], [1.4, 1.4, 1.35]), light=(2.0, -1.0, 5.0),
+                 light_radius=0.3)
 
 
 def scanned_scene(path):

@@ -14,7 +14,8 @@ GOLDEN = np.pi * (3 - np.sqrt(5))
 
 
 class Shadows:
-    """radius of the lights in world units; samples a light (1: its centre); scale: the scene's size."""
+    """radius of the lights, in world units for positional ones, for directional ones the tangent of
+    the angle at which it is seen; samples a light (1: its centre); scale: the scene's size."""
 
     def __init__(self, radius=0.0, samples=1, scale=1.0):
         self.radius, self.samples, self.scale = radius, samples, scale
@@ -31,7 +32,7 @@ class Shadows:
         for i in range(self.samples):
             place = light.world_position if distance is None else points - distance * towards
             if self.samples > 1:
-                r = self.radius * np.sqrt((i + 0.5) / self.samples)
+                r = self.radius * (distance or 1.0) * np.sqrt((i + 0.5) / self.samples)
                 angle = turn + i * GOLDEN
                 place = place + r * (np.cos(angle)[:, None] * across + np.sin(angle)[:, None] * up)
             arrived += self.transmitted(parts, points, place - points, normals)

@@ -24,7 +24,7 @@ COLUMNS = (
     ("psnr", "dB, where either is covered"), ("psnr_inside", "dB, 2 pixels within the outline"),
     ("rms_inside", "per cent of white, 2 pixels within the outline"),
     ("ssim", "of the luma"), ("depth", "95th percentile, diagonals"),
-    ("normal", "median, degrees"), ("silhouette", "wrong pixels a pixel of the outline"),
+    ("normal", "median, degrees; as read from 8 bits, 0.1 is none"), ("silhouette", "wrong pixels a pixel of the outline"),
     ("holes", "pixels"), ("spill", "pixels"), ("layers", "most at a pixel, counted in the picture"),
     ("layer_error", "share of pixels with another number of layers"))
 
@@ -107,8 +107,8 @@ def measure(scene, cloud, size, settings, truths, predictor, options):
     rows, alive = [], []
     for setting in settings:
         row = dict(scene=scene.name, points=cloud.points, size=size, setting=setting.name,
-                   family=setting.family, peer=setting.peer, status="measured", asked_layers=setting.layers,
-                   asked_samples=setting.samples)
+                   family=setting.family, peer=setting.peer, status="measured",
+                   asked_layers=setting.layers, asked_samples=setting.samples)
         rows.append(row)
         guess = predictor.predict(scene.name, setting.name, cloud.points, size)
         if setting.missing():
@@ -126,10 +126,12 @@ def measure(scene, cloud, size, settings, truths, predictor, options):
         picture = drawing.draw()
         row["cold_ms"] = drawing.milliseconds
         row["used"] = used(setting, drawing)
-        row.update(errors(setting, drawing, picture, truths.of(scene, drawing)))
-        if options.pictures:
-            options.save(f"{scene.name}-{cloud.points}-{size}-{setting.name}",
-                         np.concatenate([truths.of(scene, drawing).colour, picture], 1))
+        if options.all_errors or size == options.size:
+            truth = truths.of(scene, drawing)
+            row.update(errors(setting, drawing, picture, truth))
+            if options.pictures:
+                options.save(f"{scene.name}-{cloud.points}-{size}-{setting.name}",
+                             np.concatenate([truth.colour, picture], 1))
         scene.set_view(drawing.renderer)
         drawing.turn(3)
         drawing.draw()

@@ -17,6 +17,7 @@ import vtkmodules.vtkRenderingFreeType  # noqa: F401
 from drawing import window
 
 SIZE = (900, 600)
+TIME_TITLE = "frame time, ms (bars: quartiles)"
 # The module's settings are cool and round, peers warm, dark and pointed.
 OURS = ((30, 120, 220), (0, 165, 120), (120, 60, 200), (90, 190, 240), (20, 40, 150), (130, 200, 60),
         (0, 110, 60), (190, 110, 230), (70, 90, 110), (0, 190, 190))
@@ -163,12 +164,12 @@ def ticks(low, high):
 def spelled(value):
     for unit, name in ((1e6, " M"), (1e3, " k")):
         if value >= unit:
-            return f"{value / unit:g}{name}"
-    return f"{value:g}"
+            return f"{value / unit:.3g}{name}"
+    return f"{value:.3g}"
 
 
 def error_over_time(path, title, rows, front, colours):
-    chart = Chart(title, "frame time, ms (bars: quartiles)", "colour error within the outline, rms, % of white")
+    chart = Chart(title, TIME_TITLE, "colour error within the outline, rms, % of white")
     if len(front) > 1:
         # Staircase: at each time the least error to be had in it.
         x, y = [], []
@@ -195,7 +196,7 @@ def error_over_time(path, title, rows, front, colours):
 
 
 def cost_over(path, title, x_title, column, series, colours):
-    chart = Chart(title, x_title, "frame time, ms (bars: quartiles)")
+    chart = Chart(title, x_title, TIME_TITLE)
     for name, rows in series.items():
         colour = colours.of[rows[0]["family"]]
         x, ms = [row[column] for row in rows], [row["ms"] for row in rows]

@@ -11,19 +11,20 @@ PEELED_SPHERES = 8  # nested: 15 layers
 
 class Plan:
     """points, size: those of the charts of error over time. point_counts, sizes: of the sweeps, of
-    points at that size and of sizes at that number of points; which: how many scenes are swept,
-    SMOKE (one, and few others at all), SOME or ALL. limit_ms: longer frames are not begun; cell_ms:
-    longer than this no cell takes its frames, but for three of each setting."""
+    points at that size and of sizes at that number of points. which: how many scenes are swept,
+    SMOKE (one, and few others are there), SOME or ALL. runs: frames of each setting. limit_ms: frames
+    expected to take longer are not drawn; cell_ms: a cell that took longer than this draws no more
+    than three frames of each setting. all_errors: whether errors are found at every size."""
 
     SMOKE, SOME, ALL = range(3)
 
     def __init__(self, which, points, size, point_counts, sizes, layers, samples, runs,
-                 supersampling, shadow_samples, limit_ms, cell_ms):
+                 supersampling, shadow_samples, limit_ms, cell_ms, all_errors):
         self.which, self.points, self.size = which, points, size
         self.point_counts, self.sizes = point_counts, sizes
         self.layers, self.samples, self.runs = layers, samples, runs
         self.supersampling, self.shadow_samples = supersampling, shadow_samples
-        self.limit_ms, self.cell_ms = limit_ms, cell_ms
+        self.limit_ms, self.cell_ms, self.all_errors = limit_ms, cell_ms, all_errors
 
     def cells(self):
         """(scene, points, size, settings), each once; those of a scene and number of points one
@@ -36,21 +37,29 @@ class Plan:
         points = [(count, self.size) for count in self.point_counts]
         sizes = [(self.points, size) for size in self.sizes]
         every = points + sizes
-        some = every if self.which == Plan.ALL else points
-        peeling, shaded = TRANSLUCENT + layered(self.layers), shadowed(self.samples)
-        wanted = [(torus, every, OPAQUE), (peeled, here, peeling), (shadows, here, shaded)]
+        some, few = (every, every) if self.which == Plan.ALL else (points, here)
+        peeling = TRANSLUCENT + layered(self.layers)
+        shaded = shadowed(self.samples, shadows.light_radius)
+        wanted = [(torus, every, OPAQUE), (peeled, few, peeling), (shadows, few, shaded)]
         if self.which != Plan.SMOKE:
             wanted[1:1] = [(orbital, some, OPAQUE), (translucent, every, TRANSLUCENT),
-                           (close, here if self.which == Plan.SOME else every, OPAQUE)]
+                           (close, few, OPAQUE)]
         for scene, places, settings in wanted:
             for count, size in sorted({*places, *here}):
                 yield scene, count, size, settings
 
 
 PLANS = {
-    "quick": Plan(Plan.SOME, 160000, 512, (10000, 40000, 160000, 640000),
-                  (256, 384, 512, 768, 1024), (1, 2, 4, 8, 12), (1, 4, 16), 5, 3, 16, 4000, 20000),
-    "full": Plan(Plan.ALL, 640000, 1024, (10000, 40000, 160000, 640000, 2500000, 6000000),
-                 (512, 768, 1024, 1536, 2048), (1, 2, 4, 8, 12), (1, 4, 16, 64), 9, 3, 64, 20000, 40000),
-    "smoke": Plan(Plan.SMOKE, 4000, 96, (1000, 4000), (64, 96), (1, 2, 4), (1, 4), 2, 1, 4, 2000, 500),
+    "quick": Plan(Plan.SOME, points=160000, size=512, point_counts=(10000, 40000, 160000, 640000),
+                  sizes=(256, 384, 512, 768, 1024), layers=(1, 2, 4, 8, 12), samples=(1, 4, 16),
+                  runs=5, supersampling=3, shadow_samples=16, limit_ms=4000, cell_ms=15000,
+                  all_errors=False),
+    "full": Plan(Plan.ALL, points=640000, size=1024,
+                 point_counts=(10000, 40000, 160000, 640000, 2500000, 6000000),
+                 sizes=(512, 768, 1024, 1536, 2048), layers=(1, 2, 4, 8, 12),
+                 samples=(1, 4, 16, 64), runs=9, supersampling=3, shadow_samples=64,
+                 limit_ms=20000, cell_ms=40000, all_errors=True),
+    "smoke": Plan(Plan.SMOKE, points=4000, size=96, point_counts=(1000, 4000), sizes=(64, 96),
+                  layers=(1, 2, 4), samples=(1, 4), runs=2, supersampling=1, shadow_samples=4,
+                  limit_ms=2000, cell_ms=500, all_errors=True),
 }

@@ -99,7 +99,7 @@ class Report:
         self.say()
         self.say("## How cost grows")
         self.say()
-        self.say("ms = a x^exponent over all x, and between the two largest; and the line fixed + each x")
+        self.say("ms = a x^exponent over all x, and between the two largest; the line fixed + each x")
         for scene in dict.fromkeys(row["scene"] for row in self.rows):
             here = self.at(scene)
             cuts = {"points": self.cut(scene, size=here[1]), "pixels": self.near(scene, here[0]),
@@ -117,13 +117,13 @@ class Report:
                                  f"{scene}: cost over {name}, {where}", title, column, series,
                                  self.colours)
                 self.say()
+                scale, each = (1e6, "each million") if name in ("points", "pixels") else (1, "each")
                 self.say(f"| {scene}, {where} | exponent over {name} | upper end | fixed ms | "
-                         f"ms each{' million' if name in ('points', 'pixels') else ''} | off the line |")
+                         f"ms {each} | off the line |")
                 self.say("|---|---|---|---|---|---|")
                 worst = {}
                 for setting, rows in series.items():
                     grown = analysis.growth([row[column] for row in rows], [row["ms"] for row in rows])
-                    scale = 1e6 if name in ("points", "pixels") else 1
                     self.say(f"| {setting} | {grown['exponent']:.2f} | {grown['exponent_upper']:.2f} | "
                              f"{grown['fixed_ms']:.0f} | {scale * grown['each_ms']:.1f} | "
                              f"{100 * grown['off_line']:.0f} % |")
@@ -149,7 +149,7 @@ class Report:
 
     def scenes(self):
         """Charts of error over time, what to choose when, and peers that nothing beats."""
-        found = []
+        found, choices = [], {}
         for scene in dict.fromkeys(row["scene"] for row in self.rows):
             points, size = self.at(scene)
             rows = self.near(scene, points, size)
@@ -161,8 +161,7 @@ class Report:
             self.say(f"## {title}")
             self.say()
             self.table(rows, {row["setting"] for row in front})
-            self.say()
-            self.choose(analysis.choices(rows))
+            choices[f"{scene}, {charts.spelled(points)} points"] = analysis.choices(rows)
             free, better = analysis.not_dominated(rows)
             for words, peers in (("that no setting of ours equals in both time and error", free),
                                  ("that equal or beat every setting of ours in both", better)):
@@ -172,6 +171,7 @@ class Report:
                               front=[row["setting"] for row in front],
                               peers_not_dominated=[row["setting"] for row in free],
                               peers_better_than_all=[row["setting"] for row in better]))
+        self.choose(choices)
         return found
 
     def table(self, rows, front):
@@ -190,15 +190,22 @@ class Report:
             self.say("| " + " | ".join(cells) + " |")
 
     def choose(self, choices):
+        """choices: of each scene."""
         def told(row):
             return (f"{row['setting']}: {row['ms']:.0f} ms, {row['psnr_inside']:.1f} dB" if row
                     else "none")
 
-        self.say("| psnr inside, no holes | fastest of ours | fastest peer |")
-        self.say("|---|---|---|")
-        for entry in choices:
-            level = f"{entry['level']:.0f} dB" if entry["level"] else "the most accurate"
-            self.say(f"| {level} | {told(entry['ours'])} | {told(entry['peer'])} |")
+        self.say()
+        self.say("## What to choose when")
+        self.say()
+        self.say("The fastest that is as near to the truth as this within the outline, without a hole:")
+        self.say()
+        self.say("| scene | psnr at least | ours | peer |")
+        self.say("|---|---|---|---|")
+        for scene, entries in choices.items():
+            for entry in entries:
+                level = f"{entry['level']:.0f} dB" if entry["level"] else "the most accurate"
+                self.say(f"| {scene} | {level} | {told(entry['ours'])} | {told(entry['peer'])} |")
 
     def gaps(self):
         missing = dict.fromkeys((row["setting"], row["status"]) for row in self.rows
