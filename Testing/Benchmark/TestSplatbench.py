@@ -77,8 +77,8 @@ class TestSplatbench(unittest.TestCase):
         cls.rows = [one for one in cls.report["rows"] if one["status"] == "measured"]
 
     def test_no_warnings(self):
-        for line in self.done.stderr.splitlines():
-            self.assertRegex(line, r"^\[ *\d+ s\] ", self.done.stderr)
+        """VTK's or Python's; drivers may have something to say."""
+        self.assertNotRegex(self.done.stderr, "ERROR: In|Warning: In|RuntimeWarning|Traceback")
 
     def test_json_and_csv(self):
         machine = self.report["machine"]

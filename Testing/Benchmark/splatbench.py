@@ -4,7 +4,8 @@
 """Speed against accuracy: every method and quality setting of the module, and VTK's own peers, over
 scenes whose truth is known, numbers of points and sizes of window.
 
-  splatbench.py [--quick | --full | --smoke] [--output FOLDER] [--mesh FILE ...] [--pictures]
+  splatbench.py [--quick | --full | --smoke] [--output FOLDER] [--mesh FILE ...] [--only WORD]
+                [--pictures]
 
 --quick (the default) takes some minutes, --full about an hour, --smoke seconds.
 --mesh FILE.ply or .vtp adds a scanned mesh, whose truth Embree tells (Debian's libembree3-3).
@@ -34,6 +35,7 @@ from bench.plans import PLANS  # noqa: E402
 from bench.report import Report, machine, slug  # noqa: E402
 from bench.settings import OPAQUE  # noqa: E402
 from drawing import save, window  # noqa: E402
+from reference.mesh import library  # noqa: E402
 from scenes import scanned_scene  # noqa: E402
 
 
@@ -48,7 +50,14 @@ def parsed():
     parser.add_argument("--mesh", action="append", default=[])
     parser.add_argument("--only", help="scenes with this in their names, and no others")
     parser.add_argument("--pictures", action="store_true")
-    return parser.parse_args()
+    options = parser.parse_args()
+    for name in options.mesh:
+        if not os.path.isfile(name):
+            parser.error(f"there is no file {name}")
+    if options.mesh and not library():
+        print("Left out, for want of Embree (Debian's libembree3-3):", *options.mesh, file=sys.stderr)
+        options.mesh = []
+    return options
 
 
 def main():
@@ -77,7 +86,7 @@ def main():
             cloud = Cloud(scene, count)
         print(f"[{time.perf_counter() - start:5.0f} s] {number}/{len(cells)}: {scene.name}, "
               f"{cloud.points} points, {size} x {size}", file=sys.stderr, flush=True)
-        report.rows += measure(scene, cloud, size, settings, truths, predictor, plan)
+        report.add(measure(scene, cloud, size, settings, truths, predictor, plan))
     report.write(time.perf_counter() - start)
 
 

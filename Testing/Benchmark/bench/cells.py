@@ -24,7 +24,8 @@ COLUMNS = (
     ("psnr", "dB, where either is covered"), ("psnr_inside", "dB, 2 pixels within the outline"),
     ("rms_inside", "per cent of white, 2 pixels within the outline"),
     ("ssim", "of the luma"), ("depth", "95th percentile, diagonals"),
-    ("normal", "median, degrees; as read from 8 bits, 0.1 is none"), ("silhouette", "wrong pixels a pixel of the outline"),
+    ("normal", "median, degrees; as read from 8 bits, 0.1 is none"),
+    ("silhouette", "wrong pixels a pixel of the outline"),
     ("holes", "pixels"), ("spill", "pixels"), ("layers", "most at a pixel, counted in the picture"),
     ("layer_error", "share of pixels with another number of layers"))
 

@@ -68,9 +68,17 @@ class Report:
         print(line, flush=True)
         self.text.append(line)
 
-    def write(self, seconds):
-        for row in self.rows:
+    def add(self, rows):
+        """Rows of another cell; the CSV has all that there are, should the rest not be waited for."""
+        for row in rows:
             row["pixels"] = row["size"] ** 2
+        self.rows += rows
+        with open(self.path("splatbench.csv"), "w", newline="", encoding="utf-8") as file:
+            writer = csv.DictWriter(file, [name for name, _ in COLUMNS], extrasaction="ignore")
+            writer.writeheader()
+            writer.writerows(self.rows)
+
+    def write(self, seconds):
         self.colours = charts.Colours(
             dict.fromkeys((row["family"], row["peer"]) for row in self.rows))
         self.say(f"# splatbench --{self.name}: {seconds / 60:.0f} minutes")
@@ -79,10 +87,6 @@ class Report:
             self.say(f"- {key}: {value}")
         found = {"growth": self.growths(), "scenes": self.scenes()}
         self.gaps()
-        with open(self.path("splatbench.csv"), "w", newline="", encoding="utf-8") as file:
-            writer = csv.DictWriter(file, [name for name, _ in COLUMNS], extrasaction="ignore")
-            writer.writeheader()
-            writer.writerows(self.rows)
         with open(self.path("splatbench.json"), "w", encoding="utf-8") as file:
             json.dump({"machine": self.machine, "plan": self.name, "seconds": seconds,
                        "columns": dict(COLUMNS), **found, "rows": self.rows}, file, indent=1)
