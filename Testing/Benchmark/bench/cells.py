@@ -18,7 +18,9 @@ COLUMNS = (
     ("scene", ""), ("points", ""), ("size", "pixels a side"), ("setting", ""), ("peer", ""),
     ("status", "measured, or why not"), ("used", "what the mapper says it did"),
     ("ms", "median of a warm frame with read-back"), ("ms_q1", "first quartile"),
-    ("ms_q3", "third quartile"), ("frames", "warm ones timed"),
+    ("ms_q3", "third quartile"),
+    ("processor_ms", "median, of all of the machine's processors together"),
+    ("frames", "warm ones timed"),
     ("cold_ms", "the first frame, radii given"),
     ("estimation_ms", "of radii and curvatures, once for all frames"),
     ("psnr", "dB, where either is covered"), ("psnr_inside", "dB, 2 pixels within the outline"),
@@ -88,8 +90,8 @@ def used(setting, drawing):
 
 
 class Predictor:
-    """What a frame will take at least, from smaller ones: in proportion to points and pixels at
-    the most."""
+    """What a frame will take at least, from smaller ones: small clouds take wide splats, so that
+    cost grows with the square roots of points and pixels only."""
 
     def __init__(self):
         self.known = {}
@@ -98,9 +100,9 @@ class Predictor:
         self.known.setdefault((scene, setting), []).append((points, size * size, ms))
 
     def predict(self, scene, setting, points, size):
-        guesses = [ms * max(1, points / p) * max(1, size * size / s)
-                   for p, s, ms in self.known.get((scene, setting), ())]
-        return min(guesses, default=0.0)
+        return max((ms * np.sqrt(points / p * size * size / s)
+                    for p, s, ms in self.known.get((scene, setting), ())
+                    if p <= points and s <= size * size), default=0.0)
 
 
 def measure(scene, cloud, size, settings, truths, predictor, options):
@@ -108,7 +110,7 @@ def measure(scene, cloud, size, settings, truths, predictor, options):
     rows, alive = [], []
     for setting in settings:
         row = dict(scene=scene.name, points=cloud.points, size=size, setting=setting.name,
-                   family=setting.family, peer=setting.peer, status="measured",
+                   kind=setting.kind, family=setting.family, peer=setting.peer, status="measured",
                    asked_layers=setting.layers, asked_samples=setting.samples)
         rows.append(row)
         guess = predictor.predict(scene.name, setting.name, cloud.points, size)
@@ -136,19 +138,21 @@ def measure(scene, cloud, size, settings, truths, predictor, options):
         scene.set_view(drawing.renderer)
         drawing.turn(3)
         drawing.draw()
-        drawings.append((setting, row, drawing, []))
+        drawings.append((setting, row, drawing, [], []))
     spent = 0.0
     for _ in range(options.runs):
-        if spent > options.cell_ms and all(len(times) >= 3 for *_, times in drawings):
+        if spent > options.cell_ms and all(len(times) >= 3 for *_, times, _ in drawings):
             break
-        for setting, row, drawing, times in drawings:
+        for _, _, drawing, times, processor_times in drawings:
             drawing.turn(3)
             drawing.draw()
             times.append(drawing.milliseconds)
+            processor_times.append(drawing.processor_milliseconds)
             spent += drawing.milliseconds
-    for setting, row, drawing, times in drawings:
+    for setting, row, drawing, times, processor_times in drawings:
         quartiles = statistics.quantiles(times, method="inclusive") if len(times) > 1 else 3 * times
         row["ms_q1"], row["ms"], row["ms_q3"] = quartiles
+        row["processor_ms"] = statistics.median(processor_times)
         row["frames"] = len(times)
         predictor.learn(scene.name, setting.name, cloud.points, size, row["ms"])
         drawing.close()

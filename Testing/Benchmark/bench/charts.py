@@ -27,15 +27,14 @@ OUR_MARKER, PEER_MARKER = vtkPlotPoints.CIRCLE, vtkPlotPoints.DIAMOND
 
 
 class Colours:
-    """One for each family of settings, the same in all charts."""
+    """One for each family of settings, the same in all charts of a kind of scene."""
 
     def __init__(self, families):
-        self.of = {}
-        counts = [0, 0]
-        for name, peer in families:
+        self.of, counts = {}, {}
+        for name, peer, kind in families:
             colours = PEERS if peer else OURS
-            self.of[name] = colours[counts[peer] % len(colours)]
-            counts[peer] += 1
+            number = counts[peer, kind] = counts.get((peer, kind), -1) + 1
+            self.of[name] = colours[number % len(colours)]
 
 
 class Chart:

@@ -42,7 +42,7 @@ class Plan:
         shaded = shadowed(self.samples, shadows.light_radius)
         wanted = [(torus, every, OPAQUE), (peeled, few, peeling), (shadows, few, shaded)]
         if self.which != Plan.SMOKE:
-            wanted[1:1] = [(orbital, some, OPAQUE), (translucent, every, TRANSLUCENT),
+            wanted[1:1] = [(orbital, some, OPAQUE), (translucent, some, TRANSLUCENT),
                            (close, few, OPAQUE)]
         for scene, places, settings in wanted:
             for count, size in sorted({*places, *here}):
@@ -51,8 +51,8 @@ class Plan:
 
 PLANS = {
     "quick": Plan(Plan.SOME, points=160000, size=512, point_counts=(10000, 40000, 160000, 640000),
-                  sizes=(256, 384, 512, 768, 1024), layers=(1, 2, 4, 8, 12), samples=(1, 4, 16),
-                  runs=5, supersampling=3, shadow_samples=16, limit_ms=4000, cell_ms=15000,
+                  sizes=(256, 512, 768, 1024), layers=(1, 2, 4, 8, 12), samples=(1, 4, 16),
+                  runs=5, supersampling=3, shadow_samples=16, limit_ms=5000, cell_ms=12000,
                   all_errors=False),
     "full": Plan(Plan.ALL, points=640000, size=1024,
                  point_counts=(10000, 40000, 160000, 640000, 2500000, 6000000),
