@@ -14,11 +14,6 @@ from vtkmodules.vtkCommonCore import vtkVersion
 from . import analysis, charts
 from .cells import COLUMNS
 
-GROWTHS = (("points", "points", "points"), ("pixels", "pixels", "pixels of the window"),
-           ("asked_layers", "layers", "layers asked for"),
-           ("asked_samples", "samples", "shadow samples"))
-
-
 def first_line(path, key):
     try:
         with open(path, encoding="utf-8") as file:
@@ -103,50 +98,51 @@ class Report:
         self.say()
         self.say("## How cost grows")
         self.say()
-        self.say("ms = a x^exponent over all x, and between the two largest; the same of the time of all")
-        self.say("processors together, which other work on the machine disturbs less (and which says")
-        self.say("nothing of a GPU); and the line ms = fixed + each x.")
+        self.say("ms = a x^exponent over all x, and between the two largest; the same of the time of")
+        self.say("all processors together, which other work on the machine disturbs less (and which")
+        self.say("says nothing of a GPU); and the line ms = fixed + each x.")
         for scene in dict.fromkeys(row["scene"] for row in self.rows):
-            here = self.at(scene)
-            cuts = {"points": self.cut(scene, size=here[1]), "pixels": self.near(scene, here[0]),
-                    "asked_layers": self.near(scene, here[0], here[1]),
-                    "asked_samples": self.near(scene, here[0], here[1])}
-            for column, name, title in GROWTHS:
-                series = analysis.series(cuts[column], column,
-                                         "family" if column.startswith("asked") else "setting")
-                if not series:
-                    continue
-                where = {"points": f"{here[1]} x {here[1]} pixels",
-                         "pixels": f"{here[0]} points"}.get(
-                             name, f"{here[0]} points, {here[1]} x {here[1]} pixels")
-                charts.cost_over(self.path(f"{slug(scene)}-cost-over-{name}"),
-                                 f"{scene}: cost over {name}, {where}", title, column, series,
-                                 self.colours)
-                self.say()
-                scale, each = (1e6, "each million") if name in ("points", "pixels") else (1, "each")
-                self.say(f"| {scene}, {where} | exponent over {name} | upper end | "
-                         f"of processors | upper end | fixed ms | "
-                         f"ms {each} | off the line |")
-                self.say("|---|---|---|---|---|---|---|---|")
-                worst = {}
-                for setting, rows in series.items():
-                    grown = analysis.growth([row[column] for row in rows], [row["ms"] for row in rows])
-                    processors = analysis.growth([row[column] for row in rows],
-                                                 [row["processor_ms"] for row in rows])
-                    self.say(f"| {setting} | {grown['exponent']:.2f} | {grown['exponent_upper']:.2f} | "
-                             f"{processors['exponent']:.2f} | {processors['exponent_upper']:.2f} | "
-                             f"{grown['fixed_ms']:.0f} | {scale * grown['each_ms']:.1f} | "
-                             f"{100 * grown['off_line']:.0f} % |")
-                    found.append(dict(scene=scene, over=name, where=where, setting=setting, **grown,
-                                      processors={key: processors[key] for key in
-                                                  ("exponent", "exponent_upper")}))
-                    if not rows[0]["peer"]:
-                        worst[setting] = processors["exponent"]
-                if worst:
-                    setting = max(worst, key=worst.get)
-                    self.say()
-                    self.say(f"Largest exponent of ours over {name}, of processors: "
-                             f"{worst[setting]:.2f} ({setting}).")
+            points, size = self.at(scene)
+            at_points, at_size = f"{points} points", f"{size} x {size} pixels"
+            both = f"{at_points}, {at_size}"
+            here = self.near(scene, points, size)
+            for rows, column, name, title, where in (
+                    (self.cut(scene, size=size), "points", "points", "points", at_size),
+                    (self.near(scene, points), "pixels", "pixels", "pixels of the window", at_points),
+                    (here, "asked_layers", "layers", "layers asked for", both),
+                    (here, "asked_samples", "samples", "shadow samples", both)):
+                series = analysis.series(rows, column, "family" if rows is here else "setting")
+                if series:
+                    charts.cost_over(self.path(f"{slug(scene)}-cost-over-{name}"),
+                                     f"{scene}: cost over {name}, {where}", title, column, series,
+                                     self.colours)
+                    found += self.growth(series, column, name, f"{scene}, {where}")
+        return found
+
+    def growth(self, series, column, name, where):
+        """The exponents of one chart."""
+        scale, each = (1e6, "each million") if name in ("points", "pixels") else (1, "each")
+        self.say()
+        self.say(f"| {where} | exponent over {name} | upper end | of processors | upper end | fixed ms "
+                 f"| ms {each} | off the line |")
+        self.say("|---|---|---|---|---|---|---|---|")
+        found = []
+        for setting, rows in series.items():
+            x = [row[column] for row in rows]
+            grown = analysis.growth(x, [row["ms"] for row in rows])
+            busy = analysis.growth(x, [row["processor_ms"] for row in rows])
+            self.say(f"| {setting} | {grown['exponent']:.2f} | {grown['exponent_upper']:.2f} | "
+                     f"{busy['exponent']:.2f} | {busy['exponent_upper']:.2f} | "
+                     f"{grown['fixed_ms']:.0f} | {scale * grown['each_ms']:.1f} | "
+                     f"{100 * grown['off_line']:.0f} % |")
+            found.append(dict(over=name, where=where, setting=setting, peer=rows[0]["peer"], **grown,
+                              processors=busy))
+        ours = [one for one in found if not one["peer"]]
+        if ours:
+            most = max(ours, key=lambda one: one["processors"]["exponent"])
+            self.say()
+            self.say(f"Largest exponent of ours over {name}, of processors: "
+                     f"{most['processors']['exponent']:.2f} ({most['setting']}).")
         return found
 
     def at(self, scene):
