@@ -20,6 +20,7 @@ if [ "${1:-}" = --sanitize ]; then
   export UBSAN_OPTIONS=print_stacktrace=1
 fi
 
+packages+=("${test_packages[@]}")
 install_packages
 build "$folder" all "${options[@]}"
 exec ctest --test-dir "$folder" --output-on-failure --parallel "$(nproc)" "$@"

@@ -9,6 +9,10 @@ packages=(
   libglm-dev libegl-dev libegl1         # matrices, contexts without an X server
   libgl1-mesa-dri                       # OpenGL where there is no GPU
 )
+test_packages=(
+  python3-numpy                         # the accuracy tests' reference, and splatbench
+  libembree3-3                          # the same for triangle meshes; without it they are skipped
+)
 
 # Installs what is missing from Debian, saying what; names it where it cannot.
 install_packages() {
