@@ -34,16 +34,26 @@ uniform usamplerBuffer Coarse;
 uniform usampler2D Coarse;
 #endif
 
-uvec2 fetchCoarse(ivec2 pixel)
+uint fetchCoarseCode(ivec2 pixel)
 {
   if (pixel != clamp(pixel, CoarseWindow.xy, CoarseWindow.zw))
   {
-    return uvec2(NoDepth, 0u);
+    return NoDepth;
   }
 #ifdef COMPUTE_IMAGES
-  return texelFetch(Coarse, pixel.y * CoarseWidth + pixel.x).xy;
+  return texelFetch(Coarse, pixel.y * CoarseWidth + pixel.x).x;
 #else
-  return texelFetch(Coarse, pixel, 0).xy;
+  return texelFetch(Coarse, pixel, 0).x;
+#endif
+}
+
+// Of a pixel inside.
+uint fetchCoarseSource(ivec2 pixel)
+{
+#ifdef COMPUTE_IMAGES
+  return texelFetch(Coarse, pixel.y * CoarseWidth + pixel.x).y;
+#else
+  return texelFetch(Coarse, pixel, 0).y;
 #endif
 }
 
@@ -52,33 +62,49 @@ uvec2 fetchCoarse(ivec2 pixel)
 // by in the image.
 uvec2 pushPixel(ivec2 pixel, vec2 centre)
 {
-  uvec2 own = uvec2(fetchCode(pixel), fetchSource(pixel));
+  uvec2 best = uvec2(fetchCode(pixel), fetchSource(pixel));
+  uint own = best.x;
   ivec2 parent = pixel >> 1;
   ivec2 side = ivec2((pixel.x & 1) == 0 ? -1 : 1, (pixel.y & 1) == 0 ? -1 : 1);
-  int weights = 0;
-  float least = 3e38;
-  uvec2 best = own;
+  uint codes[4];
+  uint nearest = NoDepth;
   for (int k = 0; k < 4; ++k)
   {
-    uvec2 other = fetchCoarse(parent + ivec2(k & 1, k >> 1) * side);
-    if (other.x >= own.x)
-    {
-      continue;
-    }
-    float layer = layerOf(other.x);
-    float size = PixelSize.x + PixelSize.y * depthOf(other.x);
-    float spacing = SlotSpacings[int((other.x & TagMask) >> 1)];
-    if (layer < 0.0 || spacing < PixelsNeeded * size ||
-      !(own.x == NoDepth || depthOf(other.x) + layer < depthOf(own.x)))
-    {
-      continue;
-    }
-    weights += k == 0 ? 9 : k == 3 ? 1 : 3;
-    vec2 away = vec2(sourcePixel(other.y)) - centre;
-    float distance = dot(away, away);
-    best = distance < least ? other : best;
-    least = min(least, distance);
+    codes[k] = fetchCoarseCode(parent + ivec2(k & 1, k >> 1) * side);
+    nearest = min(nearest, codes[k]);
   }
-  return weights >= 12 ? best : own;
+  if (nearest >= own)
+  {
+    return best;
+  }
+  float layer = layerOf(nearest);
+  float spacing = SlotSpacings[int((nearest & TagMask) >> 1)];
+  if (layer < 0.0 || spacing < PixelsNeeded * (PixelSize.x + PixelSize.y * depthOf(nearest)))
+  {
+    return best;
+  }
+  float limit = own == NoDepth ? 3e38 : depthOf(own) - layer;
+  int weights = 0;
+  for (int k = 0; k < 4; ++k)
+  {
+    weights += depthOf(codes[k]) < limit ? (k == 0 ? 9 : k == 3 ? 1 : 3) : 0;
+  }
+  if (weights < 12)
+  {
+    return best;
+  }
+  float least = 3e38;
+  for (int k = 0; k < 4; ++k)
+  {
+    if (depthOf(codes[k]) < limit)
+    {
+      uint source = fetchCoarseSource(parent + ivec2(k & 1, k >> 1) * side);
+      vec2 away = vec2(sourcePixel(source)) + 0.5 - centre;
+      float distance = dot(away, away);
+      best = distance < least ? uvec2(codes[k], source) : best;
+      least = min(least, distance);
+    }
+  }
+  return best;
 }
 #endif

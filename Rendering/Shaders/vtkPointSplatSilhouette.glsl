@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Anti-aliasing of image-space layers (Dobrev, Rosenthal, Linsen 2010, section 3.5): silhouettes
-// are where the Laplacian of the linear depth, which vanishes on any plane, is large. A point marks
-// all of the pixel that it falls in, so that a silhouette's pixels are covered by half in the mean:
-// they are blended with the farthest of their neighbours, or with what is behind the layer.
+// Anti-aliasing of image-space layers (Dobrev, Rosenthal, Linsen 2010, section 3.5). A point marks
+// all of the pixel that it falls in, so that a silhouette's pixels, which vtkPointSplatSmoothing has
+// found, are covered by half in the mean: they are blended with the farthest of their
+// neighbours, or with what is behind the layer.
 
 uniform ivec2 PresentedSize; // of the images, pixels
 
@@ -24,22 +24,18 @@ float depthBeside(ivec2 at, float own)
 
 vec4 smoothSilhouette(ivec2 at, uint code, vec4 shaded)
 {
+  if ((fetchTexel(at).z & 0x8000u) == 0u)
+  {
+    return shaded;
+  }
   const ivec2 beside[4] = ivec2[4](ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1));
-  float own = uintBitsToFloat(code & ~TagMask);
-  float laplacian = -4.0 * own;
-  float farthest = own;
+  float farthest = uintBitsToFloat(code & ~TagMask);
   ivec2 beyond = at;
   for (int k = 0; k < 4; ++k)
   {
-    float depth = depthBeside(at + beside[k], own);
-    laplacian += depth;
+    float depth = depthBeside(at + beside[k], farthest);
     beyond = depth > farthest ? at + beside[k] : beyond;
     farthest = max(farthest, depth);
-  }
-  // DepthUnit is five times the least layer distance.
-  if (laplacian <= DepthUnit)
-  {
-    return shaded;
   }
   uint other = farthest < Farthest ? fetchDepth(beyond) : NoDepth;
   if (other == NoDepth || slotOf(other) != Slot)

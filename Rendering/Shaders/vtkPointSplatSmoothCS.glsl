@@ -69,7 +69,12 @@ void main()
       addNeighbour(mean, mean.code, below.left, 1.0, range);
       addNeighbour(mean, mean.code, below.middle, 2.0, range);
       addNeighbour(mean, mean.code, below.right, 1.0, range);
-      texel = texelOf(mean);
+      // Of what is beyond the window nothing is known.
+      texel = texelOf(mean,
+        isSilhouette(mean.code, right ? row.right.code : mean.code,
+          pixel.y < FilledWindow.w ? above.middle.code : mean.code,
+          left ? row.left.code : mean.code,
+          pixel.y > FilledWindow.y ? below.middle.code : mean.code));
     }
     result[pixelIndex(pixel)] = texel;
     below = row;

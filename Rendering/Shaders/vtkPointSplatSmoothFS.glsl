@@ -24,13 +24,18 @@ void main()
   }
   float range = smoothingRange(mean, pixel);
   scaleSum(mean, 16.0);
+  // Of what is beyond the window nothing is known.
+  uint codes[8] = uint[8](mean.code, mean.code, mean.code, mean.code, mean.code, mean.code,
+    mean.code, mean.code);
   for (int k = 0; k < 8; ++k)
   {
     ivec2 other = pixel + Ring[k];
     if (!isOutside(other))
     {
-      addNeighbour(mean, mean.code, fetchSum(other), (k & 1) == 0 ? 2.0 : 1.0, range);
+      Sum sum = fetchSum(other);
+      codes[k] = sum.code;
+      addNeighbour(mean, mean.code, sum, (k & 1) == 0 ? 2.0 : 1.0, range);
     }
   }
-  texel = texelOf(mean);
+  texel = texelOf(mean, isSilhouette(mean.code, codes[0], codes[2], codes[4], codes[6]));
 }

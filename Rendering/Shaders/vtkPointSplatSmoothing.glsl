@@ -73,7 +73,18 @@ void scaleSum(inout Sum s, float factor)
 #endif
 }
 
-uvec4 texelOf(Sum mean)
+// Silhouettes (section 3.5) are where the Laplacian of the linear depth, which vanishes on any
+// plane, is large. codes: beside the pixel; NoDepth: background.
+bool isSilhouette(uint own, uint right, uint above, uint left, uint below)
+{
+  float depth = depthOf(own);
+  vec4 codes = vec4(right == NoDepth ? 3e37 : depthOf(right), above == NoDepth ? 3e37 : depthOf(above),
+    left == NoDepth ? 3e37 : depthOf(left), below == NoDepth ? 3e37 : depthOf(below));
+  // DepthUnit is five times the least layer distance.
+  return dot(codes - depth, vec4(1.0)) > DepthUnit;
+}
+
+uvec4 texelOf(Sum mean, bool silhouette)
 {
   vec4 n = mean.weight > 0.0 ? mean.normalAndBehind / mean.weight : vec4(0.0, 0.0, 1.0, 0.0);
 #ifdef COLOURS
@@ -81,5 +92,5 @@ uvec4 texelOf(Sum mean)
 #else
   const vec4 colour = vec4(1.0);
 #endif
-  return packTexel(mean.code, n.xyz, n.w, colour);
+  return packTexel(mean.code, n.xyz, n.w, colour, silhouette);
 }

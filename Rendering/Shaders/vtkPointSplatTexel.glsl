@@ -4,7 +4,8 @@
 // A pixel of a layer that was reconstructed in image space (RGBA32UI):
 //   x  the coded depth, as in encodeDepth
 //   y  the mean normal's direction, view coordinates, two times 16 bits on an octahedron
-//   z  its length, 16 bits; the depth behind the coded one, in units of DepthUnit, 16 bits
+//   z  its length, 15 bits; whether this is a silhouette, 1 bit; the depth behind the coded one,
+//      in units of DepthUnit, 16 bits
 //   w  colour and opacity, 8 bits a component
 
 uint encodeNormal(vec3 n)
@@ -41,17 +42,18 @@ vec4 unpackColour(uint code)
 }
 
 // behind: in units of DepthUnit, -1 to 1.
-uvec4 packTexel(uint code, vec3 normal, float behind, vec4 colour)
+uvec4 packTexel(uint code, vec3 normal, float behind, vec4 colour, bool silhouette)
 {
   float l = length(normal);
   uint depth = uint(int(round(clamp(behind, -1.0, 1.0) * 32767.0))) << 16;
   return uvec4(code, encodeNormal(l > 0.0 ? normal : vec3(0.0, 0.0, 1.0)),
-    uint(round(clamp(l, 0.0, 1.0) * 65535.0)) | depth, packColour(colour));
+    uint(round(clamp(l, 0.0, 1.0) * 32767.0)) | (silhouette ? 0x8000u : 0u) | depth,
+    packColour(colour));
 }
 
 void unpackTexel(uvec4 texel, out vec3 normal, out float behind, out vec4 colour)
 {
-  normal = float(texel.z & 0xffffu) / 65535.0 * decodeNormal(texel.y);
+  normal = float(texel.z & 0x7fffu) / 32767.0 * decodeNormal(texel.y);
   behind = float(int(texel.z) >> 16) / 32767.0;
   colour = unpackColour(texel.w);
 }
