@@ -121,6 +121,11 @@ public:
   vtkIdType GetNumberOfSplats() const { return this->Count; }
   vtkIdType GetNumberOfSkippedPoints() const { return this->Skipped; }
   vtkIdType GetNumberOfPoints() const { return this->Points; }
+  /// The point, of its block, that a splat was made from.
+  vtkIdType GetPointId(vtkIdType splat) const
+  {
+    return this->Splats[this->GetWordsPerSplat() * static_cast<size_t>(splat) + 7];
+  }
   bool IsCircular() const { return this->Circular; }
   bool HasColours() const { return !this->Colours.empty(); }
   double GetMedianRadius() const { return this->MedianRadius; }
