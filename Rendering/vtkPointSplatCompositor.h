@@ -22,6 +22,7 @@
 #include "vtkPointSplatLayers.h"
 #include "vtkPointSplatResolve.h"
 #include "vtkPointSplatSceneDepth.h"
+#include "vtkPointSplatShadowCache.h"
 #include "vtkPointSplatStages.h"
 
 #include "vtkWeakPointer.h"
@@ -72,6 +73,7 @@ public:
   /// Why two passes were taken where deferred blending was asked for; else empty.
   const std::string& GetMethodReason() const { return this->MethodReason; }
   vtkIdType GetMemorySize() const;
+  const vtkPointSplatShadowCache& GetShadows() const { return this->Shadows; }
 
 private:
   /**
@@ -91,6 +93,7 @@ private:
   bool WantsDeferred(
     const std::vector<Entry>& entries, const glm::ivec2& size, bool compute);
   GLuint CaptureScene(vtkRenderer* renderer, const vtkPointSplatView& view, bool& failed);
+  bool MakeFactors(vtkRenderer* renderer, std::vector<Entry>& entries);
   bool Build(vtkRenderer* renderer, const vtkPointSplatView& view, std::vector<Entry>& entries,
     bool translucent, vtkPointSplatLayers& layers, bool& flat,
     vtkPointSplatFlat::SortedLayers& sorted);
@@ -108,6 +111,7 @@ private:
   std::map<vtkPointSplatMapper*, std::unique_ptr<vtkPointSplatLayers>> Alone;
   vtkPointSplatSceneDepth Scene;
   vtkPointSplatFlat Flat;
+  vtkPointSplatShadowCache Shadows;
   const vtkPointSplatLayers* Last = nullptr;
   const char* TransparencyUsed = "none";
 

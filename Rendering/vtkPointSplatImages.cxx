@@ -65,16 +65,20 @@ bool vtkPointSplatImages::FitCompute(const glm::ivec2& size)
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatImages::Allocate(bool compute, const glm::ivec2& size, bool colours)
+void vtkPointSplatImages::Allocate(
+  bool compute, const glm::ivec2& size, bool colours, int factors)
 {
   if (this->Depths && this->Compute == compute && this->Size == size &&
-    (this->Colours == colours || !compute))
+    (this->Colours == colours || !compute) &&
+    this->GetFactorWords() == (factors + 1) / 2)
   {
+    this->Factors = factors;
     return;
   }
   this->Release();
   this->Compute = compute;
   this->Colours = colours;
+  this->Factors = factors;
   this->Size = size;
   if (compute)
   {
@@ -87,6 +91,10 @@ void vtkPointSplatImages::Allocate(bool compute, const glm::ivec2& size, bool co
   MakeTexture(this->Sums[0], size, GL_RGBA32F, GL_RGBA, GL_FLOAT);
   MakeTexture(this->Sums[1], size, GL_RGBA32F, GL_RGBA, GL_FLOAT);
   MakeTexture(this->Sums[2], size, GL_R32F, GL_RED, GL_FLOAT);
+  if (factors > 0)
+  {
+    MakeTexture(this->Sums[3], size, GL_RGBA32F, GL_RGBA, GL_FLOAT);
+  }
   MakeTexture(this->Ids, size, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT);
   MakeTexture(this->DepthAttachment, size, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT);
   glBindTexture(GL_TEXTURE_2D, 0);
@@ -122,7 +130,7 @@ vtkIdType vtkPointSplatImages::GetMemorySize() const
 {
   const vtkIdType pixels = static_cast<vtkIdType>(this->Size.x) * this->Size.y;
   const vtkIdType ids = this->Ids ? IdBytes : 0;
-  return this->Compute ? pixels * (DepthBytes + 4 * this->GetSumStride() + ids) : pixels * (4 + 36 + 4 + 4);
+  return this->Compute ? pixels * (DepthBytes + 4 * this->GetSumStride() + ids) : pixels * (4 + 36 + (this->Sums[3] ? 16 : 0) + 4 + 4);
 }
 
 //------------------------------------------------------------------------------
@@ -142,12 +150,20 @@ void vtkPointSplatImages::Bind(
     bind(1, this->BufferTextures[1], "Sums");
     program->SetUniformi("ImageWidth", this->Size.x);
     program->SetUniformi("TexelsPerPixel", this->GetSumStride() / 4);
+    if (this->Factors > 0)
+    {
+      program->SetUniformi("FactorWord", this->GetFactorWord());
+    }
   }
   else
   {
     bind(1, this->Sums[0], "WeightAndNormal");
     bind(2, this->Sums[1], "DepthAndColour");
     bind(4, this->Sums[2], "Opacities");
+    if (this->Sums[3])
+    {
+      bind(5, this->Sums[3], "Factors");
+    }
   }
   if (withIds)
   {
@@ -183,14 +199,14 @@ void vtkPointSplatImages::Release()
   else
   {
     const GLuint textures[] = { this->Depths, this->Sums[0], this->Sums[1], this->Sums[2],
-      this->Ids, this->DepthAttachment };
-    glDeleteTextures(6, textures);
+      this->Sums[3], this->Ids, this->DepthAttachment };
+    glDeleteTextures(7, textures);
     if (this->Framebuffer)
     {
       glDeleteFramebuffers(1, &this->Framebuffer);
     }
   }
-  this->Depths = this->Sums[0] = this->Sums[1] = this->Sums[2] = this->Ids = this->DepthAttachment = 0;
+  this->Depths = this->Sums[0] = this->Sums[1] = this->Sums[2] = this->Sums[3] = this->Ids = this->DepthAttachment = 0;
   this->Framebuffer = 0;
   std::fill_n(this->BufferTextures, 3, 0u);
   this->Size = glm::ivec2(0);

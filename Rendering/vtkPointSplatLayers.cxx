@@ -91,11 +91,13 @@ bool vtkPointSplatLayers::BuildLayer(
   }
   vtkPointSplatImages& images = *this->Layers[index];
   bool colours = false;
+  int factors = 0;
   // Only the rows that something can cover are emptied, and read.
   glm::ivec4 rows(0, r.View.Size.y, r.View.Size.x - 1, -1);
   for (const vtkPointSplatItem& item : r.Items)
   {
     colours = colours || item.Cloud->HasColours();
+    factors = std::max(factors, item.FactorCount);
     if (item.Window.x <= item.Window.z)
     {
       rows.y = std::min(rows.y, item.Window.y);
@@ -110,7 +112,7 @@ bool vtkPointSplatLayers::BuildLayer(
   {
     peel.Previous.push_back(this->Layers[k - 1].get());
   }
-  images.Allocate(r.Compute, r.View.Size, colours || peel.Gather);
+  images.Allocate(r.Compute, r.View.Size, colours || peel.Gather, factors);
   if (r.Compute)
   {
     images.ClearBuffers(rows);

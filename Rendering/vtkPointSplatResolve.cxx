@@ -14,6 +14,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkPointSplatImages.h"
 #include "vtkPointSplatMapper.h"
+#include "vtkPointSplatShadowCache.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSSAOPass.h"
@@ -76,7 +77,7 @@ using Vectors = const float (*)[3];
 
 //------------------------------------------------------------------------------
 void vtkPointSplatResolve::SetLights(vtkRenderer* renderer, const vtkPointSplatView& view,
-  vtkShaderProgram* program, int level, int count)
+  vtkShaderProgram* program, int level, int count, int factors)
 {
   if (level == 0)
   {
@@ -87,6 +88,8 @@ void vtkPointSplatResolve::SetLights(vtkRenderer* renderer, const vtkPointSplatV
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> attenuations;
   std::vector<int> positional;
+  std::vector<int> components;
+  int casting = 0;
   std::vector<glm::vec2> cones;
   vtkCollectionSimpleIterator it;
   renderer->GetLights()->InitTraversal(it);
@@ -106,11 +109,17 @@ void vtkPointSplatResolve::SetLights(vtkRenderer* renderer, const vtkPointSplatV
     attenuations.push_back(Multiply(light->GetAttenuationValues(), 1.0));
     cones.emplace_back(light->GetConeAngle(), light->GetExponent());
     positional.push_back(light->GetPositional());
+    const bool casts = vtkPointSplatShadowCache::Casts(light) && casting < factors;
+    components.push_back(casts ? casting++ : -1);
   }
   program->SetUniform3fv("LightColour", count, reinterpret_cast<Vectors>(colours.data()));
   if (level > 1)
   {
     program->SetUniform3fv("LightDirection", count, reinterpret_cast<Vectors>(directions.data()));
+    if (factors > 0)
+    {
+      program->SetUniform1iv("LightFactor", count, components.data());
+    }
   }
   if (level > 2)
   {
@@ -164,11 +173,11 @@ std::string vtkPointSplatResolve::LightDefines(vtkRenderer* renderer, vtkActor* 
 
 //------------------------------------------------------------------------------
 void vtkPointSplatResolve::SetShading(vtkRenderer* renderer, vtkActor* actor,
-  const vtkPointSplatView& view, bool colours, vtkShaderProgram* program)
+  const vtkPointSplatView& view, bool colours, vtkShaderProgram* program, int factors)
 {
   int count = 0;
   const int level = LightLevel(renderer, actor, count);
-  vtkPointSplatResolve::SetLights(renderer, view, program, level, count);
+  vtkPointSplatResolve::SetLights(renderer, view, program, level, count, factors);
   vtkPointSplatResolve::SetMaterial(actor, colours, program);
 }
 
@@ -202,6 +211,10 @@ bool vtkPointSplatResolve::Present(vtkRenderer* renderer, vtkActor* actor,
   {
     defines += "#define COMPUTE_IMAGES\n";
   }
+  if (shaded && images.GetFactorCount() > 0)
+  {
+    defines += "#define FACTORS\n";
+  }
   vtkShaderProgram::Substitute(fragment, "//PointSplat::Defines", defines);
   vtkShaderProgram::Substitute(fragment, "//PointSplat::GeometryBuffer",
     geometryBuffer && output == Shaded
@@ -232,7 +245,8 @@ bool vtkPointSplatResolve::Present(vtkRenderer* renderer, vtkActor* actor,
   if (shaded)
   {
     vtkPointSplatResolve::SetShading(
-      renderer, actor, view, item.Cloud->HasColours() || gathered, program);
+      renderer, actor, view, item.Cloud->HasColours() || gathered, program,
+      images.GetFactorCount());
     if (gathered)
     {
       // The points' opacities hold the actors' own.

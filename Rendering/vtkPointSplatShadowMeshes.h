@@ -8,25 +8,26 @@
 
 #include "vtkPointSplattingOpenGL.h"
 
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
-
-#include "vtkPointSplattingABI.h"
 
 #include <glm/glm.hpp>
 
 #include <map>
 #include <vector>
 
-VTK_ABI_NAMESPACE_BEGIN
-class vtkPolyData;
-VTK_ABI_NAMESPACE_END
-
 struct vtkPointSplatShadowMesh
 {
   vtkSmartPointer<vtkPolyData> Data;
   glm::dmat4 MCWC{ 1.0 };
   std::vector<glm::dvec4> ClipPlanes; // world coordinates
+
+  bool operator==(const vtkPointSplatShadowMesh& other) const
+  {
+    return this->Data == other.Data && this->MCWC == other.MCWC &&
+      this->ClipPlanes == other.ClipPlanes;
+  }
 };
 
 class vtkPointSplatShadowMeshes

@@ -47,6 +47,14 @@ struct vtkPointSplatShadows::Face
 };
 
 //------------------------------------------------------------------------------
+bool vtkPointSplatShadowCloud::operator==(const vtkPointSplatShadowCloud& other) const
+{
+  return this->Cloud == other.Cloud && this->MCWC == other.MCWC &&
+    this->ClipPlanes == other.ClipPlanes && this->Casts == other.Casts &&
+    this->Receives == other.Receives;
+}
+
+//------------------------------------------------------------------------------
 double vtkPointSplatShadowCloud::GetStretch() const
 {
   const glm::dmat3 linear(this->MCWC);

@@ -45,6 +45,7 @@ struct vtkPointSplatShadowCloud
   bool Casts = true;
   bool Receives = true;
 
+  bool operator==(const vtkPointSplatShadowCloud& other) const;
   double GetStretch() const; // of lengths, by the matrix, in the mean
 };
 

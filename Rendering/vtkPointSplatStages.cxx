@@ -65,7 +65,8 @@ bool vtkPointSplatItem::operator==(const vtkPointSplatItem& other) const
     this->LayerDistance == other.LayerDistance && this->KernelType == other.KernelType &&
     this->KernelShape == other.KernelShape && this->KernelSupport == other.KernelSupport &&
     this->ClipPlanes == other.ClipPlanes && this->Colour == other.Colour &&
-    this->CoveringScale == other.CoveringScale;
+    this->CoveringScale == other.CoveringScale && this->Factors == other.Factors &&
+    this->FactorCount == other.FactorCount && this->FactorVersion == other.FactorVersion;
 }
 
 //------------------------------------------------------------------------------
@@ -78,7 +79,7 @@ bool vtkPointSplatStages::ComputeSupported(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-vtkPointSplatProgram* vtkPointSplatStages::Use(Program which)
+vtkPointSplatProgram* vtkPointSplatStages::Use(Program which, bool factors)
 {
   static const struct
   {
@@ -93,7 +94,7 @@ vtkPointSplatProgram* vtkPointSplatStages::Use(Program which)
     { nullptr, "vtkPointSplatVisibilityCS", true }, { nullptr, "vtkPointSplatAccumulateCS", true },
     { "vtkPointSplatQuadVS", "vtkPointSplatVisibilityFS", true },
     { "vtkPointSplatQuadVS", "vtkPointSplatAccumulateFS", true } };
-  vtkPointSplatProgram& program = this->Programs[which];
+  vtkPointSplatProgram& program = this->Programs[factors ? 1 : 0][which];
   if (!program.IsBuilt())
   {
     std::vector<std::pair<GLenum, std::string>> stages;
@@ -106,7 +107,9 @@ vtkPointSplatProgram* vtkPointSplatStages::Use(Program which)
     {
       stages.emplace_back(GL_COMPUTE_SHADER, files[which].Other);
     }
-    if (!program.Build(stages, files[which].Peeling ? "#define PEELING\n" : ""))
+    if (!program.Build(stages,
+          std::string(files[which].Peeling ? "#define PEELING\n" : "") +
+            (factors ? "#define FACTORS\n" : "")))
     {
       this->Error = program.GetLog();
       return nullptr;
@@ -152,6 +155,7 @@ void vtkPointSplatStages::SetItem(vtkPointSplatProgram& program, const vtkPointS
   program.Set("KernelShape", item.KernelShape);
   program.Set("KernelSupport", static_cast<float>(item.KernelSupport));
   program.Set("HasColours", item.Cloud->HasColours());
+  program.Set("HasFactors", item.Factors != 0);
   program.Set("ItemColour", glm::vec4(1.0f));
   program.Set("ImageWidth", imageSize.x);
   program.Set("ImageSize", imageSize);
@@ -269,7 +273,8 @@ bool vtkPointSplatStages::ReconstructByCompute(vtkOpenGLRenderWindow* window,
       return true;
     }
   }
-  program = this->Use(peel ? PeelAccumulateCompute : AccumulateCompute);
+  program =
+    this->Use(peel ? PeelAccumulateCompute : AccumulateCompute, images.GetFactorWords() > 0);
   if (!program)
   {
     return false;
@@ -285,11 +290,17 @@ bool vtkPointSplatStages::ReconstructByCompute(vtkOpenGLRenderWindow* window,
     program->Set("PrefilterRadius", PrefilterRadius);
     program->Set("DepthUnit", depthUnit);
     program->Set("SumStride", images.GetSumStride());
+    program->Set("FactorWord", images.GetFactorWord());
+    program->Set("FactorWords", images.GetFactorWords());
     if (peel && peel->Gather)
     {
       program->Set("ItemColour", item.Colour);
     }
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, item.Cloud->Upload(window).Colours);
+    if (images.GetFactorWords() > 0)
+    {
+      glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 6, item.Factors);
+    }
     draw(i, true);
   }
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
@@ -340,9 +351,14 @@ void vtkPointSplatStages::BindQuads(const vtkPointSplatItem& item,
     glBindBuffer(GL_ARRAY_BUFFER, buffers.Colours);
     glVertexAttribPointer(3, 4, GL_UNSIGNED_BYTE, GL_TRUE, 4, at(0, 4));
   }
+  if (item.Factors)
+  {
+    glBindBuffer(GL_ARRAY_BUFFER, item.Factors);
+    glVertexAttribPointer(6, 4, GL_UNSIGNED_BYTE, GL_TRUE, 4, at(0, 4));
+  }
   glBindBuffer(GL_ARRAY_BUFFER, 0);
-  const bool used[] = { true, true, true, colours, axes, axes };
-  for (GLuint i = 0; i < 6; ++i)
+  const bool used[] = { true, true, true, colours, axes, axes, item.Factors != 0 };
+  for (GLuint i = 0; i < 7; ++i)
   {
     if (used[i])
     {
@@ -377,7 +393,8 @@ bool vtkPointSplatStages::ReconstructByQuads(vtkOpenGLRenderWindow* window,
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, images.GetFramebuffer());
 
   // Visibility: the nearest depth of all disks.
-  GLenum all[] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2 };
+  GLenum all[] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2,
+    GL_COLOR_ATTACHMENT3 };
   const GLuint none[4] = { 0xffffffffu, 0xffffffffu, 0xffffffffu, 0xffffffffu };
   const GLfloat zero[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
   const GLfloat farthest = 1.0f;
@@ -430,8 +447,11 @@ bool vtkPointSplatStages::ReconstructByQuads(vtkOpenGLRenderWindow* window,
     GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, images.GetSums(1), 0);
   glFramebufferTexture2D(
     GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT2, GL_TEXTURE_2D, images.GetSums(2), 0);
-  state->vtkglDrawBuffers(3, all);
-  for (GLint k = 0; k < 3; ++k)
+  const int targets = images.GetFactorWords() > 0 ? 4 : 3;
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT3, GL_TEXTURE_2D,
+    targets > 3 ? images.GetSums(3) : 0, 0);
+  state->vtkglDrawBuffers(static_cast<unsigned int>(targets), all);
+  for (GLint k = 0; k < targets; ++k)
   {
     glClearBufferfv(GL_COLOR, k, zero);
   }
@@ -440,7 +460,7 @@ bool vtkPointSplatStages::ReconstructByQuads(vtkOpenGLRenderWindow* window,
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendEquation(GL_FUNC_ADD); // depth peeling takes maxima
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
-  program = this->Use(peel ? PeelAccumulateQuads : AccumulateQuads);
+  program = this->Use(peel ? PeelAccumulateQuads : AccumulateQuads, targets > 3);
   if (!program)
   {
     return false;
@@ -459,6 +479,8 @@ bool vtkPointSplatStages::ReconstructByQuads(vtkOpenGLRenderWindow* window,
     }
     this->DrawQuads(item, item.Cloud->Upload(window), 0);
   }
+  // The other stages know three colour attachments.
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT3, GL_TEXTURE_2D, 0, 0);
   return true;
 }
 
@@ -574,9 +596,12 @@ bool vtkPointSplatStages::Identify(vtkOpenGLRenderWindow* window, const vtkPoint
 //------------------------------------------------------------------------------
 void vtkPointSplatStages::Release()
 {
-  for (vtkPointSplatProgram& program : this->Programs)
+  for (auto& programs : this->Programs)
   {
-    program.Release();
+    for (vtkPointSplatProgram& program : programs)
+    {
+      program.Release();
+    }
   }
   if (this->Found)
   {

@@ -42,6 +42,9 @@ struct vtkPointSplatItem
   double KernelSupport = 1.5;
   std::vector<glm::dvec4> ClipPlanes; // world coordinates
   glm::ivec4 Window{ 0 };             // pixels that it can cover
+  GLuint Factors = 0;                 // a buffer: RGBA, 8 bits each, of as many lights, a splat
+  int FactorCount = 0;                // the lights
+  unsigned long FactorVersion = 0;    // counts what was in the buffer
   double CoveringScale = 1.0;         // how much larger group-sorted splats are drawn
   glm::vec4 Colour{ 1.0f };           // and opacity, where layers of several items are gathered
 
@@ -142,7 +145,7 @@ private:
     PeelAccumulateQuads,
     NumberOfPrograms
   };
-  vtkPointSplatProgram* Use(Program which);
+  vtkPointSplatProgram* Use(Program which, bool factors = false);
   static void Dispatch(vtkPointSplatProgram& program, vtkPointSplatUnits& units,
     vtkIdType splats, vtkPointSplatCloud::Buffers& buffers);
   void PrepareLists(const std::vector<vtkPointSplatItem>& items, int layer);
@@ -156,7 +159,7 @@ private:
     const std::vector<vtkPointSplatItem>& items, vtkPointSplatImages& images,
     vtkPointSplatCloud::IdKind kind);
 
-  vtkPointSplatProgram Programs[NumberOfPrograms];
+  vtkPointSplatProgram Programs[2][NumberOfPrograms]; // the latter with factors of lights
   GLuint Found = 0; // a buffer: whether compute shaders found anything
 
   /**

@@ -27,6 +27,13 @@ uniform bool Gather;           // all that is behind, weighted by opacity
 #else
 const bool Gather = false;
 #endif
+#ifdef FACTORS
+layout(std430, binding = 6) readonly buffer Factors { uint factors[]; };
+
+uniform bool HasFactors;
+uniform int FactorWord;        // where they begin
+uniform int FactorWords;       // 1 or 2
+#endif
 uniform vec4 ItemColour;       // multiplies the points' colours
 uniform float PrefilterRadius; // pixels
 uniform bool HasColours;
@@ -58,6 +65,15 @@ void add(Splat q, uint index, int at, Hit hit, float behind)
     atomicAdd(sums[at + 3], packSums(sum.r, sum.g));
     atomicAdd(sums[at + 4], packSums(sum.b, sum.a));
   }
+#ifdef FACTORS
+  ivec4 lit =
+    ivec4(round(weight * (HasFactors ? unpackUnorm4x8(factors[index]) : vec4(1.0))));
+  atomicAdd(sums[at + FactorWord], packSums(lit.x, lit.y));
+  if (FactorWords > 1)
+  {
+    atomicAdd(sums[at + FactorWord + 1], packSums(lit.z, lit.w));
+  }
+#endif
 }
 
 void drawPixel(Splat q, uint index, ivec2 pixel)

@@ -5,7 +5,8 @@
 // Attribute accumulation, by quads and additive blending: see
 // vtkPointSplatAccumulateCS.
 // Reads: the coded depths. Writes: two RGBA32F images, weight and normal, depth
-// behind the nearest and colour, and one R32F with the opacity; each times the weight.
+// behind the nearest and colour, one R32F with the opacity, and where lights cast shadows one
+// RGBA32F with their factors; each times the weight.
 
 #include "vtkPointSplatQuadFS"
 #include "vtkPointSplatKernel"
@@ -29,6 +30,9 @@ uniform vec4 ItemColour;
 layout(location = 0) out vec4 weightAndNormal;
 layout(location = 1) out vec4 depthAndColour;
 layout(location = 2) out float opacity;
+#ifdef FACTORS
+layout(location = 3) out vec4 factors;
+#endif
 
 void main()
 {
@@ -64,4 +68,7 @@ void main()
   weightAndNormal = weight * vec4(1.0, turned * normalAt(q, hit.uv));
   depthAndColour = weight * vec4(behind, colour.rgb);
   opacity = weight * colour.a;
+#ifdef FACTORS
+  factors = weight * splatFactors;
+#endif
 }

@@ -42,6 +42,19 @@ bool fetchSums(ivec2 pixel, out vec3 normal, out float behind, out vec4 colour)
   return a.x > 0 && a.x < WeightOverflow;
 }
 
+#ifdef FACTORS
+uniform int FactorWord; // 3, or 5 with colours
+
+vec4 fetchFactors(ivec2 pixel)
+{
+  int at = (pixel.y * ImageWidth + pixel.x) * TexelsPerPixel;
+  ivec4 a = texelFetch(Sums, at);
+  ivec4 b = TexelsPerPixel > 1 ? texelFetch(Sums, at + 1) : ivec4(0);
+  ivec2 words = FactorWord == 3 ? ivec2(a.w, b.x) : b.yz;
+  return vec4(unpackSums(words.x), unpackSums(words.y)) / float(a.x);
+}
+#endif
+
 #else
 
 uniform usampler2D Depths;
@@ -70,5 +83,14 @@ bool fetchSums(ivec2 pixel, out vec3 normal, out float behind, out vec4 colour)
   colour = vec4(b.yzw, texelFetch(Opacities, pixel, 0).r) / a.x;
   return a.x > 0.0;
 }
+
+#ifdef FACTORS
+uniform sampler2D Factors;
+
+vec4 fetchFactors(ivec2 pixel)
+{
+  return texelFetch(Factors, pixel, 0) / texelFetch(WeightAndNormal, pixel, 0).x;
+}
+#endif
 
 #endif

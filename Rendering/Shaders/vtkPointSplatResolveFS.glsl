@@ -102,6 +102,9 @@ void main()
     m.ambient *= colour.rgb;
     m.diffuse *= colour.rgb;
   }
+#ifdef FACTORS
+  lightFactors = summed ? fetchFactors(at) : vec4(1.0);
+#endif
   gl_FragData[0] = vec4(agreement * shade(m, positionVC.xyz, normalVC),
     Opacity[side] * (HasColours ? colour.a : 1.0));
 #if OUTPUT == 3
