@@ -124,8 +124,8 @@ public:
   ///@{
   /**
    * Pixels along the shadow map's longer side, or along each side of a cube's faces. 0, the
-   * default, is automatic: such that a pixel is as large as a splat radius of median size, and no
-   * more than 4096.
+   * default, is automatic: such that a splat radius of median size has two pixels, and no more
+   * than 4096.
    */
   vtkSetClampMacro(Resolution, int, 0, 16384);
   vtkGetMacro(Resolution, int);

@@ -17,9 +17,10 @@ namespace
 constexpr GLuint GroupSize = 64;     // as in vtkPointSplatShadowProjectCS.glsl
 constexpr GLuint MostGroups = 32768; // in one dimension; OpenGL promises 65535
 constexpr int LargestMap = 4096;     // pixels along a side, of automatic resolutions
+constexpr double PixelFraction = 0.5; // of a splat's radius: an automatic map's pixel
 
-// The automatic d~: in distances of neighbouring points, and in pixels.
-constexpr double LayerSpacings = 1.0;
+// The automatic d~: in splat radii, and in pixels.
+constexpr double LayerRadii = 1.0;
 constexpr double LayerPixels = 1.5;
 
 // Steps of hole filling, of empty and of occluded pixels. Disks leave few holes, and no large ones.
@@ -394,7 +395,7 @@ bool vtkPointSplatShadows::Cast(vtkOpenGLRenderWindow* window,
 {
   factors.assign(clouds.size(), std::vector<float>());
   std::vector<glm::dvec3> corners;
-  double spacing = 0.0;
+  double radius = 0.0; // of median splats, of the coarsest cloud
   for (const vtkPointSplatShadowCloud& cloud : clouds)
   {
     if (cloud.Cloud->GetNumberOfSplats() == 0)
@@ -407,7 +408,7 @@ bool vtkPointSplatShadows::Cast(vtkOpenGLRenderWindow* window,
       corners.emplace_back(cloud.MCWC *
         glm::dvec4(bounds[k & 1], bounds[2 + (k >> 1 & 1)], bounds[4 + (k >> 2 & 1)], 1.0));
     }
-    spacing = std::max(spacing, cloud.GetStretch() * cloud.Cloud->GetMedianRadius());
+    radius = std::max(radius, cloud.GetStretch() * cloud.Cloud->GetMedianRadius());
   }
   if (corners.empty())
   {
@@ -430,7 +431,7 @@ bool vtkPointSplatShadows::Cast(vtkOpenGLRenderWindow* window,
   for (const vtkPointSplatShadowLight& sample : samples)
   {
     const vtkPointSplatShadowView view = vtkPointSplatShadowView::Fit(
-      sample, corners, spacing, settings.Resolution, static_cast<int>(largest));
+      sample, corners, PixelFraction * radius, settings.Resolution, static_cast<int>(largest));
     this->Allocate(window, view.Size);
     state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
     GLenum target = GL_COLOR_ATTACHMENT0;
@@ -441,7 +442,7 @@ bool vtkPointSplatShadows::Cast(vtkOpenGLRenderWindow* window,
     state->vtkglDisable(GL_BLEND);
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     const bool automatic = settings.LayerDistance <= 0.0;
-    Face face{ &view, -1, automatic ? LayerSpacings * spacing : settings.LayerDistance,
+    Face face{ &view, -1, automatic ? LayerRadii * radius : settings.LayerDistance,
       automatic ? LayerPixels : 0.0 };
     for (int k = 0; k < (view.Cube ? 6 : 1) && good; ++k)
     {

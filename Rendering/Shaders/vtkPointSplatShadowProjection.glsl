@@ -19,6 +19,10 @@ uniform vec4 ClipPlanes[6];    // cloud's local coordinates; what is negative is
 
 // The most pixels of a disk's radius.
 const float LargestReach = 16.0;
+// Disks of a smaller radius, in pixels, cover the pixel of their centre in any case, or they might
+// fall between pixels; larger ones cover their neighbours' centres, and would stand out over
+// outlines by half a pixel.
+const float SmallDisk = 1.2;
 
 struct Seen
 {
@@ -79,11 +83,11 @@ int reachOf(Seen s)
   return int(clamp(ceil(s.radius / pixel), 0.0, LargestReach));
 }
 
-// The texel that a splat gives a pixel: where the light's ray meets its disk, if it does. Its own
-// pixel gets one in any case, or points might fall between pixels.
+// The texel that a splat gives a pixel: where the light's ray meets its disk, if it does.
 uint texelOf(Seen s, ivec2 pixel)
 {
-  if (pixel == ivec2(s.pixel))
+  if (pixel == ivec2(s.pixel) &&
+    s.radius < SmallDisk * (Parallel ? PixelSize : PixelSize * s.depth))
   {
     return encodeShadow(s.depth, s.facing);
   }
