@@ -98,7 +98,8 @@ bool vtkPointSplatShadowCache::Scene::IsLike(const Scene& other) const
 //------------------------------------------------------------------------------
 bool vtkPointSplatShadowCache::Casts(vtkLight* light)
 {
-  return light->GetSwitch() && !light->LightTypeIsHeadlight();
+  return light->GetSwitch() && !light->LightTypeIsHeadlight() &&
+    vtkPointSplatShadowLight::From(light, 0.0).IsFinite();
 }
 
 //------------------------------------------------------------------------------
@@ -205,18 +206,16 @@ vtkPointSplatShadowCache::Scene vtkPointSplatShadowCache::Gather(
     {
       continue;
     }
-    const auto caster =
-      vtkPointSplatShadowLight::From(light, receivers[0]->GetShadowLightRadius());
-    if (scene.Lights.size() < static_cast<size_t>(MaximumLights) && caster.IsFinite())
+    if (scene.Lights.size() < static_cast<size_t>(MaximumLights))
     {
-      scene.Lights.push_back(caster);
+      scene.Lights.push_back(
+        vtkPointSplatShadowLight::From(light, receivers[0]->GetShadowLightRadius()));
     }
     else if (!this->Warned)
     {
       this->Warned = true;
       vtkWarningWithObjectMacro(receivers[0], << "Only the first " << MaximumLights
-                                              << " lights cast shadows, and lights whose "
-                                                 "place is finite; turn others off.");
+                                              << " lights cast shadows; turn others off.");
     }
   }
   return scene;

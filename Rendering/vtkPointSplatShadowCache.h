@@ -30,7 +30,8 @@ public:
   void operator=(const vtkPointSplatShadowCache&) = delete;
 
   /**
-   * Whether a light has factors at all: headlights have none.
+   * Whether a light has factors at all: headlights have none, nor lights that are off or at no
+   * finite place.
    */
   static bool Casts(vtkLight* light);
 
