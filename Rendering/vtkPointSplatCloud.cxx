@@ -85,9 +85,11 @@ void vtkPointSplatCloud::Update(vtkPointSplatMapper* mapper, vtkDataObject* inpu
   const bool same = input == this->Input && blocks.size() == this->Blocks.size() &&
     std::equal(blocks.begin(), blocks.end(), this->Blocks.begin(),
       [](const Block& a, const Block& b) { return a.Data == b.Data; });
-  if (!same || changed > this->SplatTime)
+  // Points that are projected as single pixels need no sizes.
+  const bool needSizes = mapper->GetMethod() != vtkPointSplatMapper::IMAGE_SPACE;
+  if (!same || changed > this->SplatTime || (needSizes && !this->Sized))
   {
-    this->BuildSplats(mapper, blocks);
+    this->BuildSplats(mapper, blocks, needSizes);
     this->BuildFactors(mapper, blocks);
     this->Input = input;
     this->Blocks = std::move(blocks);
@@ -101,7 +103,8 @@ void vtkPointSplatCloud::Update(vtkPointSplatMapper* mapper, vtkDataObject* inpu
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatCloud::BuildSplats(vtkPointSplatMapper* mapper, std::vector<Block>& blocks)
+void vtkPointSplatCloud::BuildSplats(
+  vtkPointSplatMapper* mapper, std::vector<Block>& blocks, bool needSizes)
 {
   this->Splats.clear();
   this->Count = 0;
@@ -110,6 +113,8 @@ void vtkPointSplatCloud::BuildSplats(vtkPointSplatMapper* mapper, std::vector<Bl
   this->Order.clear();
   this->GroupStarts.clear();
   this->Circular = true;
+  this->Sized = true;
+  this->Spacing = 0.0;
   this->MedianRadius = this->MaximumRadius = 0.0;
   this->Bounds = { { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 } };
 
@@ -118,8 +123,9 @@ void vtkPointSplatCloud::BuildSplats(vtkPointSplatMapper* mapper, std::vector<Bl
   double high[3] = { -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
   for (const Block& block : blocks)
   {
-    packings.push_back(vtkPointSplatPacking::Collect(mapper, block.Data));
+    packings.push_back(vtkPointSplatPacking::Collect(mapper, block.Data, needSizes));
     this->Circular = this->Circular && !packings.back().Axis1;
+    this->Sized = this->Sized && (packings.back().Radius || packings.back().Axis1);
     this->Points += block.Data->GetNumberOfPoints();
     double range[2];
     for (int k = 0; k < 3; ++k)
@@ -148,7 +154,7 @@ void vtkPointSplatCloud::BuildSplats(vtkPointSplatMapper* mapper, std::vector<Bl
     block.First = this->Count;
     block.Count = 0;
     const vtkPointSplatPacking& a = packings[b];
-    if (!a.Normals || !(a.Radius || a.Axis1) || a.Normals->GetNumberOfTuples() != n ||
+    if (!a.Normals || (needSizes && !(a.Radius || a.Axis1)) || a.Normals->GetNumberOfTuples() != n ||
       a.Normals->GetNumberOfComponents() != 3)
     {
       vtkErrorWithObjectMacro(mapper, << "A block of " << n
@@ -297,6 +303,51 @@ void vtkPointSplatCloud::BuildFactors(
 vtkMTimeType vtkPointSplatCloud::GetGeometryMTime() const
 {
   return std::max(this->SplatTime.GetMTime(), this->GroupTime.GetMTime());
+}
+
+//------------------------------------------------------------------------------
+double vtkPointSplatCloud::GetSpacing()
+{
+  if (this->Spacing > 0.0 || this->Count == 0)
+  {
+    return this->Spacing;
+  }
+  // From the surface's area, which is that of the grid cells that it passes through: some
+  // ten points each, and by a half more cells than it would fill.
+  constexpr double PointsPerCell = 10.0;
+  constexpr double CellsPerFilledCell = 1.5;
+  constexpr int MostCells = 256;
+  double size = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    size = std::max(size, this->Bounds[2 * k + 1] - this->Bounds[2 * k]);
+  }
+  const int cells = std::clamp(
+    static_cast<int>(std::sqrt(static_cast<double>(this->Count) / PointsPerCell)), 1, MostCells);
+  const double cell = size / cells;
+  if (!(cell > 0.0) || !std::isfinite(cell))
+  {
+    return 0.0; // all points in one place
+  }
+  std::vector<bool> occupied(static_cast<size_t>(cells) * cells * cells, false);
+  vtkIdType filled = 0;
+  const size_t words = this->GetWordsPerSplat();
+  for (vtkIdType i = 0; i < this->Count; ++i)
+  {
+    const float* p =
+      reinterpret_cast<const float*>(this->Splats.data() + words * static_cast<size_t>(i));
+    size_t at = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const double x = (p[k] + this->Origin[k] - this->Bounds[2 * k]) / cell;
+      at = at * static_cast<size_t>(cells) +
+        static_cast<size_t>(std::clamp(static_cast<int>(x), 0, cells - 1));
+    }
+    filled += occupied[at] ? 0 : 1;
+    occupied[at] = true;
+  }
+  this->Spacing = cell * std::sqrt(filled / CellsPerFilledCell / this->Count);
+  return this->Spacing;
 }
 
 //------------------------------------------------------------------------------

@@ -134,6 +134,8 @@ public:
   int GetFactorCount() const { return this->FactorCount; }
   double GetMedianRadius() const { return this->MedianRadius; }
   double GetMaximumRadius() const { return this->MaximumRadius; }
+  /// The mean distance of neighbouring points, world units, roughly.
+  double GetSpacing();
   const std::array<double, 3>& GetOrigin() const { return this->Origin; }
   const std::array<double, 6>& GetBounds() const { return this->Bounds; }
   vtkMTimeType GetMTime() const;
@@ -149,7 +151,7 @@ private:
     vtkIdType Count;
   };
   static std::vector<Block> Gather(vtkDataObject* input);
-  void BuildSplats(vtkPointSplatMapper* mapper, std::vector<Block>& blocks);
+  void BuildSplats(vtkPointSplatMapper* mapper, std::vector<Block>& blocks, bool needSizes);
   void BuildColours(vtkPointSplatMapper* mapper, const std::vector<Block>& blocks);
   void BuildFactors(vtkPointSplatMapper* mapper, const std::vector<Block>& blocks);
   std::vector<uint32_t> MakeIdMap(IdKind kind) const;
@@ -169,6 +171,8 @@ private:
   vtkIdType Points = 0;
   vtkIdType Skipped = 0;
   bool Circular = true;
+  bool Sized = true;    // whether all splats have a radius
+  double Spacing = 0.0; // 0: not yet found
   double MedianRadius = 0.0;
   double MaximumRadius = 0.0;
   std::array<double, 3> Origin{ { 0.0, 0.0, 0.0 } };

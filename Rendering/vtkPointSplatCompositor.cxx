@@ -262,6 +262,11 @@ bool vtkPointSplatCompositor::Build(vtkRenderer* renderer, const vtkPointSplatVi
     request.LeastOpacity = 1.0;
   }
   sorted = vtkPointSplatFlat::None;
+  bool points = false;
+  for (const Entry& entry : entries)
+  {
+    points = points || entry.Mapper->GetMethod() == vtkPointSplatMapper::IMAGE_SPACE;
+  }
   for (const Entry& entry : entries)
   {
     const int wanted = entry.Mapper->GetTransparency();
@@ -278,10 +283,11 @@ bool vtkPointSplatCompositor::Build(vtkRenderer* renderer, const vtkPointSplatVi
     request.SceneDepth = this->CaptureScene(renderer, view, failed);
     request.Frame = this->Frame;
     flat = flat && !failed;
-    sorted = flat ? sorted : vtkPointSplatFlat::None;
+    // Points that are projected as single pixels have no extent to be sorted with.
+    sorted = flat && !points ? sorted : vtkPointSplatFlat::None;
   }
   const bool deferred =
-    !translucent && this->WantsDeferred(entries, view.Size, request.Compute);
+    !translucent && !points && this->WantsDeferred(entries, view.Size, request.Compute);
   request.Compute = request.Compute && !deferred;
   for (Entry& entry : entries)
   {
@@ -293,6 +299,12 @@ bool vtkPointSplatCompositor::Build(vtkRenderer* renderer, const vtkPointSplatVi
     entry.Item.CoveringScale = scale;
     layer = std::max(layer, entry.Item.LargestLayer);
     voronoi = voronoi && mapper->GetVoronoiDepth();
+    if (entry.Item.Points)
+    {
+      request.FillSteps = std::max(request.FillSteps,
+        std::min(mapper->GetMaximumNumberOfFillSteps(),
+          entry.Item.SpacingPixels > 0.5 ? 2 : 1));
+    }
     if (translucent)
     {
       request.MaximumLayers = std::max(request.MaximumLayers, mapper->GetMaximumNumberOfLayers());

@@ -67,6 +67,7 @@ public:
   bool IsCompute() const { return this->Last && this->Last->GetRequest().Compute; }
   bool IsDeferred() const { return this->Last && this->Last->GetRequest().VoronoiScale >= 0.0f; }
   const char* GetTransparencyUsed() const { return this->TransparencyUsed; }
+  int GetNumberOfFillSteps() const { return this->Last ? this->Last->GetNumberOfFillSteps() : 0; }
   int GetNumberOfLayers() const { return this->Last ? this->Last->GetNumberOfLayers() : 0; }
   ///@}
 

@@ -4,6 +4,8 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkPointSplatProgram.h"
+#include "vtkPointSplatUnits.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureUnitManager.h"
 
@@ -15,29 +17,6 @@ namespace
 constexpr GLsizeiptr DepthBytes = 4;
 constexpr GLsizeiptr LargestSumBytes = 32;
 constexpr GLsizeiptr IdBytes = 8;
-
-void MakeTexture(GLuint& texture, const glm::ivec2& size, GLenum internal, GLenum format, GLenum type)
-{
-  glGenTextures(1, &texture);
-  glBindTexture(GL_TEXTURE_2D, texture);
-  glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal), size.x, size.y, 0, format, type,
-    nullptr);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-}
-
-void MakeBuffer(GLuint& buffer, GLuint& texture, GLsizeiptr bytes, GLenum format)
-{
-  glGenBuffers(1, &buffer);
-  glBindBuffer(GL_TEXTURE_BUFFER, buffer);
-  glBufferData(GL_TEXTURE_BUFFER, bytes, nullptr, GL_DYNAMIC_COPY);
-  glGenTextures(1, &texture);
-  glBindTexture(GL_TEXTURE_BUFFER, texture);
-  glTexBuffer(GL_TEXTURE_BUFFER, format, buffer);
-  glBindTexture(GL_TEXTURE_BUFFER, 0);
-  glBindBuffer(GL_TEXTURE_BUFFER, 0);
-}
 
 void ClearRows(GLuint buffer, GLsizeiptr bytesPerPixel, int width, const glm::ivec4& window,
   GLenum internal, GLenum format, GLenum type, const void* value)
@@ -51,6 +30,36 @@ void ClearRows(GLuint buffer, GLsizeiptr bytesPerPixel, int width, const glm::iv
     bytesPerPixel * width * (window.w - window.y + 1), format, type, value);
   glBindBuffer(GL_TEXTURE_BUFFER, 0);
 }
+}
+
+//------------------------------------------------------------------------------
+GLuint vtkPointSplatImages::MakeTexture(
+  const glm::ivec2& size, GLenum internal, GLenum format, GLenum type)
+{
+  GLuint texture = 0;
+  glGenTextures(1, &texture);
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal), size.x, size.y, 0, format, type,
+    nullptr);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  glBindTexture(GL_TEXTURE_2D, 0);
+  return texture;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatImages::MakeBuffer(
+  GLuint& buffer, GLuint& texture, GLsizeiptr bytes, GLenum format)
+{
+  glGenBuffers(1, &buffer);
+  glBindBuffer(GL_TEXTURE_BUFFER, buffer);
+  glBufferData(GL_TEXTURE_BUFFER, bytes, nullptr, GL_DYNAMIC_COPY);
+  glGenTextures(1, &texture);
+  glBindTexture(GL_TEXTURE_BUFFER, texture);
+  glTexBuffer(GL_TEXTURE_BUFFER, format, buffer);
+  glBindTexture(GL_TEXTURE_BUFFER, 0);
+  glBindBuffer(GL_TEXTURE_BUFFER, 0);
 }
 
 //------------------------------------------------------------------------------
@@ -68,7 +77,7 @@ bool vtkPointSplatImages::FitCompute(const glm::ivec2& size)
 void vtkPointSplatImages::Allocate(
   bool compute, const glm::ivec2& size, bool colours, int factors)
 {
-  if (this->Depths && this->Compute == compute && this->Size == size &&
+  if (this->Depths && !this->Texels && this->Compute == compute && this->Size == size &&
     (this->Colours == colours || !compute) &&
     this->GetFactorWords() == (factors + 1) / 2)
   {
@@ -87,18 +96,37 @@ void vtkPointSplatImages::Allocate(
     MakeBuffer(this->Sums[0], this->BufferTextures[1], 4 * this->GetSumStride() * pixels, GL_RGBA32I);
     return;
   }
-  MakeTexture(this->Depths, size, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT);
-  MakeTexture(this->Sums[0], size, GL_RGBA32F, GL_RGBA, GL_FLOAT);
-  MakeTexture(this->Sums[1], size, GL_RGBA32F, GL_RGBA, GL_FLOAT);
-  MakeTexture(this->Sums[2], size, GL_R32F, GL_RED, GL_FLOAT);
+  this->Depths = MakeTexture(size, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT);
+  this->Sums[0] = MakeTexture(size, GL_RGBA32F, GL_RGBA, GL_FLOAT);
+  this->Sums[1] = MakeTexture(size, GL_RGBA32F, GL_RGBA, GL_FLOAT);
+  this->Sums[2] = MakeTexture(size, GL_R32F, GL_RED, GL_FLOAT);
   if (factors > 0)
   {
-    MakeTexture(this->Sums[3], size, GL_RGBA32F, GL_RGBA, GL_FLOAT);
+    this->Sums[3] = MakeTexture(size, GL_RGBA32F, GL_RGBA, GL_FLOAT);
   }
-  MakeTexture(this->Ids, size, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT);
-  MakeTexture(this->DepthAttachment, size, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT);
-  glBindTexture(GL_TEXTURE_2D, 0);
+  this->Ids = MakeTexture(size, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT);
+  this->DepthAttachment =
+    MakeTexture(size, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT);
   glGenFramebuffers(1, &this->Framebuffer);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatImages::AllocateFilled(bool compute, const glm::ivec2& size)
+{
+  if (this->Texels && this->Compute == compute && this->Size == size)
+  {
+    return;
+  }
+  this->Release();
+  this->Compute = compute;
+  this->Size = size;
+  if (compute)
+  {
+    MakeBuffer(this->Texels, this->BufferTextures[0],
+      static_cast<GLsizeiptr>(16) * size.x * size.y, GL_RGBA32UI);
+    return;
+  }
+  this->Texels = MakeTexture(size, GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT);
 }
 
 //------------------------------------------------------------------------------
@@ -129,6 +157,10 @@ void vtkPointSplatImages::ClearIdBuffer(const glm::ivec4& window)
 vtkIdType vtkPointSplatImages::GetMemorySize() const
 {
   const vtkIdType pixels = static_cast<vtkIdType>(this->Size.x) * this->Size.y;
+  if (this->Texels)
+  {
+    return 16 * pixels;
+  }
   const vtkIdType ids = this->Ids ? IdBytes : 0;
   return this->Compute ? pixels * (DepthBytes + 4 * this->GetSumStride() + ids) : pixels * (4 + 36 + (this->Sums[3] ? 16 : 0) + 4 + 4);
 }
@@ -137,17 +169,47 @@ vtkIdType vtkPointSplatImages::GetMemorySize() const
 void vtkPointSplatImages::Bind(
   vtkOpenGLRenderWindow* window, vtkShaderProgram* program, bool withIds)
 {
-  const GLenum target = this->Compute ? GL_TEXTURE_BUFFER : GL_TEXTURE_2D;
-  auto bind = [&](int slot, GLuint texture, const char* name) {
+  const GLenum usual = this->Compute ? GL_TEXTURE_BUFFER : GL_TEXTURE_2D;
+  auto bind = [&](int slot, GLuint texture, const char* name, GLenum target) {
+    this->Targets[slot] = target;
     this->Units[slot] = window->GetTextureUnitManager()->Allocate();
     window->GetState()->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned>(this->Units[slot]));
     glBindTexture(target, texture);
     program->SetUniformi(name, this->Units[slot]);
   };
-  bind(0, this->Compute ? this->BufferTextures[0] : this->Depths, "Depths");
+  if (this->Texels)
+  {
+    bind(0, this->GetDepthTexture(), "Texels", usual);
+    if (withIds || this->Factors > 0)
+    {
+      bind(1, this->Filled, "Filled", usual);
+    }
+    if (this->Factors > 0 && this->Compute)
+    {
+      bind(2, this->Projected->BufferTextures[1], "Sums", usual);
+      program->SetUniformi("TexelsPerPixel", this->Projected->GetSumStride() / 4);
+      program->SetUniformi("FactorWord", this->Projected->GetFactorWord());
+    }
+    else if (this->Factors > 0)
+    {
+      bind(2, this->Projected->Sums[0], "WeightAndNormal", usual);
+      bind(5, this->Projected->Sums[3], "Factors", usual);
+    }
+    if (withIds)
+    {
+      bind(3, this->Compute ? this->Projected->BufferTextures[2] : this->Projected->Ids, "Ids",
+        usual);
+    }
+    if (this->Compute)
+    {
+      program->SetUniformi("ImageWidth", this->Size.x);
+    }
+    return;
+  }
+  bind(0, this->Compute ? this->BufferTextures[0] : this->Depths, "Depths", usual);
   if (this->Compute)
   {
-    bind(1, this->BufferTextures[1], "Sums");
+    bind(1, this->BufferTextures[1], "Sums", usual);
     program->SetUniformi("ImageWidth", this->Size.x);
     program->SetUniformi("TexelsPerPixel", this->GetSumStride() / 4);
     if (this->Factors > 0)
@@ -157,30 +219,47 @@ void vtkPointSplatImages::Bind(
   }
   else
   {
-    bind(1, this->Sums[0], "WeightAndNormal");
-    bind(2, this->Sums[1], "DepthAndColour");
-    bind(4, this->Sums[2], "Opacities");
+    bind(1, this->Sums[0], "WeightAndNormal", usual);
+    bind(2, this->Sums[1], "DepthAndColour", usual);
+    bind(4, this->Sums[2], "Opacities", usual);
     if (this->Sums[3])
     {
-      bind(5, this->Sums[3], "Factors");
+      bind(5, this->Sums[3], "Factors", usual);
     }
   }
   if (withIds)
   {
-    bind(3, this->Compute ? this->BufferTextures[2] : this->Ids, "Ids");
+    bind(3, this->Compute ? this->BufferTextures[2] : this->Ids, "Ids", usual);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatImages::Bind(vtkPointSplatUnits& units, vtkPointSplatProgram& program)
+{
+  if (this->Compute)
+  {
+    units.Bind(program, "Depths", GL_TEXTURE_BUFFER, this->BufferTextures[0]);
+    units.Bind(program, "Sums", GL_TEXTURE_BUFFER, this->BufferTextures[1]);
+    program.Set("ImageWidth", this->Size.x);
+    program.Set("TexelsPerPixel", this->GetSumStride() / 4);
+    return;
+  }
+  units.Bind(program, "Depths", GL_TEXTURE_2D, this->Depths);
+  units.Bind(program, "WeightAndNormal", GL_TEXTURE_2D, this->Sums[0]);
+  units.Bind(program, "DepthAndColour", GL_TEXTURE_2D, this->Sums[1]);
+  units.Bind(program, "Opacities", GL_TEXTURE_2D, this->Sums[2]);
 }
 
 //------------------------------------------------------------------------------
 void vtkPointSplatImages::Unbind(vtkOpenGLRenderWindow* window)
 {
-  const GLenum target = this->Compute ? GL_TEXTURE_BUFFER : GL_TEXTURE_2D;
-  for (int& unit : this->Units)
+  for (int slot = 0; slot < 6; ++slot)
   {
+    int& unit = this->Units[slot];
     if (unit >= 0)
     {
       window->GetState()->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned>(unit));
-      glBindTexture(target, 0);
+      glBindTexture(this->Targets[slot], 0);
       window->GetTextureUnitManager()->Free(unit);
       unit = -1;
     }
@@ -192,22 +271,23 @@ void vtkPointSplatImages::Release()
 {
   if (this->Compute)
   {
-    const GLuint buffers[] = { this->Depths, this->Sums[0], this->Ids };
-    glDeleteBuffers(3, buffers);
+    const GLuint buffers[] = { this->Depths, this->Sums[0], this->Ids, this->Texels };
+    glDeleteBuffers(4, buffers);
     glDeleteTextures(3, this->BufferTextures);
   }
   else
   {
     const GLuint textures[] = { this->Depths, this->Sums[0], this->Sums[1], this->Sums[2],
-      this->Sums[3], this->Ids, this->DepthAttachment };
-    glDeleteTextures(7, textures);
+      this->Sums[3], this->Ids, this->DepthAttachment, this->Texels };
+    glDeleteTextures(8, textures);
     if (this->Framebuffer)
     {
       glDeleteFramebuffers(1, &this->Framebuffer);
     }
   }
   this->Depths = this->Sums[0] = this->Sums[1] = this->Sums[2] = this->Sums[3] = this->Ids = this->DepthAttachment = 0;
-  this->Framebuffer = 0;
+  this->Framebuffer = this->Texels = 0;
+  this->Projected = nullptr;
   std::fill_n(this->BufferTextures, 3, 0u);
   this->Size = glm::ivec2(0);
 }

@@ -6,7 +6,9 @@
 //   ids     the splat of the greatest weight, made for hardware selection only
 // Compute shaders write buffers (uint; 4 ints, or 8 with colours or more than two factors; 2 uints
 // a pixel), which the resolve stage reads as buffer textures. Quads write textures (R32UI; two
-// RGBA32F and one R32F, and one more RGBA32F with factors; R32UI) through a framebuffer object.
+// RGBA32F and one R32F, and one more RGBA32F with factors; R32UI) through a framebuffer object. A layer that was filled in image space is one buffer or
+// texture (RGBA32UI, see vtkPointSplatTexel.glsl), and names its points by the images that it
+// came from.
 #ifndef vtkPointSplatImages_h
 #define vtkPointSplatImages_h
 
@@ -22,6 +24,8 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 VTK_ABI_NAMESPACE_END
+class vtkPointSplatProgram;
+class vtkPointSplatUnits;
 
 class vtkPointSplatImages
 {
@@ -43,6 +47,26 @@ public:
   void Allocate(bool compute, const glm::ivec2& size, bool colours, int factors = 0);
 
   /**
+   * Makes the one image of a filled layer, in place of the others.
+   */
+  void AllocateFilled(bool compute, const glm::ivec2& size);
+  bool IsFilled() const { return this->Texels != 0; }
+  GLuint GetTexels() const { return this->Texels; }
+  /// Whose factors are read where the ids are, too.
+  void SetFactorCount(int factors) { this->Factors = factors; }
+  /// Where a filled layer's ids are: in the images that were projected, at the pixel that
+  /// the image filled (RG32UI: a texture, of a buffer or not) tells.
+  void SetIdSource(const vtkPointSplatImages* projected, GLuint filled)
+  {
+    this->Projected = projected;
+    this->Filled = filled;
+  }
+
+  static GLuint MakeTexture(
+    const glm::ivec2& size, GLenum internal, GLenum format, GLenum type);
+  static void MakeBuffer(GLuint& buffer, GLuint& texture, GLsizeiptr bytes, GLenum format);
+
+  /**
    * Empties the rows of a rectangle (first x, y, last x, y).
    */
   void ClearBuffers(const glm::ivec4& window);
@@ -50,6 +74,7 @@ public:
 
   bool IsCompute() const { return this->Compute; }
   const glm::ivec2& GetSize() const { return this->Size; }
+  bool HasColours() const { return this->Colours || !this->Compute; }
   int GetSumStride() const // ints a pixel, compute
   {
     return this->Colours || this->GetFactorWords() > 1 ? 8 : 4;
@@ -64,7 +89,11 @@ public:
    * OpenGL names: of buffers, or of textures.
    */
   GLuint GetDepths() const { return this->Depths; }
-  GLuint GetDepthTexture() const { return this->BufferTextures[0]; } // of the buffer
+  /// What stages read coded depths from, the first component: of a buffer or not.
+  GLuint GetDepthTexture() const
+  {
+    return this->Compute ? this->BufferTextures[0] : this->Texels ? this->Texels : this->Depths;
+  }
   GLuint GetSums(int i = 0) const { return this->Sums[i]; } // quads: 2 is the opacity
   GLuint GetIds() const { return this->Ids; }
   GLuint GetDepthAttachment() const { return this->DepthAttachment; }
@@ -77,6 +106,8 @@ public:
    */
   void Bind(vtkOpenGLRenderWindow* window, vtkShaderProgram* program, bool withIds);
   void Unbind(vtkOpenGLRenderWindow* window);
+  /// The same for a program of this module's own.
+  void Bind(vtkPointSplatUnits& units, vtkPointSplatProgram& program);
 
   void Release();
 
@@ -91,7 +122,11 @@ private:
   GLuint DepthAttachment = 0;
   GLuint Framebuffer = 0;
   GLuint BufferTextures[3] = { 0, 0, 0 }; // of depths, sums, ids
+  GLuint Texels = 0;
+  const vtkPointSplatImages* Projected = nullptr;
+  GLuint Filled = 0;
   int Units[6] = { -1, -1, -1, -1, -1, -1 };
+  GLenum Targets[6] = { 0, 0, 0, 0, 0, 0 };
 };
 
 #endif

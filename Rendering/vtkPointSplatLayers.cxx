@@ -18,7 +18,7 @@ bool vtkPointSplatLayersRequest::operator==(const vtkPointSplatLayersRequest& ot
 {
   return this->View == other.View && this->Items == other.Items &&
     this->CloudTimes == other.CloudTimes && this->Compute == other.Compute &&
-    this->VoronoiScale == other.VoronoiScale && this->MaximumLayers == other.MaximumLayers &&
+    this->VoronoiScale == other.VoronoiScale && this->FillSteps == other.FillSteps && this->MaximumLayers == other.MaximumLayers &&
     this->Gather == other.Gather && this->LeastOpacity == other.LeastOpacity &&
     this->MaximumMemory == other.MaximumMemory && this->SceneDepth == other.SceneDepth &&
     (this->SceneDepth == 0 || this->Frame == other.Frame);
@@ -92,16 +92,16 @@ bool vtkPointSplatLayers::BuildLayer(
   vtkPointSplatImages& images = *this->Layers[index];
   bool colours = false;
   int factors = 0;
-  // Only the rows that something can cover are emptied, and read.
-  glm::ivec4 rows(0, r.View.Size.y, r.View.Size.x - 1, -1);
+  // Only the rectangle that something can cover is filled, and only its rows are emptied.
+  glm::ivec4 covered(r.View.Size.x, r.View.Size.y, -1, -1);
   for (const vtkPointSplatItem& item : r.Items)
   {
     colours = colours || item.Cloud->HasColours();
     factors = std::max(factors, item.FactorCount);
     if (item.Window.x <= item.Window.z)
     {
-      rows.y = std::min(rows.y, item.Window.y);
-      rows.w = std::max(rows.w, item.Window.w);
+      covered = glm::ivec4(std::min(covered.x, item.Window.x), std::min(covered.y, item.Window.y),
+        std::max(covered.z, item.Window.z), std::max(covered.w, item.Window.w));
     }
   }
   vtkPointSplatPeel peel;
@@ -112,10 +112,12 @@ bool vtkPointSplatLayers::BuildLayer(
   {
     peel.Previous.push_back(this->Layers[k - 1].get());
   }
-  images.Allocate(r.Compute, r.View.Size, colours || peel.Gather, factors);
+  const bool filled = r.FillSteps > 0;
+  vtkPointSplatImages& projected = filled ? this->Projected : images;
+  projected.Allocate(r.Compute, r.View.Size, colours || peel.Gather, factors);
   if (r.Compute)
   {
-    images.ClearBuffers(rows);
+    projected.ClearBuffers(covered);
   }
   empty = false;
   const bool peeling = r.MaximumLayers > 1 || r.SceneDepth;
@@ -129,11 +131,23 @@ bool vtkPointSplatLayers::BuildLayer(
     }
     return true;
   }
-  if (!stages.Reconstruct(window, r.View, r.Items, images, this->DepthUnit,
+  if (!stages.Reconstruct(window, r.View, r.Items, projected, this->DepthUnit,
         peeling ? &peel : nullptr, peeling ? &empty : nullptr))
   {
     this->Error = stages.GetError();
     return false;
+  }
+  if (filled && !empty)
+  {
+    images.AllocateFilled(r.Compute, r.View.Size);
+    // Of several layers only the last one's projected images are left.
+    images.SetFactorCount(r.MaximumLayers == 1 ? factors : 0);
+    if (!this->Fill.Reconstruct(window, r.View, r.Items, projected, covered, r.FillSteps,
+          this->DepthUnit, images))
+    {
+      this->Error = this->Fill.GetError();
+      return false;
+    }
   }
   return true;
 }
@@ -146,7 +160,9 @@ bool vtkPointSplatLayers::Identify(
   {
     return true;
   }
-  if (!stages.Identify(window, this->Request.View, this->Request.Items, *this->Layers[0], kind))
+  vtkPointSplatImages& images =
+    this->Request.FillSteps > 0 ? this->Projected : *this->Layers[0];
+  if (!stages.Identify(window, this->Request.View, this->Request.Items, images, kind))
   {
     this->Error = stages.GetError();
     return false;
@@ -158,7 +174,8 @@ bool vtkPointSplatLayers::Identify(
 //------------------------------------------------------------------------------
 vtkIdType vtkPointSplatLayers::GetMemorySize() const
 {
-  vtkIdType bytes = this->Deferred.GetMemorySize();
+  vtkIdType bytes = this->Deferred.GetMemorySize() + this->Projected.GetMemorySize() +
+    this->Fill.GetMemorySize();
   for (const auto& layer : this->Layers)
   {
     bytes += layer->GetMemorySize();
@@ -175,6 +192,8 @@ void vtkPointSplatLayers::Release()
   }
   this->Layers.clear();
   this->Deferred.Release();
+  this->Projected.Release();
+  this->Fill.Release();
   this->Count = 0;
   this->Built = false;
 }

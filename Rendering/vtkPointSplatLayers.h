@@ -12,6 +12,7 @@
 #define vtkPointSplatLayers_h
 
 #include "vtkPointSplatDeferred.h"
+#include "vtkPointSplatFill.h"
 #include "vtkPointSplatImages.h"
 #include "vtkPointSplatStages.h"
 
@@ -29,6 +30,7 @@ struct vtkPointSplatLayersRequest
   float VoronoiScale = -1.0f;  // of deferred blending, world units; negative: two passes
   int MaximumLayers = 1;
   bool Gather = false;         // the last layer takes all that is left
+  int FillSteps = 0;           // most steps of filling; 0: no item is projected as points
   double LeastOpacity = 1.0;   // of any item
   vtkIdType MaximumMemory = 0; // bytes of all layers; 0: no bound
   GLuint SceneDepth = 0;       // or 0
@@ -68,6 +70,8 @@ public:
   }
   /// Counts how often layers were made: what is derived from them is right while this stays.
   unsigned long GetGeneration() const { return this->Generation; }
+  /// Steps that the last layer's filling took.
+  int GetNumberOfFillSteps() const { return this->Request.FillSteps > 0 ? this->Fill.GetNumberOfSteps() : 0; }
   vtkIdType GetMemorySize() const; // bytes
   const std::string& GetError() const { return this->Error; }
 
@@ -79,6 +83,8 @@ private:
   bool BuildLayer(vtkOpenGLRenderWindow* window, vtkPointSplatStages& stages, bool& empty);
 
   vtkPointSplatDeferred Deferred;
+  vtkPointSplatImages Projected; // before it is filled
+  vtkPointSplatFill Fill;
   std::vector<std::unique_ptr<vtkPointSplatImages>> Layers;
   int Count = 0;
   bool Built = false;

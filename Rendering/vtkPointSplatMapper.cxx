@@ -44,6 +44,10 @@ constexpr double CoveringScale = 2.0;
 
 // As many as the shaders take; VTK's own mappers take six.
 constexpr int MaximumClipPlanes = 6;
+
+// The automatic layer distance of points that are projected as single pixels: a pixel's width,
+// by which points of one surface within one pixel differ along the normal, or their spacing.
+constexpr double PointLayerPixels = 1.0;
 }
 
 struct vtkPointSplatMapper::vtkInternals
@@ -56,6 +60,8 @@ struct vtkPointSplatMapper::vtkInternals
   const char* MethodUsed = "none";
   std::string MethodReason;
   int LayersDrawn = 0;
+  int FillSteps = 0;
+  double ProjectedSpacing = 0.0;
   const char* TransparencyUsed = "none";
   int ShadowSamplesUsed = 0;
   unsigned long ShadowUpdates = 0;
@@ -180,7 +186,10 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
     }
   }
   this->Internals->ProjectionUsed = compositor->IsCompute() ? "compute" : "quads";
-  this->Internals->MethodUsed = compositor->IsDeferred() ? "deferred" : "two-pass";
+  this->Internals->MethodUsed = compositor->IsDeferred() ? "deferred"
+    : this->Method == IMAGE_SPACE                             ? "image-space"
+                                                              : "two-pass";
+  this->Internals->FillSteps = compositor->GetNumberOfFillSteps();
   this->Internals->LayersDrawn = compositor->GetNumberOfLayers();
   this->Internals->TransparencyUsed = compositor->GetTransparencyUsed();
   this->Internals->ShadowSamplesUsed =
@@ -227,6 +236,18 @@ void vtkPointSplatMapper::FillItem(
     ? glm::vec2(0.5 / (this->KernelSigma * this->KernelSigma), 0.0)
     : glm::vec2(this->PlateauFalloff, this->PlateauExponent);
   item.KernelSupport = this->KernelSupport;
+  if (this->Method == IMAGE_SPACE)
+  {
+    item.Points = true;
+    const double spacing = stretch / std::sqrt(3.0) * cloud.GetSpacing();
+    const glm::dvec2 pixels = view.PixelSizes(item.MCWC, cloud.GetBounds().data());
+    item.PointLayer = this->LayerDistance > 0.0 ? this->LayerDistance : spacing;
+    item.PointLayerPixels = this->LayerDistance > 0.0 ? 0.0 : PointLayerPixels;
+    item.LargestLayer = std::max(item.PointLayer, item.PointLayerPixels * pixels.y);
+    item.Spacing = spacing;
+    item.SpacingPixels = spacing / pixels.x;
+    this->Internals->ProjectedSpacing = item.SpacingPixels;
+  }
   const double* colour = property->GetColor();
   item.Colour = cloud.HasColours()
     ? glm::vec4(1.0, 1.0, 1.0, property->GetOpacity())
@@ -396,6 +417,18 @@ const char* vtkPointSplatMapper::GetMethodReason()
 }
 
 //------------------------------------------------------------------------------
+int vtkPointSplatMapper::GetNumberOfFillSteps()
+{
+  return this->Internals->FillSteps;
+}
+
+//------------------------------------------------------------------------------
+double vtkPointSplatMapper::GetProjectedSpacing()
+{
+  return this->Internals->ProjectedSpacing;
+}
+
+//------------------------------------------------------------------------------
 bool vtkPointSplatMapper::MakeGroups()
 {
   return this->Internals->Cloud.MakeGroups(
@@ -466,6 +499,7 @@ void vtkPointSplatMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetOverlapFactor(other->OverlapFactor);
     this->SetVoronoiDepth(other->VoronoiDepth);
     this->SetMaximumImageMemory(other->MaximumImageMemory);
+    this->SetMaximumNumberOfFillSteps(other->MaximumNumberOfFillSteps);
     this->SetShadows(other->Shadows);
     this->SetNumberOfShadowSamples(other->NumberOfShadowSamples);
     this->SetNumberOfInteractiveShadowSamples(other->NumberOfInteractiveShadowSamples);
@@ -500,6 +534,9 @@ void vtkPointSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OverlapFactor: " << this->OverlapFactor << "\n";
   os << indent << "VoronoiDepth: " << (this->VoronoiDepth ? "On" : "Off") << "\n";
   os << indent << "MaximumImageMemory: " << this->MaximumImageMemory << "\n";
+  os << indent << "MaximumNumberOfFillSteps: " << this->MaximumNumberOfFillSteps << "\n";
+  os << indent << "NumberOfFillSteps: " << this->GetNumberOfFillSteps() << "\n";
+  os << indent << "ProjectedSpacing: " << this->GetProjectedSpacing() << "\n";
   os << indent << "NumberOfGroups: " << this->GetNumberOfGroups() << "\n";
   os << indent << "Shadows: " << (this->Shadows ? "On" : "Off") << "\n";
   os << indent << "NumberOfShadowSamples: " << this->NumberOfShadowSamples

@@ -100,7 +100,8 @@ public:
   {
     AUTOMATIC_METHOD = 0,
     TWO_PASS = 1,
-    DEFERRED = 2
+    DEFERRED = 2,
+    IMAGE_SPACE = 3
   };
   enum TransparencyType
   {
@@ -130,11 +131,12 @@ public:
    * took, and GetMethodReason() why, where that is not what was asked for. One splat mapper of a
    * renderer that wants deferred blending decides for all.
    */
-  vtkSetClampMacro(Method, int, AUTOMATIC_METHOD, DEFERRED);
+  vtkSetClampMacro(Method, int, AUTOMATIC_METHOD, IMAGE_SPACE);
   vtkGetMacro(Method, int);
   void SetMethodToAutomatic() { this->SetMethod(AUTOMATIC_METHOD); }
   void SetMethodToTwoPass() { this->SetMethod(TWO_PASS); }
   void SetMethodToDeferred() { this->SetMethod(DEFERRED); }
+  void SetMethodToImageSpace() { this->SetMethod(IMAGE_SPACE); }
   const char* GetMethodUsed();
   const char* GetMethodReason();
   ///@}
@@ -218,6 +220,19 @@ public:
    */
   vtkSetClampMacro(MaximumImageMemory, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(MaximumImageMemory, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * Of Method ImageSpace: how often holes are filled in a frame at most, each time by a pixel from
+   * their rims. Default: 32. How often it was done in the last frame is GetNumberOfFillSteps().
+   * GetProjectedSpacing() is how far apart, in pixels, points were at the nearest corner of their
+   * bounding box: holes may stay where it is more than 8.
+   */
+  vtkSetClampMacro(MaximumNumberOfFillSteps, int, 1, 1024);
+  vtkGetMacro(MaximumNumberOfFillSteps, int);
+  int GetNumberOfFillSteps();
+  double GetProjectedSpacing();
   ///@}
 
   ///@{
@@ -420,6 +435,7 @@ private:
   double OverlapFactor = 0.8;
   bool VoronoiDepth = true;
   vtkIdType MaximumImageMemory = vtkIdType(1) << 30;
+  int MaximumNumberOfFillSteps = 32;
   bool Shadows = false;
   int NumberOfShadowSamples = 16;
   int NumberOfInteractiveShadowSamples = 1;

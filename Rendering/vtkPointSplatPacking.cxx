@@ -183,7 +183,7 @@ struct PackWorker
         }
         else
         {
-          radius = a.Radius->GetComponent(i, 0);
+          radius = a.Radius ? a.Radius->GetComponent(i, 0) : 0.0;
           if (!circular)
           {
             // Beside blocks of ellipses, a disk is an ellipse of two equal axes.
@@ -200,7 +200,7 @@ struct PackWorker
             vtkMath::MultiplyScalar(axis2, radius);
           }
         }
-        if (!(radius > 0.0) || !std::isfinite(radius))
+        if (!(radius > 0.0 || !(a.Radius || a.Axis1)) || !std::isfinite(radius))
         {
           continue;
         }
@@ -256,7 +256,8 @@ struct PackWorker
 }
 
 //------------------------------------------------------------------------------
-vtkPointSplatPacking vtkPointSplatPacking::Collect(vtkPointSplatMapper* mapper, vtkPointSet* data)
+vtkPointSplatPacking vtkPointSplatPacking::Collect(
+  vtkPointSplatMapper* mapper, vtkPointSet* data, bool needSizes)
 {
   vtkPointSplatPacking a;
   a.Points = data->GetPoints()->GetData();
@@ -280,7 +281,7 @@ vtkPointSplatPacking vtkPointSplatPacking::Collect(vtkPointSplatMapper* mapper, 
   {
     a.Axis1 = a.Axis2 = nullptr;
   }
-  if (!a.Normals || (!a.Radius && !a.Axis1))
+  if (!a.Normals || (needSizes && !a.Radius && !a.Axis1))
   {
     vtkNew<vtkPolyData> bare;
     bare->SetPoints(data->GetPoints());

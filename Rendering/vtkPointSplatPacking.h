@@ -31,14 +31,15 @@ struct vtkPointSplatPacking
   vtkUnsignedCharArray* Ghosts = nullptr;
 
   /**
-   * The arrays of a block, what is missing estimated.
+   * The arrays of a block, what is missing estimated; sizes only if they are needed.
    */
-  static vtkPointSplatPacking Collect(vtkPointSplatMapper* mapper, vtkPointSet* data);
+  static vtkPointSplatPacking Collect(
+    vtkPointSplatMapper* mapper, vtkPointSet* data, bool needSizes);
 
   /**
-   * Packs the block's splats, 8 words each if circular, otherwise 16. valid gets 1
-   * for each point that can be drawn; the caller closes the gaps that the others
-   * leave.
+   * Packs the block's splats, 8 words each if circular, otherwise 16; without sizes their
+   * radius is 0. valid gets 1 for each point that can be drawn; the caller closes the gaps
+   * that the others leave.
    */
   void Pack(const std::array<double, 3>& origin, bool circular, uint32_t* splats,
     unsigned char* valid) const;

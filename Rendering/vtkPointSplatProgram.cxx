@@ -176,6 +176,14 @@ void vtkPointSplatProgram::Set(const char* name, const glm::mat4& value)
   glUniformMatrix4fv(this->Location(name), 1, GL_FALSE, glm::value_ptr(value));
 }
 
+void vtkPointSplatProgram::Set(const char* name, const std::vector<float>& value)
+{
+  if (!value.empty())
+  {
+    glUniform1fv(this->Location(name), static_cast<GLsizei>(value.size()), value.data());
+  }
+}
+
 void vtkPointSplatProgram::Set(const char* name, const std::vector<glm::vec4>& value)
 {
   if (!value.empty())

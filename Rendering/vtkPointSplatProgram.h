@@ -63,6 +63,7 @@ public:
   void Set(const char* name, const glm::mat3& value);
   void Set(const char* name, const glm::mat4& value);
   void Set(const char* name, const std::vector<glm::vec4>& value);
+  void Set(const char* name, const std::vector<float>& value);
   ///@}
 
 private:

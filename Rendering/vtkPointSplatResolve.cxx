@@ -215,6 +215,10 @@ bool vtkPointSplatResolve::Present(vtkRenderer* renderer, vtkActor* actor,
   {
     defines += "#define FACTORS\n";
   }
+  if (images.IsFilled())
+  {
+    defines += "#define FILLED_IMAGES\n";
+  }
   vtkShaderProgram::Substitute(fragment, "//PointSplat::Defines", defines);
   vtkShaderProgram::Substitute(fragment, "//PointSplat::GeometryBuffer",
     geometryBuffer && output == Shaded

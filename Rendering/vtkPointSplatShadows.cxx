@@ -68,6 +68,14 @@ double vtkPointSplatShadowCloud::GetStretch() const
 }
 
 //------------------------------------------------------------------------------
+double vtkPointSplatShadowCloud::GetRadius() const
+{
+  // Points that are drawn as single pixels have no sizes.
+  const double median = this->Cloud->GetMedianRadius();
+  return this->GetStretch() * (median > 0.0 ? median : this->Cloud->GetSpacing());
+}
+
+//------------------------------------------------------------------------------
 bool vtkPointSplatShadowSettings::operator==(const vtkPointSplatShadowSettings& other) const
 {
   return this->Samples == other.Samples && this->Seed == other.Seed &&
@@ -259,6 +267,7 @@ bool vtkPointSplatShadows::DrawPoints(vtkOpenGLRenderWindow* window, const Face&
       *program, face, cloud.MCWC, cloud.Cloud->GetOrigin().data(), cloud.ClipPlanes);
     program->Set("TexelsPerSplat", TexelsPerSplat(*cloud.Cloud));
     program->Set("RadiusScale", static_cast<float>(cloud.GetStretch()));
+    program->Set("UsualRadius", static_cast<float>(cloud.GetRadius()));
     if (compute)
     {
       program->Set("SplatCount", static_cast<unsigned int>(count));
@@ -408,7 +417,7 @@ bool vtkPointSplatShadows::Cast(vtkOpenGLRenderWindow* window,
       corners.emplace_back(cloud.MCWC *
         glm::dvec4(bounds[k & 1], bounds[2 + (k >> 1 & 1)], bounds[4 + (k >> 2 & 1)], 1.0));
     }
-    radius = std::max(radius, cloud.GetStretch() * cloud.Cloud->GetMedianRadius());
+    radius = std::max(radius, cloud.GetRadius());
   }
   if (corners.empty())
   {

@@ -48,6 +48,7 @@ struct vtkPointSplatShadowCloud
 
   bool operator==(const vtkPointSplatShadowCloud& other) const;
   double GetStretch() const; // of lengths, by the matrix, in the mean
+  double GetRadius() const;  // of a median splat, world units
 };
 
 struct vtkPointSplatShadowSettings

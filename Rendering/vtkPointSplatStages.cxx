@@ -20,7 +20,7 @@ constexpr GLuint LargeGroups = 256;   // share the listed splats of many pixels
  * What the layers before and the scene are to a stage.
  */
 void SetPeel(vtkPointSplatProgram& program, vtkPointSplatUnits& units,
-  const vtkPointSplatView& view, const vtkPointSplatPeel* peel)
+  const vtkPointSplatView& view, const vtkPointSplatPeel* peel, bool compute)
 {
   static const char* const names[] = { "Previous0", "Previous1", "Previous2" };
   if (!peel)
@@ -32,9 +32,8 @@ void SetPeel(vtkPointSplatProgram& program, vtkPointSplatUnits& units,
   for (size_t k = 0; k < 3; ++k)
   {
     const vtkPointSplatImages* images = count ? peel->Previous[std::min(k, count - 1)] : nullptr;
-    const bool compute = images && images->IsCompute();
     units.Bind(program, names[k], compute ? GL_TEXTURE_BUFFER : GL_TEXTURE_2D,
-      !images ? 0 : compute ? images->GetDepthTexture() : images->GetDepths());
+      images ? images->GetDepthTexture() : 0);
   }
   program.Set("HasSceneDepth", peel->SceneDepth != 0);
   units.Bind(program, "SceneDepth", GL_TEXTURE_2D, peel->SceneDepth);
@@ -66,7 +65,9 @@ bool vtkPointSplatItem::operator==(const vtkPointSplatItem& other) const
     this->KernelShape == other.KernelShape && this->KernelSupport == other.KernelSupport &&
     this->ClipPlanes == other.ClipPlanes && this->Colour == other.Colour &&
     this->CoveringScale == other.CoveringScale && this->Factors == other.Factors &&
-    this->FactorCount == other.FactorCount && this->FactorVersion == other.FactorVersion;
+    this->FactorCount == other.FactorCount && this->FactorVersion == other.FactorVersion &&
+    this->Points == other.Points &&
+    this->PointLayer == other.PointLayer && this->PointLayerPixels == other.PointLayerPixels;
 }
 
 //------------------------------------------------------------------------------
@@ -79,37 +80,29 @@ bool vtkPointSplatStages::ComputeSupported(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-vtkPointSplatProgram* vtkPointSplatStages::Use(Program which, bool factors)
+vtkPointSplatProgram* vtkPointSplatStages::Use(
+  Stage stage, bool compute, bool points, const vtkPointSplatPeel* peel, bool factors)
 {
-  static const struct
-  {
-    const char* Vertex;
-    const char* Other;
-    bool Peeling;
-  } files[NumberOfPrograms] = { { nullptr, "vtkPointSplatVisibilityCS", false },
-    { nullptr, "vtkPointSplatAccumulateCS", false }, { nullptr, "vtkPointSplatIdentifyCS", false },
-    { "vtkPointSplatQuadVS", "vtkPointSplatVisibilityFS", false },
-    { "vtkPointSplatQuadVS", "vtkPointSplatAccumulateFS", false },
-    { "vtkPointSplatQuadVS", "vtkPointSplatIdentifyFS", false },
-    { nullptr, "vtkPointSplatVisibilityCS", true }, { nullptr, "vtkPointSplatAccumulateCS", true },
-    { "vtkPointSplatQuadVS", "vtkPointSplatVisibilityFS", true },
-    { "vtkPointSplatQuadVS", "vtkPointSplatAccumulateFS", true } };
-  vtkPointSplatProgram& program = this->Programs[factors ? 1 : 0][which];
+  static const char* const names[3] = { "Visibility", "Accumulate", "Identify" };
+  static const char* const pointNames[3] = { "PointDepth", "PointAccumulate", "PointIdentify" };
+  vtkPointSplatProgram& program = this->Programs[stage][compute][points][peel ? 1 : 0][factors];
   if (!program.IsBuilt())
   {
-    std::vector<std::pair<GLenum, std::string>> stages;
-    if (files[which].Vertex)
+    const std::string name =
+      std::string("vtkPointSplat") + (points ? pointNames[stage] : names[stage]);
+    std::vector<std::pair<GLenum, std::string>> files;
+    if (compute)
     {
-      stages.emplace_back(GL_VERTEX_SHADER, files[which].Vertex);
-      stages.emplace_back(GL_FRAGMENT_SHADER, files[which].Other);
+      files.emplace_back(GL_COMPUTE_SHADER, name + "CS");
     }
     else
     {
-      stages.emplace_back(GL_COMPUTE_SHADER, files[which].Other);
+      files.emplace_back(
+        GL_VERTEX_SHADER, points ? "vtkPointSplatPointVS" : "vtkPointSplatQuadVS");
+      files.emplace_back(GL_FRAGMENT_SHADER, name + "FS");
     }
-    if (!program.Build(stages,
-          std::string(files[which].Peeling ? "#define PEELING\n" : "") +
-            (factors ? "#define FACTORS\n" : "")))
+    if (!program.Build(files,
+          std::string(peel ? "#define PEELING\n" : "") + (factors ? "#define FACTORS\n" : "")))
     {
       this->Error = program.GetLog();
       return nullptr;
@@ -149,6 +142,8 @@ void vtkPointSplatStages::SetItem(vtkPointSplatProgram& program, const vtkPointS
   program.Set("Culling", item.Culling);
   program.Set("Tag", static_cast<unsigned int>(item.Slot) << 1);
   program.Set("LayerDistance", static_cast<float>(item.LayerDistance));
+  program.Set("PointLayer", static_cast<float>(item.PointLayer));
+  program.Set("PointLayerPixels", static_cast<float>(item.PointLayerPixels));
   program.Set("ClipPlaneCount", static_cast<int>(planes.size()));
   program.Set("ClipPlanes", planes);
   program.Set("KernelType", item.KernelType);
@@ -163,13 +158,18 @@ void vtkPointSplatStages::SetItem(vtkPointSplatProgram& program, const vtkPointS
 
 //------------------------------------------------------------------------------
 void vtkPointSplatStages::Dispatch(vtkPointSplatProgram& program, vtkPointSplatUnits& units,
-  vtkIdType splats, vtkPointSplatCloud::Buffers& buffers)
+  vtkIdType splats, bool points, vtkPointSplatCloud::Buffers& buffers)
 {
   units.Bind(program, "Splats", GL_TEXTURE_BUFFER, buffers.SplatTexture);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, buffers.Large);
-  ClearCount(buffers.Large);
   const GLuint groups = static_cast<GLuint>((splats + GroupSize - 1) / GroupSize);
   program.Set("SplatCount", static_cast<unsigned int>(splats));
+  if (points)
+  {
+    glDispatchCompute(std::min(groups, MostGroups), (groups + MostGroups - 1) / MostGroups, 1);
+    return;
+  }
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, buffers.Large);
+  ClearCount(buffers.Large);
   program.Set("ListLarge", true);
   program.Set("DrawLarge", false);
   glDispatchCompute(std::min(groups, MostGroups), (groups + MostGroups - 1) / MostGroups, 1);
@@ -216,12 +216,7 @@ bool vtkPointSplatStages::ReconstructByCompute(vtkOpenGLRenderWindow* window,
   vtkPointSplatImages& images, float depthUnit, const vtkPointSplatPeel* peel, bool* empty)
 {
   vtkPointSplatUnits units(window);
-  vtkPointSplatProgram* program = this->Use(peel ? PeelVisibilityCompute : VisibilityCompute);
-  if (!program)
-  {
-    return false;
-  }
-  SetPeel(*program, units, view, peel);
+  vtkPointSplatProgram* program = nullptr;
   if (!this->Found)
   {
     glGenBuffers(1, &this->Found);
@@ -246,7 +241,8 @@ bool vtkPointSplatStages::ReconstructByCompute(vtkOpenGLRenderWindow* window,
     }
     if (splats > 0)
     {
-      vtkPointSplatStages::Dispatch(*program, units, splats, items[i].Cloud->Upload(window));
+      vtkPointSplatStages::Dispatch(
+        *program, units, splats, items[i].Points, items[i].Cloud->Upload(window));
     }
   };
   if (peel)
@@ -256,6 +252,12 @@ bool vtkPointSplatStages::ReconstructByCompute(vtkOpenGLRenderWindow* window,
   }
   for (size_t i = 0; i < items.size(); ++i)
   {
+    program = this->Use(Visibility, true, items[i].Points, peel);
+    if (!program)
+    {
+      return false;
+    }
+    SetPeel(*program, units, view, peel, true);
     this->SetItem(*program, view, items[i], images.GetSize());
     program->Set("DiskReach", DiskReach);
     program->Set("CoverageRadius", CoverageRadius);
@@ -273,19 +275,18 @@ bool vtkPointSplatStages::ReconstructByCompute(vtkOpenGLRenderWindow* window,
       return true;
     }
   }
-  program =
-    this->Use(peel ? PeelAccumulateCompute : AccumulateCompute, images.GetFactorWords() > 0);
-  if (!program)
-  {
-    return false;
-  }
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, images.GetSums());
-  SetPeel(*program, units, view, peel);
-  units.Bind(*program, "Depths", GL_TEXTURE_BUFFER, images.GetDepthTexture());
   for (size_t i = 0; i < items.size(); ++i)
   {
     const vtkPointSplatItem& item = items[i];
+    program = this->Use(Accumulation, true, item.Points, peel, images.GetFactorWords() > 0);
+    if (!program)
+    {
+      return false;
+    }
+    SetPeel(*program, units, view, peel, true);
+    units.Bind(*program, "Depths", GL_TEXTURE_BUFFER, images.GetDepthTexture());
     this->SetItem(*program, view, item, images.GetSize());
     program->Set("PrefilterRadius", PrefilterRadius);
     program->Set("DepthUnit", depthUnit);
@@ -322,7 +323,7 @@ void vtkPointSplatStages::SetStateForQuads(vtkOpenGLState* state, const glm::ive
 
 //------------------------------------------------------------------------------
 void vtkPointSplatStages::BindQuads(const vtkPointSplatItem& item,
-  vtkPointSplatCloud::Buffers& buffers, GLuint idMap, vtkIdType first)
+  vtkPointSplatCloud::Buffers& buffers, GLuint idMap, vtkIdType first, GLuint divisor)
 {
   const GLsizei stride = static_cast<GLsizei>(Stride(*item.Cloud));
   // Without base instances, which OpenGL 3.3 has not: pointers to the first splat.
@@ -368,7 +369,7 @@ void vtkPointSplatStages::BindQuads(const vtkPointSplatItem& item,
     {
       glDisableVertexAttribArray(i);
     }
-    glVertexAttribDivisor(i, 1);
+    glVertexAttribDivisor(i, divisor);
   }
 }
 
@@ -379,6 +380,15 @@ void vtkPointSplatStages::DrawQuads(const vtkPointSplatItem& item,
   vtkPointSplatStages::BindQuads(item, buffers, idMap, first);
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4,
     static_cast<GLsizei>(count < 0 ? item.Cloud->GetNumberOfSplats() - first : count));
+  glBindVertexArray(0);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatStages::DrawPoints(
+  const vtkPointSplatItem& item, vtkPointSplatCloud::Buffers& buffers, GLuint idMap)
+{
+  vtkPointSplatStages::BindQuads(item, buffers, idMap, 0, 0);
+  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(item.Cloud->GetNumberOfSplats()));
   glBindVertexArray(0);
 }
 
@@ -407,25 +417,38 @@ bool vtkPointSplatStages::ReconstructByQuads(vtkOpenGLRenderWindow* window,
   state->vtkglDrawBuffers(1, all);
   glClearBufferuiv(GL_COLOR, 0, none);
   glClearBufferfv(GL_DEPTH, 0, &farthest);
-  vtkPointSplatProgram* program = this->Use(peel ? PeelVisibilityQuads : VisibilityQuads);
-  if (!program)
-  {
-    return false;
-  }
-  SetPeel(*program, units, view, peel);
+  vtkPointSplatProgram* program = nullptr;
   GLuint query = 0;
   if (empty)
   {
     glGenQueries(1, &query);
     glBeginQuery(GL_ANY_SAMPLES_PASSED, query);
   }
+  bool good = true;
+  auto draw = [&](const vtkPointSplatItem& item) {
+    if (item.Points)
+    {
+      this->DrawPoints(item, item.Cloud->Upload(window), 0);
+    }
+    else
+    {
+      this->DrawQuads(item, item.Cloud->Upload(window), 0);
+    }
+  };
   for (const vtkPointSplatItem& item : items)
   {
+    program = this->Use(Visibility, false, item.Points, peel);
+    if (!program)
+    {
+      good = false;
+      break;
+    }
+    SetPeel(*program, units, view, peel, false);
     this->SetItem(*program, view, item, images.GetSize());
     program->Set("Reach", DiskReach);
     program->Set("DiskReach", DiskReach);
     program->Set("MinimumRadius", CoverageRadius);
-    this->DrawQuads(item, item.Cloud->Upload(window), 0);
+    draw(item);
   }
   if (empty)
   {
@@ -436,8 +459,12 @@ bool vtkPointSplatStages::ReconstructByQuads(vtkOpenGLRenderWindow* window,
     *empty = any == 0;
     if (*empty)
     {
-      return true;
+      return good;
     }
+  }
+  if (!good)
+  {
+    return false;
   }
 
   // Accumulation: sums over the splats of that layer.
@@ -460,15 +487,15 @@ bool vtkPointSplatStages::ReconstructByQuads(vtkOpenGLRenderWindow* window,
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendEquation(GL_FUNC_ADD); // depth peeling takes maxima
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
-  program = this->Use(peel ? PeelAccumulateQuads : AccumulateQuads, targets > 3);
-  if (!program)
-  {
-    return false;
-  }
-  SetPeel(*program, units, view, peel);
-  units.Bind(*program, "Depths", GL_TEXTURE_2D, images.GetDepths());
   for (const vtkPointSplatItem& item : items)
   {
+    program = this->Use(Accumulation, false, item.Points, peel, targets > 3);
+    if (!program)
+    {
+      return false;
+    }
+    SetPeel(*program, units, view, peel, false);
+    units.Bind(*program, "Depths", GL_TEXTURE_2D, images.GetDepths());
     this->SetItem(*program, view, item, images.GetSize());
     program->Set("Reach", static_cast<float>(item.KernelSupport));
     program->Set("MinimumRadius", PrefilterRadius);
@@ -477,7 +504,7 @@ bool vtkPointSplatStages::ReconstructByQuads(vtkOpenGLRenderWindow* window,
     {
       program->Set("ItemColour", item.Colour);
     }
-    this->DrawQuads(item, item.Cloud->Upload(window), 0);
+    draw(item);
   }
   // The other stages know three colour attachments.
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT3, GL_TEXTURE_2D, 0, 0);
@@ -503,20 +530,27 @@ bool vtkPointSplatStages::IdentifyByQuads(vtkOpenGLRenderWindow* window,
   state->vtkglDrawBuffers(1, first);
   glClearBufferuiv(GL_COLOR, 0, none);
   glClearBufferfv(GL_DEPTH, 0, &farthest);
-  vtkPointSplatProgram* program = this->Use(IdentifyQuads);
-  if (!program)
-  {
-    return false;
-  }
   vtkPointSplatUnits units(window);
-  units.Bind(*program, "Depths", GL_TEXTURE_2D, images.GetDepths());
   for (const vtkPointSplatItem& item : items)
   {
+    vtkPointSplatProgram* program = this->Use(Identification, false, item.Points);
+    if (!program)
+    {
+      return false;
+    }
+    units.Bind(*program, "Depths", GL_TEXTURE_2D, images.GetDepths());
     const GLuint idMap = item.Cloud->UploadIdMap(window, kind);
     this->SetItem(*program, view, item, images.GetSize());
     program->Set("Reach", static_cast<float>(item.KernelSupport));
     program->Set("MinimumRadius", PrefilterRadius);
-    this->DrawQuads(item, item.Cloud->Upload(window), idMap);
+    if (item.Points)
+    {
+      this->DrawPoints(item, item.Cloud->Upload(window), idMap);
+    }
+    else
+    {
+      this->DrawQuads(item, item.Cloud->Upload(window), idMap);
+    }
   }
   return true;
 }
@@ -556,14 +590,15 @@ bool vtkPointSplatStages::Identify(vtkOpenGLRenderWindow* window, const vtkPoint
   {
     vtkPointSplatUnits units(window);
     images.ClearIdBuffer({ 0, 0, images.GetSize().x - 1, images.GetSize().y - 1 });
-    if (vtkPointSplatProgram* program = this->Use(IdentifyCompute))
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, images.GetIds());
+    good = true;
+    for (const bool findWeight : { true, false })
     {
-      glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, images.GetIds());
-      units.Bind(*program, "Depths", GL_TEXTURE_BUFFER, images.GetDepthTexture());
-      for (const bool findWeight : { true, false })
+      for (const vtkPointSplatItem& item : items)
       {
-        for (const vtkPointSplatItem& item : items)
+        if (vtkPointSplatProgram* program = this->Use(Identification, true, item.Points))
         {
+          units.Bind(*program, "Depths", GL_TEXTURE_BUFFER, images.GetDepthTexture());
           const GLuint idMap = item.Cloud->UploadIdMap(window, kind);
           this->SetItem(*program, view, item, images.GetSize());
           program->Set("PrefilterRadius", PrefilterRadius);
@@ -572,12 +607,15 @@ bool vtkPointSplatStages::Identify(vtkOpenGLRenderWindow* window, const vtkPoint
           glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, idMap);
           program->Set("DrawListed", false);
           program->Set("ListNext", false);
-          vtkPointSplatStages::Dispatch(
-            *program, units, item.Cloud->GetNumberOfSplats(), item.Cloud->Upload(window));
+          vtkPointSplatStages::Dispatch(*program, units, item.Cloud->GetNumberOfSplats(),
+            item.Points, item.Cloud->Upload(window));
         }
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+        else
+        {
+          good = false;
+        }
       }
-      good = true;
+      glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
     }
   }
   else
@@ -596,11 +634,20 @@ bool vtkPointSplatStages::Identify(vtkOpenGLRenderWindow* window, const vtkPoint
 //------------------------------------------------------------------------------
 void vtkPointSplatStages::Release()
 {
-  for (auto& programs : this->Programs)
+  for (auto& stage : this->Programs)
   {
-    for (vtkPointSplatProgram& program : programs)
+    for (auto& projection : stage)
     {
-      program.Release();
+      for (auto& kind : projection)
+      {
+        for (auto& peeling : kind)
+        {
+          for (vtkPointSplatProgram& program : peeling)
+          {
+            program.Release();
+          }
+        }
+      }
     }
   }
   if (this->Found)

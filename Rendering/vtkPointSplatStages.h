@@ -46,6 +46,11 @@ struct vtkPointSplatItem
   int FactorCount = 0;                // the lights
   unsigned long FactorVersion = 0;    // counts what was in the buffer
   double CoveringScale = 1.0;         // how much larger group-sorted splats are drawn
+  bool Points = false;                // projected as single pixels, holes filled in the image
+  double PointLayer = 0.0;            // the least layer distance of such points, world units ...
+  double PointLayerPixels = 0.0;      // ... and in pixels; the larger counts
+  double Spacing = 0.0;               // of such points, world units
+  double SpacingPixels = 0.0;         // the same where they are nearest to the eye, pixels
   glm::vec4 Colour{ 1.0f };           // and opacity, where layers of several items are gathered
 
   bool operator==(const vtkPointSplatItem& other) const;
@@ -125,29 +130,28 @@ public:
   static void SetStateForQuads(vtkOpenGLState* state, const glm::ivec2& imageSize);
   static void DrawQuads(const vtkPointSplatItem& item, vtkPointSplatCloud::Buffers& buffers,
     GLuint idMap, vtkIdType first = 0, vtkIdType count = -1);
-  /// Binds the vertex array for such a draw.
+  /// Draws points that are projected as single pixels.
+  static void DrawPoints(
+    const vtkPointSplatItem& item, vtkPointSplatCloud::Buffers& buffers, GLuint idMap);
+  /// Binds the vertex array for such a draw; divisor: 1 with one instance a splat.
   static void BindQuads(const vtkPointSplatItem& item, vtkPointSplatCloud::Buffers& buffers,
-    GLuint idMap, vtkIdType first);
+    GLuint idMap, vtkIdType first, GLuint divisor = 1);
   ///@}
 
 private:
-  enum Program
+  enum Stage
   {
-    VisibilityCompute,
-    AccumulateCompute,
-    IdentifyCompute,
-    VisibilityQuads,
-    AccumulateQuads,
-    IdentifyQuads,
-    PeelVisibilityCompute,
-    PeelAccumulateCompute,
-    PeelVisibilityQuads,
-    PeelAccumulateQuads,
-    NumberOfPrograms
+    Visibility,
+    Accumulation,
+    Identification
   };
-  vtkPointSplatProgram* Use(Program which, bool factors = false);
+  /// The program of a stage, in use; points: for items that are projected as single pixels;
+  /// factors: for images that have those of lights.
+  vtkPointSplatProgram* Use(
+    Stage stage, bool compute, bool points, const vtkPointSplatPeel* peel = nullptr,
+    bool factors = false);
   static void Dispatch(vtkPointSplatProgram& program, vtkPointSplatUnits& units,
-    vtkIdType splats, vtkPointSplatCloud::Buffers& buffers);
+    vtkIdType splats, bool points, vtkPointSplatCloud::Buffers& buffers);
   void PrepareLists(const std::vector<vtkPointSplatItem>& items, int layer);
   bool ReconstructByCompute(vtkOpenGLRenderWindow* window, const vtkPointSplatView& view,
     const std::vector<vtkPointSplatItem>& items, vtkPointSplatImages& images, float depthUnit,
@@ -159,7 +163,7 @@ private:
     const std::vector<vtkPointSplatItem>& items, vtkPointSplatImages& images,
     vtkPointSplatCloud::IdKind kind);
 
-  vtkPointSplatProgram Programs[2][NumberOfPrograms]; // the latter with factors of lights
+  vtkPointSplatProgram Programs[3][2][2][2][2]; // by stage, compute, points, peeling, factors
   GLuint Found = 0; // a buffer: whether compute shaders found anything
 
   /**

@@ -95,3 +95,22 @@ glm::ivec4 vtkPointSplatView::Cover(
   return { static_cast<int>(std::floor(low.x)), static_cast<int>(std::floor(low.y)),
     static_cast<int>(std::ceil(high.x)), static_cast<int>(std::ceil(high.y)) };
 }
+
+//------------------------------------------------------------------------------
+glm::dvec2 vtkPointSplatView::PixelSizes(const glm::dmat4& MCWC, const double bounds[6]) const
+{
+  const glm::dmat4 MCVC = this->WCVC * MCWC;
+  double least = 1e300;
+  double most = 0.0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const glm::dvec4 p = MCVC *
+      glm::dvec4(bounds[corner & 1], bounds[2 + ((corner >> 1) & 1)],
+        bounds[4 + ((corner >> 2) & 1)], 1.0);
+    const double z = std::min(p.z / p.w, -this->Near); // what is nearer is not drawn
+    const double w = this->PixelW.z * z + this->PixelW.w;
+    least = std::min(least, w);
+    most = std::max(most, w);
+  }
+  return glm::dvec2(least, most) / static_cast<double>(glm::length(glm::vec3(this->PixelX)));
+}

@@ -45,6 +45,12 @@ struct vtkPointSplatView
    */
   glm::ivec4 Cover(const glm::dmat4& MCWC, const double bounds[6], double margin) const;
 
+  /**
+   * World units to a pixel, where a box in world coordinates is nearest to the eye, and where
+   * it is farthest.
+   */
+  glm::dvec2 PixelSizes(const glm::dmat4& MCWC, const double bounds[6]) const;
+
   static glm::dmat4 Matrix(vtkMatrix4x4* matrix);
 };
 

@@ -10,71 +10,17 @@
 
 #include "vtkPointSplatSplatsCS"
 #include "vtkPointSplatKernel"
-#include "vtkPointSplatFixedPoint"
+#include "vtkPointSplatSums"
 #ifdef PEELING
 #include "vtkPointSplatPeel"
-#endif
-
-layout(std430, binding = 0) buffer Sums { int sums[]; };
-layout(std430, binding = 2) readonly buffer Colours { uint colours[]; };
-
-uniform usamplerBuffer Depths; // R32UI
-#ifdef PEELING
-uniform usamplerBuffer Previous0;
-uniform usamplerBuffer Previous1;
-uniform usamplerBuffer Previous2;
+#include "vtkPointSplatPreviousCS"
 uniform bool Gather;           // all that is behind, weighted by opacity
 #else
 const bool Gather = false;
 #endif
-#ifdef FACTORS
-layout(std430, binding = 6) readonly buffer Factors { uint factors[]; };
 
-uniform bool HasFactors;
-uniform int FactorWord;        // where they begin
-uniform int FactorWords;       // 1 or 2
-#endif
-uniform vec4 ItemColour;       // multiplies the points' colours
+uniform usamplerBuffer Depths; // R32UI
 uniform float PrefilterRadius; // pixels
-uniform bool HasColours;
-uniform int SumStride;         // ints a pixel
-
-void add(Splat q, uint index, int at, Hit hit, float behind)
-{
-  vec4 colour = ItemColour;
-  if (HasColours)
-  {
-    colour *= unpackUnorm4x8(colours[index]);
-  }
-  if (sums[at] > WeightLimit)
-  {
-    return; // so many splats share this pixel that no further one can be seen
-  }
-  float kernel = kernelWeight(hit.r2, KernelSupport) * (Gather ? colour.a : 1.0);
-  float weight = max(floor(WeightScale * kernel + 0.5), 1.0);
-  // Normals of many surfaces: turned to the viewer, or front and back would cancel.
-  float turned = Gather && (q.tag & 1u) != 0u ? -1.0 : 1.0;
-  ivec3 n = ivec3(round(turned * weight * normalAt(q, hit.uv)));
-  int depth = int(round(weight * clamp(behind / DepthUnit, -1.0, 1.0)));
-  atomicAdd(sums[at], int(weight));
-  atomicAdd(sums[at + 1], packSums(n.x, n.y));
-  atomicAdd(sums[at + 2], packSums(n.z, depth));
-  if (HasColours || Gather)
-  {
-    ivec4 sum = ivec4(round(weight * colour));
-    atomicAdd(sums[at + 3], packSums(sum.r, sum.g));
-    atomicAdd(sums[at + 4], packSums(sum.b, sum.a));
-  }
-#ifdef FACTORS
-  ivec4 lit =
-    ivec4(round(weight * (HasFactors ? unpackUnorm4x8(factors[index]) : vec4(1.0))));
-  atomicAdd(sums[at + FactorWord], packSums(lit.x, lit.y));
-  if (FactorWords > 1)
-  {
-    atomicAdd(sums[at + FactorWord + 1], packSums(lit.z, lit.w));
-  }
-#endif
-}
 
 void drawPixel(Splat q, uint index, ivec2 pixel)
 {
@@ -100,14 +46,14 @@ void drawPixel(Splat q, uint index, ivec2 pixel)
 #ifdef PEELING
   isLeft = isLeft || (!mine && hit.depth > decodeDepth(nearest));
   mine = mine &&
-    !(PreviousCount > 0 &&
-      isPeeled(q, hit.depth,
-        uvec3(texelFetch(Previous0, at).r, texelFetch(Previous1, at).r,
-          texelFetch(Previous2, at).r)));
+    !(PreviousCount > 0 && isPeeled(q, hit.depth, previousDepths(pixel)));
 #endif
   if (mine)
   {
-    add(q, index, SumStride * at, hit, hit.depth - decodeDepth(nearest));
+    // Normals of many surfaces: turned to the viewer, or front and back would cancel.
+    float turned = Gather && (q.tag & 1u) != 0u ? -1.0 : 1.0;
+    addToSums(SumStride * at, index, kernelWeight(hit.r2, KernelSupport),
+      turned * normalAt(q, hit.uv), hit.depth - decodeDepth(nearest), Gather);
   }
 }
 

@@ -1,12 +1,66 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The images of a reconstructed surface layer, from whichever projection made
-// them: buffers of integers (COMPUTE_IMAGES), or textures.
+// The images of a reconstructed surface layer, from whatever made them: buffers of
+// integers (COMPUTE_IMAGES), or textures; as the projection left them, or one image of texels
+// (FILLED_IMAGES).
 
 #ifdef COMPUTE_IMAGES
-
 #include "vtkPointSplatFixedPoint"
+#else
+uniform float DepthUnit;
+#endif
+
+#if defined(FILLED_IMAGES)
+
+#include "vtkPointSplatTexel"
+
+#ifdef COMPUTE_IMAGES
+uniform usamplerBuffer Texels; // RGBA32UI, see vtkPointSplatTexel
+uniform usamplerBuffer Filled; // RG32UI: coded depth, and the pixel whose attributes are meant
+uniform usamplerBuffer Ids;    // RG32UI, one a projected pixel
+uniform int ImageWidth;
+
+uvec4 fetchTexel(ivec2 pixel)
+{
+  return texelFetch(Texels, pixel.y * ImageWidth + pixel.x);
+}
+
+uint fetchId(ivec2 pixel)
+{
+  uint source = texelFetch(Filled, pixel.y * ImageWidth + pixel.x).g;
+  return texelFetch(Ids, int(source >> 16) * ImageWidth + int(source & 0xffffu)).g;
+}
+#else
+uniform usampler2D Texels;
+uniform usampler2D Filled;
+uniform usampler2D Ids;
+
+uvec4 fetchTexel(ivec2 pixel)
+{
+  return texelFetch(Texels, pixel, 0);
+}
+
+uint fetchId(ivec2 pixel)
+{
+  uint source = texelFetch(Filled, pixel, 0).g;
+  return texelFetch(Ids, ivec2(source & 0xffffu, source >> 16), 0).r;
+}
+#endif
+
+uint fetchDepth(ivec2 pixel)
+{
+  return fetchTexel(pixel).r;
+}
+
+bool fetchSums(ivec2 pixel, out vec3 normal, out float behind, out vec4 colour)
+{
+  unpackTexel(fetchTexel(pixel), normal, behind, colour);
+  behind *= DepthUnit;
+  return true;
+}
+
+#elif defined(COMPUTE_IMAGES)
 
 uniform usamplerBuffer Depths; // R32UI, one a pixel
 uniform isamplerBuffer Sums;   // RGBA32I, see vtkPointSplatFixedPoint
@@ -24,36 +78,20 @@ uint fetchId(ivec2 pixel)
   return texelFetch(Ids, pixel.y * ImageWidth + pixel.x).g;
 }
 
-// False: nothing was accumulated here, or more than can be told.
-bool fetchSums(ivec2 pixel, out vec3 normal, out float behind, out vec4 colour)
+// Sums of weights, and of weighted normals, depths in units of DepthUnit, and colours; of
+// nothing where nothing was accumulated, or more than can be told.
+float fetchRawSums(ivec2 pixel, out vec4 normalAndBehind, out vec4 colour)
 {
   int at = (pixel.y * ImageWidth + pixel.x) * TexelsPerPixel;
   ivec4 a = texelFetch(Sums, at);
-  float w = float(a.x);
-  ivec2 nxy = unpackSums(a.y);
-  ivec2 nzDepth = unpackSums(a.z);
-  normal = vec3(nxy, nzDepth.x) / w;
-  behind = DepthUnit * float(nzDepth.y) / w;
-  colour = vec4(1.0);
+  normalAndBehind = vec4(unpackSums(a.y), unpackSums(a.z));
+  colour = vec4(float(a.x));
   if (TexelsPerPixel > 1)
   {
-    colour = vec4(unpackSums(a.w), unpackSums(texelFetch(Sums, at + 1).r)) / w;
+    colour = vec4(unpackSums(a.w), unpackSums(texelFetch(Sums, at + 1).r));
   }
-  return a.x > 0 && a.x < WeightOverflow;
+  return a.x < WeightOverflow ? float(a.x) : 0.0;
 }
-
-#ifdef FACTORS
-uniform int FactorWord; // 3, or 5 with colours
-
-vec4 fetchFactors(ivec2 pixel)
-{
-  int at = (pixel.y * ImageWidth + pixel.x) * TexelsPerPixel;
-  ivec4 a = texelFetch(Sums, at);
-  ivec4 b = TexelsPerPixel > 1 ? texelFetch(Sums, at + 1) : ivec4(0);
-  ivec2 words = FactorWord == 3 ? ivec2(a.w, b.x) : b.yz;
-  return vec4(unpackSums(words.x), unpackSums(words.y)) / float(a.x);
-}
-#endif
 
 #else
 
@@ -62,7 +100,6 @@ uniform sampler2D WeightAndNormal;
 uniform sampler2D DepthAndColour;
 uniform sampler2D Opacities;
 uniform usampler2D Ids;
-uniform float DepthUnit;
 
 uint fetchDepth(ivec2 pixel)
 {
@@ -74,23 +111,65 @@ uint fetchId(ivec2 pixel)
   return texelFetch(Ids, pixel, 0).r;
 }
 
-bool fetchSums(ivec2 pixel, out vec3 normal, out float behind, out vec4 colour)
+float fetchRawSums(ivec2 pixel, out vec4 normalAndBehind, out vec4 colour)
 {
   vec4 a = texelFetch(WeightAndNormal, pixel, 0);
   vec4 b = texelFetch(DepthAndColour, pixel, 0);
-  normal = a.yzw / a.x;
-  behind = DepthUnit * b.x / a.x;
-  colour = vec4(b.yzw, texelFetch(Opacities, pixel, 0).r) / a.x;
-  return a.x > 0.0;
+  normalAndBehind = vec4(a.yzw, b.x);
+  colour = vec4(b.yzw, texelFetch(Opacities, pixel, 0).r);
+  return a.x;
 }
 
-#ifdef FACTORS
-uniform sampler2D Factors;
+#endif
 
-vec4 fetchFactors(ivec2 pixel)
+#ifndef FILLED_IMAGES
+// False: nothing was accumulated here, or more than can be told.
+bool fetchSums(ivec2 pixel, out vec3 normal, out float behind, out vec4 colour)
 {
-  return texelFetch(Factors, pixel, 0) / texelFetch(WeightAndNormal, pixel, 0).x;
+  vec4 sum;
+  float w = fetchRawSums(pixel, sum, colour);
+  normal = sum.xyz / w;
+  behind = DepthUnit * sum.w / w;
+  colour /= w;
+  return w > 0.0;
 }
 #endif
 
+#ifdef FACTORS
+// The factors of lights. Those of a filled layer are the projected point's.
+#if defined(COMPUTE_IMAGES)
+#ifdef FILLED_IMAGES
+uniform isamplerBuffer Sums;   // of the projected images
+uniform int TexelsPerPixel;
+#endif
+uniform int FactorWord; // 3, or 5 with colours
+
+vec4 fetchFactors(ivec2 pixel)
+{
+#ifdef FILLED_IMAGES
+  uint source = texelFetch(Filled, pixel.y * ImageWidth + pixel.x).g;
+  pixel = ivec2(source & 0xffffu, source >> 16);
+#endif
+  int at = (pixel.y * ImageWidth + pixel.x) * TexelsPerPixel;
+  ivec4 a = texelFetch(Sums, at);
+  ivec4 b = TexelsPerPixel > 1 ? texelFetch(Sums, at + 1) : ivec4(0);
+  ivec2 words = FactorWord == 3 ? ivec2(a.w, b.x) : b.yz;
+  bool good = a.x > 0 && a.x < WeightOverflow;
+  return good ? vec4(unpackSums(words.x), unpackSums(words.y)) / float(a.x) : vec4(1.0);
+}
+#else
+uniform sampler2D Factors;
+#ifdef FILLED_IMAGES
+uniform sampler2D WeightAndNormal;
+#endif
+
+vec4 fetchFactors(ivec2 pixel)
+{
+#ifdef FILLED_IMAGES
+  uint source = texelFetch(Filled, pixel, 0).g;
+  pixel = ivec2(source & 0xffffu, source >> 16);
+#endif
+  return texelFetch(Factors, pixel, 0) / texelFetch(WeightAndNormal, pixel, 0).x;
+}
+#endif
 #endif

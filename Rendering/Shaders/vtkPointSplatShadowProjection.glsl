@@ -13,6 +13,7 @@ uniform mat4 MCLC;             // cloud's local coordinates to the light's
 uniform mat3 NormalMatrix;
 uniform vec2 MapScale;         // pixels = MapScale xy + MapOffset; of xy / z, if not parallel
 uniform vec2 MapOffset;
+uniform float UsualRadius;     // of points without one, the light's coordinates
 uniform float RadiusScale;     // of the cloud's coordinates to the light's
 uniform int ClipPlaneCount;
 uniform vec4 ClipPlanes[6];    // cloud's local coordinates; what is negative is cut away
@@ -67,7 +68,8 @@ Seen seeSplat(int index)
   }
   s.position = p;
   s.normal = normal;
-  s.radius = RadiusScale * uintBitsToFloat(a.w);
+  float radius = uintBitsToFloat(a.w);
+  s.radius = radius > 0.0 ? RadiusScale * radius : UsualRadius;
   s.depth = p.z;
   s.facing = Parallel ? abs(normal.z) : abs(dot(normal, p)) / max(abs(p.z), 1e-30);
   s.pixel = MapScale * (Parallel ? p.xy : p.xy / p.z) + MapOffset;

@@ -10,15 +10,12 @@
 #include "vtkPointSplatSplatsCS"
 #ifdef PEELING
 #include "vtkPointSplatPeel"
+#include "vtkPointSplatPreviousCS"
 #endif
 
 layout(std430, binding = 0) buffer Depths { uint depths[]; };
 #ifdef PEELING
 layout(std430, binding = 3) buffer Found { uint found; }; // whether anything was, at all
-
-uniform usamplerBuffer Previous0; // R32UI, the last layer's depths
-uniform usamplerBuffer Previous1;
-uniform usamplerBuffer Previous2;
 #endif
 
 uniform float DiskReach;      // radii that are drawn
@@ -31,10 +28,7 @@ void drawPixel(Splat q, uint index, ivec2 pixel)
   {
     int at = pixelIndex(pixel);
 #ifdef PEELING
-    if (PreviousCount > 0 &&
-      isPeeled(q, hit.depth,
-        uvec3(texelFetch(Previous0, at).r, texelFetch(Previous1, at).r,
-          texelFetch(Previous2, at).r)))
+    if (PreviousCount > 0 && isPeeled(q, hit.depth, previousDepths(pixel)))
     {
       return;
     }

@@ -8,14 +8,10 @@
 #include "vtkPointSplatQuadFS"
 #ifdef PEELING
 #include "vtkPointSplatPeel"
+#include "vtkPointSplatPreviousFS"
 #endif
 
 uniform float DiskReach;
-#ifdef PEELING
-uniform usampler2D Previous0;
-uniform usampler2D Previous1;
-uniform usampler2D Previous2;
-#endif
 
 layout(location = 0) out uint nearestDepth;
 
@@ -29,10 +25,7 @@ void main()
   }
 #ifdef PEELING
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  if ((PreviousCount > 0 &&
-        isPeeled(q, hit.depth,
-          uvec3(texelFetch(Previous0, pixel, 0).r, texelFetch(Previous1, pixel, 0).r,
-            texelFetch(Previous2, pixel, 0).r))) ||
+  if ((PreviousCount > 0 && isPeeled(q, hit.depth, previousDepths(pixel))) ||
     (HasSceneDepth && isHidden(hit.depth, pixel)))
   {
     discard;

@@ -1,0 +1,31 @@
+#version 330
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// One step of filling holes, by fragments: see vtkPointSplatFillStep.
+// Reads: the projected depths, or the step before. Writes: see vtkPointSplatFilled.
+
+#ifdef FIRST_FILL
+#include "vtkPointSplatFetch"
+#endif
+#include "vtkPointSplatFilled"
+#include "vtkPointSplatFillStep"
+
+layout(location = 0) out uvec2 filled;
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  uint codes[8];
+  for (int k = 0; k < 8; ++k)
+  {
+    ivec2 other = pixel + Ring[k];
+    codes[k] = isOutside(other) ? NoDepth : fetchCode(other);
+  }
+  filled = uvec2(fetchCode(pixel), fetchSource(pixel));
+  int from = fillFrom(filled.x, codes);
+  if (from >= 0)
+  {
+    filled = uvec2(fetchCode(pixel + Ring[from]), fetchSource(pixel + Ring[from]));
+  }
+}

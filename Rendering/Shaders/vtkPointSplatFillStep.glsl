@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// One step of filling holes (Dobrev, Rosenthal, Linsen 2010, sections 3.2 and 3.3). A pixel
+// that is background, or lies behind its neighbours by more than the least layer distance,
+// takes what the nearest of them has, unless one of the eight masks matches: it lies beyond
+// a silhouette then. Background is what lies infinitely far behind, so that one test
+// makes both fillings.
+
+#include "vtkPointSplatMasks"
+
+// The neighbour that the pixel is filled from, or -1. own, codes: coded depths of the pixel
+// and of the ring about it.
+int fillFrom(uint own, uint codes[8])
+{
+  uint nearest = NoDepth;
+  int from = -1;
+  for (int k = 0; k < 8; ++k)
+  {
+    from = codes[k] < nearest ? k : from;
+    nearest = min(nearest, codes[k]);
+  }
+  if (nearest >= own)
+  {
+    return -1;
+  }
+  float layer = layerOf(nearest);
+  float limit = layer < 0.0 ? -1.0 : own == NoDepth ? 3e38 : depthOf(own) - layer;
+  uint white = 0u;
+  for (int k = 0; k < 8; ++k)
+  {
+    // Background, which is no number as a depth, is before nothing.
+    white |= depthOf(codes[k]) < limit ? 0u : 1u << k;
+  }
+  return masksMatch(white) ? -1 : from;
+}

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A layer while its holes are filled (two uints a pixel: a buffer with COMPUTE_IMAGES, or an
+// RG32UI texture): the coded depth, and the pixel (column, and row in the upper half) whose
+// projected attributes are meant. The first step starts from the projected depths (FIRST_FILL,
+// which needs vtkPointSplatFetch), each pixel its own.
+
+#ifndef FIRST_FILL
+#ifdef COMPUTE_IMAGES
+uniform usamplerBuffer Filled;
+#else
+uniform usampler2D Filled;
+#endif
+#endif
+
+uniform ivec4 FilledWindow;   // pixels that hold something: first x, y, last x, y
+// Of the items by their slots, the least layer distance, world units, and in pixels: the larger
+// counts. Negative: their splats have an extent, and fill no holes.
+uniform float SlotLayers[64];
+uniform float SlotLayerPixels[64];
+uniform vec2 PixelSize;       // world units: at depth 0, and its growth with the depth
+
+const uint TagMask = 127u;
+const uint NoDepth = 0xffffffffu;
+
+bool isOutside(ivec2 pixel)
+{
+  return pixel != clamp(pixel, FilledWindow.xy, FilledWindow.zw);
+}
+
+// Both: of a pixel inside.
+uint fetchCode(ivec2 pixel)
+{
+#if defined(FIRST_FILL)
+  return fetchDepth(pixel);
+#elif defined(COMPUTE_IMAGES)
+  return texelFetch(Filled, pixel.y * ImageWidth + pixel.x).x;
+#else
+  return texelFetch(Filled, pixel, 0).x;
+#endif
+}
+
+uint fetchSource(ivec2 pixel)
+{
+#if defined(FIRST_FILL)
+  return uint(pixel.x) | uint(pixel.y) << 16;
+#elif defined(COMPUTE_IMAGES)
+  return texelFetch(Filled, pixel.y * ImageWidth + pixel.x).y;
+#else
+  return texelFetch(Filled, pixel, 0).y;
+#endif
+}
+
+ivec2 sourcePixel(uint source)
+{
+  return ivec2(source & 0xffffu, source >> 16);
+}
+
+float depthOf(uint code)
+{
+  return uintBitsToFloat(code & ~TagMask);
+}
+
+float layerOf(uint code)
+{
+  int slot = int((code & TagMask) >> 1);
+  float pixel = PixelSize.x + PixelSize.y * depthOf(code);
+  return SlotLayers[slot] < 0.0 ? -1.0 : max(SlotLayers[slot], SlotLayerPixels[slot] * pixel);
+}

@@ -1,0 +1,42 @@
+#version 330
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Attribute accumulation of points projected as single pixels, by the rasteriser: see
+// vtkPointSplatPointAccumulateCS.
+// Reads: the coded depths. Writes: see vtkPointSplatBlendedSums.
+
+#include "vtkPointSplatPointFS"
+#include "vtkPointSplatBlendedSums"
+#ifdef PEELING
+#include "vtkPointSplatPeel"
+#include "vtkPointSplatPreviousFS"
+uniform bool Gather;
+#else
+const bool Gather = false;
+#endif
+
+uniform usampler2D Depths;
+
+void main()
+{
+  Splat q = fragmentPoint();
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  uint nearest = texelFetch(Depths, pixel, 0).r;
+  if (!(Gather ? nearest != NoDepth : sameLayer(q, q.depth, nearest)))
+  {
+    discard;
+  }
+#ifdef PEELING
+  if (PreviousCount > 0 && isPeeled(q, q.depth, previousDepths(pixel)))
+  {
+    discard;
+  }
+#endif
+  // Normals of many surfaces: turned to the viewer, or front and back would cancel.
+  float turned = Gather && (q.tag & 1u) != 0u ? -1.0 : 1.0;
+#ifdef FACTORS
+  factorsGiven = pointFactors;
+#endif
+  addToSums(pointColour, 1.0, turned * q.normal, q.depth - decodeDepth(nearest), Gather);
+}
