@@ -198,6 +198,14 @@ void TestMethods(Checks& checks)
       view.Mapper->SetMethodToTwoPass();
       Compare(checks, name, view, scene, lights);
     }
+    for (const int projection : { vtkPointSplatMapper::COMPUTE, vtkPointSplatMapper::QUADS })
+    {
+      View view(scene.Points, lights);
+      view.Mapper->ShadowsOn();
+      view.Mapper->SetMethod(vtkPointSplatMapper::IMAGE_SPACE);
+      view.Mapper->SetProjection(projection);
+      Compare(checks, name, view, scene, lights);
+    }
     {
       View view(scene.Points, lights);
       view.Mapper->ShadowsOn();
