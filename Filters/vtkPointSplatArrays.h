@@ -25,7 +25,7 @@ inline constexpr const char* PlaneNormal = "SplatPlaneNormal";
 inline constexpr const char* Curvature = "SplatCurvature";
 /// 1 int: the minimal independent group that a splat belongs to.
 inline constexpr const char* Group = "SplatGroup";
-/// 1 float, 0 (in shadow) to 1 (lit).
+/// A float for each light, 0 (in its shadow) to 1 (lit): vtkPointShadowTexture.
 inline constexpr const char* Shadow = "ShadowFactor";
 /// 1 double: the isovalue of the surface that a point lies on.
 inline constexpr const char* Isovalue = "Isovalue";

@@ -12,10 +12,12 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
+#include "vtkPointSplatArrays.h"
 #include "vtkPointSplatMapper.h"
 #include "vtkPointSplatPacking.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -88,6 +90,7 @@ void vtkPointSplatCloud::Update(vtkPointSplatMapper* mapper, vtkDataObject* inpu
   if (!same || changed > this->SplatTime || (needSizes && !this->Sized))
   {
     this->BuildSplats(mapper, blocks, needSizes);
+    this->BuildFactors(mapper, blocks);
     this->Input = input;
     this->Blocks = std::move(blocks);
     this->SplatTime.Modified();
@@ -251,6 +254,58 @@ void vtkPointSplatCloud::BuildColours(
 }
 
 //------------------------------------------------------------------------------
+void vtkPointSplatCloud::BuildFactors(
+  vtkPointSplatMapper* mapper, const std::vector<Block>& blocks)
+{
+  this->Factors.clear();
+  this->FactorCount = 0;
+  const size_t words = this->GetWordsPerSplat();
+  for (const Block& block : blocks)
+  {
+    vtkDataArray* factors = block.Data->GetPointData()->GetArray(vtkPointSplatArrays::Shadow);
+    const int count = factors ? factors->GetNumberOfComponents() : 0;
+    if (factors && factors->GetNumberOfTuples() != block.Data->GetNumberOfPoints())
+    {
+      vtkErrorWithObjectMacro(mapper, << "The point array " << vtkPointSplatArrays::Shadow
+                                      << " has " << factors->GetNumberOfTuples() << " tuples for "
+                                      << block.Data->GetNumberOfPoints()
+                                      << " points. It is not used: rename or remove it.");
+      continue;
+    }
+    if (count == 0)
+    {
+      continue;
+    }
+    if (this->Factors.empty())
+    {
+      // Blocks without factors stay lit beside those with.
+      this->Factors.assign(static_cast<size_t>(this->Count), 0xffffffffu);
+    }
+    this->FactorCount = std::max(this->FactorCount, std::min(count, 4));
+    vtkSMPTools::For(block.First, block.First + block.Count, [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const vtkIdType id = this->Splats[words * static_cast<size_t>(i) + 7];
+        uint32_t& packed = this->Factors[static_cast<size_t>(i)];
+        for (int k = 0; k < std::min(count, 4); ++k)
+        {
+          const double factor = factors->GetComponent(id, k);
+          const double lit = factor >= 0.0 ? std::min(factor, 1.0) : factor < 0.0 ? 0.0 : 1.0;
+          packed &= ~(255u << (8 * k));
+          packed |= static_cast<uint32_t>(std::lround(255.0 * lit)) << (8 * k);
+        }
+      }
+    });
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkPointSplatCloud::GetGeometryMTime() const
+{
+  return std::max(this->SplatTime.GetMTime(), this->GroupTime.GetMTime());
+}
+
+//------------------------------------------------------------------------------
 double vtkPointSplatCloud::GetSpacing()
 {
   if (this->Spacing > 0.0 || this->Count == 0)
@@ -329,6 +384,7 @@ vtkPointSplatCloud::Buffers& vtkPointSplatCloud::Upload(vtkWindow* window)
     glGenBuffers(1, &buffers->Splats);
     glGenTextures(1, &buffers->SplatTexture);
     glGenBuffers(1, &buffers->Colours);
+    glGenBuffers(1, &buffers->Factors);
     glGenBuffers(1, &buffers->Large);
     glGenVertexArrays(1, &buffers->VertexArray);
   }
@@ -344,6 +400,10 @@ vtkPointSplatCloud::Buffers& vtkPointSplatCloud::Upload(vtkWindow* window)
     glBindBuffer(GL_ARRAY_BUFFER, buffers->Large);
     glBufferData(
       GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(4 * (this->Count + 1)), nullptr, GL_DYNAMIC_COPY);
+    const std::vector<uint32_t> factors = this->Ordered(this->Factors, 1);
+    glBindBuffer(GL_ARRAY_BUFFER, buffers->Factors);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(4 * factors.size()), factors.data(),
+      GL_STATIC_DRAW);
     for (GLuint& map : buffers->IdMaps)
     {
       glDeleteBuffers(1, &map);
@@ -410,9 +470,9 @@ void vtkPointSplatCloud::Release(vtkWindow* window)
     return;
   }
   Buffers& buffers = *found->second;
-  const GLuint all[] = { buffers.Splats, buffers.Colours, buffers.Large, buffers.IdMaps[1],
-    buffers.IdMaps[2] };
-  glDeleteBuffers(5, all);
+  const GLuint all[] = { buffers.Splats, buffers.Colours, buffers.Factors, buffers.Large,
+    buffers.IdMaps[1], buffers.IdMaps[2] };
+  glDeleteBuffers(6, all);
   glDeleteTextures(1, &buffers.SplatTexture);
   glDeleteVertexArrays(1, &buffers.VertexArray);
   this->PerWindow.erase(found);

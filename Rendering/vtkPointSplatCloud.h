@@ -11,6 +11,7 @@
 // Normals are coded in two times 16 bits on an octahedron; the bend, the matrix K
 // of vtkPointSplatProjection.glsl, in three times 10.
 // Colours: RGBA, 8 bits each, one a splat, where scalars colour the points.
+// Factors: of up to four lights, 8 bits each, one a splat, where the input has `ShadowFactor`.
 #ifndef vtkPointSplatCloud_h
 #define vtkPointSplatCloud_h
 
@@ -56,6 +57,7 @@ public:
     GLuint Splats = 0;
     GLuint SplatTexture = 0; // the buffer as RGBA32UI texels
     GLuint Colours = 0;
+    GLuint Factors = 0;
     GLuint IdMaps[3] = { 0, 0, 0 }; // by IdKind; that of point ids stays 0
     GLuint Large = 0;               // a count, then indices of splats of many pixels
     GLuint VertexArray = 0;
@@ -121,8 +123,15 @@ public:
   vtkIdType GetNumberOfSplats() const { return this->Count; }
   vtkIdType GetNumberOfSkippedPoints() const { return this->Skipped; }
   vtkIdType GetNumberOfPoints() const { return this->Points; }
+  /// The point, of its block, that a splat was made from.
+  vtkIdType GetPointId(vtkIdType splat) const
+  {
+    return this->Splats[this->GetWordsPerSplat() * static_cast<size_t>(splat) + 7];
+  }
   bool IsCircular() const { return this->Circular; }
   bool HasColours() const { return !this->Colours.empty(); }
+  /// Of how many lights the input has factors.
+  int GetFactorCount() const { return this->FactorCount; }
   double GetMedianRadius() const { return this->MedianRadius; }
   double GetMaximumRadius() const { return this->MaximumRadius; }
   /// The mean distance of neighbouring points, world units, roughly.
@@ -130,6 +139,8 @@ public:
   const std::array<double, 3>& GetOrigin() const { return this->Origin; }
   const std::array<double, 6>& GetBounds() const { return this->Bounds; }
   vtkMTimeType GetMTime() const;
+  /// When splats, or their order in the buffers, changed.
+  vtkMTimeType GetGeometryMTime() const;
 
 private:
   struct Block
@@ -142,6 +153,7 @@ private:
   static std::vector<Block> Gather(vtkDataObject* input);
   void BuildSplats(vtkPointSplatMapper* mapper, std::vector<Block>& blocks, bool needSizes);
   void BuildColours(vtkPointSplatMapper* mapper, const std::vector<Block>& blocks);
+  void BuildFactors(vtkPointSplatMapper* mapper, const std::vector<Block>& blocks);
   std::vector<uint32_t> MakeIdMap(IdKind kind) const;
   size_t GetWordsPerSplat() const { return this->Circular ? 8 : 16; }
   bool GivenGroups(std::vector<int>& groups) const;
@@ -152,6 +164,8 @@ private:
 
   std::vector<uint32_t> Splats;
   std::vector<uint32_t> Colours;
+  std::vector<uint32_t> Factors;
+  int FactorCount = 0;
   std::vector<Block> Blocks; // of the input that Splats came from
   vtkIdType Count = 0;
   vtkIdType Points = 0;

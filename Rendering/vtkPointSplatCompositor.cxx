@@ -222,6 +222,45 @@ GLuint vtkPointSplatCompositor::CaptureScene(
 }
 
 //------------------------------------------------------------------------------
+bool vtkPointSplatCompositor::MakeFactors(vtkRenderer* renderer, std::vector<Entry>& entries)
+{
+  auto window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  if (renderer->GetSelector())
+  {
+    return true;
+  }
+  bool computed = false;
+  for (const Entry& entry : entries)
+  {
+    computed = computed || entry.Mapper->GetShadows();
+  }
+  if (computed && !this->Shadows.Update(renderer))
+  {
+    this->Error = this->Shadows.GetError();
+    return false;
+  }
+  for (Entry& entry : entries)
+  {
+    vtkPointSplatItem& item = entry.Item;
+    item.Factors = 0;
+    item.FactorCount = 0;
+    item.FactorVersion = 0;
+    if (entry.Mapper->GetShadows())
+    {
+      item.Factors = this->Shadows.GetFactors(item.Cloud, item.MCWC);
+      item.FactorCount = item.Factors ? this->Shadows.GetNumberOfLights() : 0;
+      item.FactorVersion = this->Shadows.GetNumberOfUpdates();
+    }
+    else if (item.Cloud->GetFactorCount() > 0)
+    {
+      item.Factors = item.Cloud->Upload(window).Factors;
+      item.FactorCount = item.Cloud->GetFactorCount();
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 bool vtkPointSplatCompositor::Build(vtkRenderer* renderer, const vtkPointSplatView& view,
   std::vector<Entry>& entries, bool translucent, vtkPointSplatLayers& layers, bool& flat,
   vtkPointSplatFlat::SortedLayers& sorted)
@@ -279,8 +318,6 @@ bool vtkPointSplatCompositor::Build(vtkRenderer* renderer, const vtkPointSplatVi
     entry.Item.CoveringScale = scale;
     layer = std::max(layer, entry.Item.LargestLayer);
     voronoi = voronoi && mapper->GetVoronoiDepth();
-    request.Items.push_back(entry.Item);
-    request.CloudTimes.push_back(entry.Item.Cloud->GetMTime());
     if (entry.Item.Points)
     {
       request.FillSteps = std::max(request.FillSteps,
@@ -297,6 +334,15 @@ bool vtkPointSplatCompositor::Build(vtkRenderer* renderer, const vtkPointSplatVi
         mapper->HasTranslucentPolygonalGeometry() ? 0.0
                                                   : entry.Actor->GetProperty()->GetOpacity());
     }
+  }
+  if (!this->MakeFactors(renderer, entries))
+  {
+    return false;
+  }
+  for (const Entry& entry : entries)
+  {
+    request.Items.push_back(entry.Item);
+    request.CloudTimes.push_back(entry.Item.Cloud->GetMTime());
   }
   request.VoronoiScale = !deferred ? -1.0f : voronoi ? static_cast<float>(layer) : 0.0f;
   if (sorted != vtkPointSplatFlat::None)
@@ -330,6 +376,7 @@ bool vtkPointSplatCompositor::Present(
     this->Opaque.Invalidate();
     this->Translucent.Invalidate();
     this->Alone.clear();
+    this->Shadows.Forget();
     this->SceneFrame = this->FlatFrame = this->EnvironmentFrame = 0;
     this->Window = window;
   }
@@ -589,6 +636,7 @@ void vtkPointSplatCompositor::ReleaseAll()
   this->Flat.Release();
   this->Refraction.Release();
   this->Environment.Release();
+  this->Shadows.Release();
   this->Stages.Release();
   this->Resolve.Release();
   this->Last = nullptr;

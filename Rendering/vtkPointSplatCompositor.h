@@ -24,6 +24,7 @@
 #include "vtkPointSplatRefraction.h"
 #include "vtkPointSplatResolve.h"
 #include "vtkPointSplatSceneDepth.h"
+#include "vtkPointSplatShadowCache.h"
 #include "vtkPointSplatStages.h"
 
 #include "vtkWeakPointer.h"
@@ -78,6 +79,7 @@ public:
   /// Whether there is something to refract, where a mapper of the last call of Present() wanted it.
   bool HasEnvironment() const { return this->HasPreparedEnvironment; }
   vtkIdType GetMemorySize() const;
+  const vtkPointSplatShadowCache& GetShadows() const { return this->Shadows; }
 
 private:
   /**
@@ -98,6 +100,7 @@ private:
     const std::vector<Entry>& entries, const glm::ivec2& size, bool compute);
   void PrepareEnvironment(vtkRenderer* renderer, const std::vector<Entry>& entries);
   GLuint CaptureScene(vtkRenderer* renderer, const vtkPointSplatView& view, bool& failed);
+  bool MakeFactors(vtkRenderer* renderer, std::vector<Entry>& entries);
   bool Build(vtkRenderer* renderer, const vtkPointSplatView& view, std::vector<Entry>& entries,
     bool translucent, vtkPointSplatLayers& layers, bool& flat,
     vtkPointSplatFlat::SortedLayers& sorted);
@@ -120,6 +123,7 @@ private:
   vtkPointSplatFlat Flat;
   vtkPointSplatEnvironment Environment;
   vtkPointSplatRefraction Refraction;
+  vtkPointSplatShadowCache Shadows;
   const vtkPointSplatLayers* Last = nullptr;
   const char* TransparencyUsed = "none";
 

@@ -40,13 +40,14 @@ bool vtkPointSplatDeferred::Fits(const glm::ivec2& size, int groups, vtkIdType b
 //------------------------------------------------------------------------------
 vtkIdType vtkPointSplatDeferred::GetMemorySize() const
 {
-  return BytesPerTexel * this->Size.x * this->Size.y * this->Groups;
+  return (BytesPerTexel + (this->Factors ? 4 : 0)) * this->Size.x * this->Size.y * this->Groups;
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatDeferred::Allocate(const glm::ivec2& size, int groups)
+void vtkPointSplatDeferred::Allocate(const glm::ivec2& size, int groups, bool factors)
 {
-  if (this->Texels && this->Size == size && this->Groups == groups)
+  if (this->Texels && this->Size == size && this->Groups == groups &&
+    (this->Factors != 0) == factors)
   {
     return;
   }
@@ -55,6 +56,10 @@ void vtkPointSplatDeferred::Allocate(const glm::ivec2& size, int groups)
   this->Groups = groups;
   this->Texels = MakeArray(size, groups, GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT);
   this->Depths = MakeArray(size, groups, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT);
+  if (factors)
+  {
+    this->Factors = MakeArray(size, groups, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT);
+  }
   glGenFramebuffers(1, &this->Framebuffer);
   if (!this->VertexArray)
   {
@@ -63,26 +68,44 @@ void vtkPointSplatDeferred::Allocate(const glm::ivec2& size, int groups)
 }
 
 //------------------------------------------------------------------------------
+bool vtkPointSplatDeferred::BuildPrograms(bool factors)
+{
+  const std::string defines = factors ? "#define FACTORS\n" : "";
+  vtkPointSplatProgram& geometry = this->Geometry[factors ? 1 : 0];
+  vtkPointSplatProgram& compositing = this->Compositing[factors ? 1 : 0];
+  if ((!geometry.IsBuilt() &&
+        !geometry.Build({ { GL_VERTEX_SHADER, "vtkPointSplatGroupVS" },
+                          { GL_FRAGMENT_SHADER, "vtkPointSplatGroupFS" } },
+          defines)) ||
+    (!compositing.IsBuilt() &&
+      !compositing.Build({ { GL_VERTEX_SHADER, "vtkPointSplatResolveVS" },
+                           { GL_FRAGMENT_SHADER, "vtkPointSplatCompositeFS" } },
+        defines)))
+  {
+    this->Error = geometry.GetLog() + compositing.GetLog();
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 bool vtkPointSplatDeferred::Reconstruct(vtkOpenGLRenderWindow* window,
   const vtkPointSplatView& view, const std::vector<vtkPointSplatItem>& items,
   vtkPointSplatImages& images, float depthUnit, float voronoiScale)
 {
-  if ((!this->Geometry.IsBuilt() &&
-        !this->Geometry.Build({ { GL_VERTEX_SHADER, "vtkPointSplatGroupVS" },
-          { GL_FRAGMENT_SHADER, "vtkPointSplatGroupFS" } })) ||
-    (!this->Compositing.IsBuilt() &&
-      !this->Compositing.Build({ { GL_VERTEX_SHADER, "vtkPointSplatResolveVS" },
-        { GL_FRAGMENT_SHADER, "vtkPointSplatCompositeFS" } })))
+  const bool factors = images.GetFactorCount() > 0;
+  if (!this->BuildPrograms(factors))
   {
-    this->Error = this->Geometry.GetLog() + this->Compositing.GetLog();
     return false;
   }
+  vtkPointSplatProgram& geometry = this->Geometry[factors ? 1 : 0];
+  vtkPointSplatProgram& compositing = this->Compositing[factors ? 1 : 0];
   int groups = 1;
   for (const vtkPointSplatItem& item : items)
   {
     groups = std::max(groups, item.Cloud->GetNumberOfGroups());
   }
-  this->Allocate(images.GetSize(), groups);
+  this->Allocate(images.GetSize(), groups, factors);
 
   window->GetShaderCache()->ReleaseCurrentShader();
   vtkOpenGLState* state = window->GetState();
@@ -92,15 +115,19 @@ bool vtkPointSplatDeferred::Reconstruct(vtkOpenGLRenderWindow* window,
 
   // Geometry
   GLenum all[] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2,
-    GL_COLOR_ATTACHMENT3 };
+    GL_COLOR_ATTACHMENT3, GL_COLOR_ATTACHMENT4 };
   const GLfloat farthest = 1.0f;
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
-  this->Geometry.Use();
+  geometry.Use();
   for (int group = 0; group < groups; ++group)
   {
     glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, this->Texels, 0, group);
     glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, this->Depths, 0, group);
-    state->vtkglDrawBuffers(1, all);
+    if (factors)
+    {
+      glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, this->Factors, 0, group);
+    }
+    state->vtkglDrawBuffers(factors ? 2 : 1, all);
     glClearBufferfv(GL_DEPTH, 0, &farthest);
     for (const vtkPointSplatItem& item : items)
     {
@@ -108,13 +135,13 @@ bool vtkPointSplatDeferred::Reconstruct(vtkOpenGLRenderWindow* window,
       const std::pair<vtkIdType, vtkIdType> range = item.Cloud->GetGroup(group);
       if (range.second > 0)
       {
-        vtkPointSplatStages::SetItem(this->Geometry, view, item, images.GetSize());
-        this->Geometry.Set("Reach", static_cast<float>(item.KernelSupport));
-        this->Geometry.Set("MinimumRadius", vtkPointSplatStages::PrefilterRadius);
-        this->Geometry.Set("DiskReach", vtkPointSplatStages::DiskReach);
-        this->Geometry.Set("CoverageRadius", vtkPointSplatStages::CoverageRadius);
-        this->Geometry.Set("DepthUnit", depthUnit);
-        this->Geometry.Set("VoronoiScale", voronoiScale);
+        vtkPointSplatStages::SetItem(geometry, view, item, images.GetSize());
+        geometry.Set("Reach", static_cast<float>(item.KernelSupport));
+        geometry.Set("MinimumRadius", vtkPointSplatStages::PrefilterRadius);
+        geometry.Set("DiskReach", vtkPointSplatStages::DiskReach);
+        geometry.Set("CoverageRadius", vtkPointSplatStages::CoverageRadius);
+        geometry.Set("DepthUnit", depthUnit);
+        geometry.Set("VoronoiScale", voronoiScale);
         vtkPointSplatStages::DrawQuads(item, buffers, 0, range.first, range.second);
       }
     }
@@ -123,38 +150,48 @@ bool vtkPointSplatDeferred::Reconstruct(vtkOpenGLRenderWindow* window,
   // Compositing
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, images.GetFramebuffer());
   const GLuint targets[] = { images.GetDepths(), images.GetSums(0), images.GetSums(1),
-    images.GetSums(2) };
-  for (GLenum k = 0; k < 4; ++k)
+    images.GetSums(2), images.GetSums(3) };
+  const GLenum count = factors ? 5 : 4;
+  for (GLenum k = 0; k < count; ++k)
   {
     glFramebufferTexture2D(
       GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + k, GL_TEXTURE_2D, targets[k], 0);
   }
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, 0, 0);
-  state->vtkglDrawBuffers(4, all);
+  state->vtkglDrawBuffers(count, all);
   const GLuint none[4] = { 0xffffffffu, 0xffffffffu, 0xffffffffu, 0xffffffffu };
   glClearBufferuiv(GL_COLOR, 0, none);
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDepthMask(GL_FALSE);
-  this->Compositing.Use();
-  this->Compositing.Set("DepthUnit", depthUnit);
-  this->Compositing.Set("GroupCount", groups);
-  this->Compositing.Set("Texels", 0);
-  this->Compositing.Set("GroupDepths", 1);
+  compositing.Use();
+  compositing.Set("DepthUnit", depthUnit);
+  compositing.Set("GroupCount", groups);
+  compositing.Set("Texels", 0);
+  compositing.Set("GroupDepths", 1);
   {
     vtkOpenGLState::ScopedglActiveTexture unit(state);
     state->vtkglActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D_ARRAY, this->Texels);
     state->vtkglActiveTexture(GL_TEXTURE1);
     glBindTexture(GL_TEXTURE_2D_ARRAY, this->Depths);
+    if (factors)
+    {
+      compositing.Set("FactorTexels", 2);
+      state->vtkglActiveTexture(GL_TEXTURE2);
+      glBindTexture(GL_TEXTURE_2D_ARRAY, this->Factors);
+    }
     glBindVertexArray(this->VertexArray);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glBindVertexArray(0);
-    glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
-    state->vtkglActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
+    for (const unsigned int unit : { GL_TEXTURE2, GL_TEXTURE1, GL_TEXTURE0 })
+    {
+      state->vtkglActiveTexture(unit);
+      glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
+    }
   }
   // The other stages know three colour attachments.
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT3, GL_TEXTURE_2D, 0, 0);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT4, GL_TEXTURE_2D, 0, 0);
   state->PopFramebufferBindings();
   state->Pop();
   glUseProgram(0);
@@ -164,13 +201,13 @@ bool vtkPointSplatDeferred::Reconstruct(vtkOpenGLRenderWindow* window,
 //------------------------------------------------------------------------------
 void vtkPointSplatDeferred::ReleaseImages()
 {
-  const GLuint textures[] = { this->Texels, this->Depths };
+  const GLuint textures[] = { this->Texels, this->Depths, this->Factors };
   if (this->Texels)
   {
-    glDeleteTextures(2, textures);
+    glDeleteTextures(3, textures);
     glDeleteFramebuffers(1, &this->Framebuffer);
   }
-  this->Texels = this->Depths = this->Framebuffer = 0;
+  this->Texels = this->Depths = this->Factors = this->Framebuffer = 0;
   this->Size = glm::ivec2(0);
   this->Groups = 0;
 }
@@ -184,6 +221,9 @@ void vtkPointSplatDeferred::Release()
     glDeleteVertexArrays(1, &this->VertexArray);
     this->VertexArray = 0;
   }
-  this->Geometry.Release();
-  this->Compositing.Release();
+  for (int factors = 0; factors < 2; ++factors)
+  {
+    this->Geometry[factors].Release();
+    this->Compositing[factors].Release();
+  }
 }

@@ -11,7 +11,8 @@
 //    Its result are the images of two-pass splatting, so that what
 //    follows (shading, presentation, hardware selection) is the same.
 //
-// 20 bytes a pixel and group. Needs OpenGL 3.3, no gl_Layer.
+// Where lights cast shadows, a third array (R32UI) has the factors of up to four of them.
+// 20 bytes a pixel and group, 24 with factors. Needs OpenGL 3.3, no gl_Layer.
 #ifndef vtkPointSplatDeferred_h
 #define vtkPointSplatDeferred_h
 
@@ -45,16 +46,18 @@ public:
   void Release();
 
 private:
-  void Allocate(const glm::ivec2& size, int groups);
+  void Allocate(const glm::ivec2& size, int groups, bool factors);
+  bool BuildPrograms(bool factors);
   void ReleaseImages();
 
-  vtkPointSplatProgram Geometry;
-  vtkPointSplatProgram Compositing;
+  vtkPointSplatProgram Geometry[2]; // the latter with factors of lights
+  vtkPointSplatProgram Compositing[2];
   std::string Error;
   glm::ivec2 Size{ 0, 0 };
   int Groups = 0;
   GLuint Texels = 0;
   GLuint Depths = 0;
+  GLuint Factors = 0;
   GLuint Framebuffer = 0;
   GLuint VertexArray = 0;
 };

@@ -74,16 +74,20 @@ bool vtkPointSplatImages::FitCompute(const glm::ivec2& size)
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatImages::Allocate(bool compute, const glm::ivec2& size, bool colours)
+void vtkPointSplatImages::Allocate(
+  bool compute, const glm::ivec2& size, bool colours, int factors)
 {
   if (this->Depths && !this->Texels && this->Compute == compute && this->Size == size &&
-    (this->Colours == colours || !compute))
+    (this->Colours == colours || !compute) &&
+    this->GetFactorWords() == (factors + 1) / 2)
   {
+    this->Factors = factors;
     return;
   }
   this->Release();
   this->Compute = compute;
   this->Colours = colours;
+  this->Factors = factors;
   this->Size = size;
   if (compute)
   {
@@ -96,6 +100,10 @@ void vtkPointSplatImages::Allocate(bool compute, const glm::ivec2& size, bool co
   this->Sums[0] = MakeTexture(size, GL_RGBA32F, GL_RGBA, GL_FLOAT);
   this->Sums[1] = MakeTexture(size, GL_RGBA32F, GL_RGBA, GL_FLOAT);
   this->Sums[2] = MakeTexture(size, GL_R32F, GL_RED, GL_FLOAT);
+  if (factors > 0)
+  {
+    this->Sums[3] = MakeTexture(size, GL_RGBA32F, GL_RGBA, GL_FLOAT);
+  }
   this->Ids = MakeTexture(size, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT);
   this->DepthAttachment =
     MakeTexture(size, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT);
@@ -161,7 +169,7 @@ vtkIdType vtkPointSplatImages::GetMemorySize() const
     return 16 * pixels;
   }
   const vtkIdType ids = this->Ids ? IdBytes : 0;
-  return this->Compute ? pixels * (DepthBytes + 4 * this->GetSumStride() + ids) : pixels * (4 + 36 + 4 + 4);
+  return this->Compute ? pixels * (DepthBytes + 4 * this->GetSumStride() + ids) : pixels * (4 + 36 + (this->Sums[3] ? 16 : 0) + 4 + 4);
 }
 
 //------------------------------------------------------------------------------
@@ -179,9 +187,23 @@ void vtkPointSplatImages::Bind(
   if (this->Texels)
   {
     bind(0, this->GetDepthTexture(), "Texels", usual);
-    if (withIds)
+    if (withIds || this->Factors > 0)
     {
       bind(1, this->Filled, "Filled", usual);
+    }
+    if (this->Factors > 0 && this->Compute)
+    {
+      bind(2, this->Projected->BufferTextures[1], "Sums", usual);
+      program->SetUniformi("TexelsPerPixel", this->Projected->GetSumStride() / 4);
+      program->SetUniformi("FactorWord", this->Projected->GetFactorWord());
+    }
+    else if (this->Factors > 0)
+    {
+      bind(2, this->Projected->Sums[0], "WeightAndNormal", usual);
+      bind(5, this->Projected->Sums[3], "Factors", usual);
+    }
+    if (withIds)
+    {
       bind(3, this->Compute ? this->Projected->BufferTextures[2] : this->Projected->Ids, "Ids",
         usual);
     }
@@ -197,12 +219,20 @@ void vtkPointSplatImages::Bind(
     bind(1, this->BufferTextures[1], "Sums", usual);
     program->SetUniformi("ImageWidth", this->Size.x);
     program->SetUniformi("TexelsPerPixel", this->GetSumStride() / 4);
+    if (this->Factors > 0)
+    {
+      program->SetUniformi("FactorWord", this->GetFactorWord());
+    }
   }
   else
   {
     bind(1, this->Sums[0], "WeightAndNormal", usual);
     bind(2, this->Sums[1], "DepthAndColour", usual);
     bind(4, this->Sums[2], "Opacities", usual);
+    if (this->Sums[3])
+    {
+      bind(5, this->Sums[3], "Factors", usual);
+    }
   }
   if (withIds)
   {
@@ -230,7 +260,7 @@ void vtkPointSplatImages::Bind(vtkPointSplatUnits& units, vtkPointSplatProgram& 
 //------------------------------------------------------------------------------
 void vtkPointSplatImages::Unbind(vtkOpenGLRenderWindow* window)
 {
-  for (int slot = 0; slot < 5; ++slot)
+  for (int slot = 0; slot < 6; ++slot)
   {
     int& unit = this->Units[slot];
     if (unit >= 0)
@@ -255,14 +285,14 @@ void vtkPointSplatImages::Release()
   else
   {
     const GLuint textures[] = { this->Depths, this->Sums[0], this->Sums[1], this->Sums[2],
-      this->Ids, this->DepthAttachment, this->Texels };
-    glDeleteTextures(7, textures);
+      this->Sums[3], this->Ids, this->DepthAttachment, this->Texels };
+    glDeleteTextures(8, textures);
     if (this->Framebuffer)
     {
       glDeleteFramebuffers(1, &this->Framebuffer);
     }
   }
-  this->Depths = this->Sums[0] = this->Sums[1] = this->Sums[2] = this->Ids = this->DepthAttachment = 0;
+  this->Depths = this->Sums[0] = this->Sums[1] = this->Sums[2] = this->Sums[3] = this->Ids = this->DepthAttachment = 0;
   this->Framebuffer = this->Texels = 0;
   this->Projected = nullptr;
   std::fill_n(this->BufferTextures, 3, 0u);

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The images between the stages of a frame. Both kinds hold the same:
 //   depths  the nearest disk's coded depth, a uint a pixel (vtkPointSplatProjection.glsl)
-//   sums    of weights, and of weighted normals, depths and colours
+//   sums    of weights, and of weighted normals, depths, colours and factors of lights
 //   ids     the splat of the greatest weight, made for hardware selection only
-// Compute shaders write buffers (uint; 4 ints, or 8 with colours; 2 uints a pixel), which the
-// resolve stage reads as buffer textures. Quads write textures (R32UI; two RGBA32F and one R32F;
-// R32UI) through a framebuffer object. A layer that was filled in image space is one buffer or
+// Compute shaders write buffers (uint; 4 ints, or 8 with colours or more than two factors; 2 uints
+// a pixel), which the resolve stage reads as buffer textures. Quads write textures (R32UI; two
+// RGBA32F and one R32F, and one more RGBA32F with factors; R32UI) through a framebuffer object. A layer that was filled in image space is one buffer or
 // texture (RGBA32UI, see vtkPointSplatTexel.glsl), and names its points by the images that it
 // came from.
 #ifndef vtkPointSplatImages_h
@@ -43,9 +43,10 @@ public:
   static bool FitCompute(const glm::ivec2& size);
 
   /**
-   * Makes the images of this size and kind, or keeps them if they are.
+   * Makes the images of this size and kind, or keeps them if they are. factors: of how many
+   * lights.
    */
-  void Allocate(bool compute, const glm::ivec2& size, bool colours);
+  void Allocate(bool compute, const glm::ivec2& size, bool colours, int factors = 0);
 
   /**
    * Makes the one image of a filled layer, in place of the others.
@@ -55,6 +56,8 @@ public:
   /// What tells vtkPointSplatFetch.glsl of which kind the images are.
   std::string GetDefines() const;
   GLuint GetTexels() const { return this->Texels; }
+  /// Whose factors are read where the ids are, too.
+  void SetFactorCount(int factors) { this->Factors = factors; }
   /// Where a filled layer's ids are: in the images that were projected, at the pixel that
   /// the image filled (RG32UI: a texture, of a buffer or not) tells.
   void SetIdSource(const vtkPointSplatImages* projected, GLuint filled)
@@ -76,7 +79,13 @@ public:
   bool IsCompute() const { return this->Compute; }
   const glm::ivec2& GetSize() const { return this->Size; }
   bool HasColours() const { return this->Colours || !this->Compute; }
-  int GetSumStride() const { return this->Colours ? 8 : 4; } // ints a pixel, compute
+  int GetSumStride() const // ints a pixel, compute
+  {
+    return this->Colours || this->GetFactorWords() > 1 ? 8 : 4;
+  }
+  int GetFactorCount() const { return this->Factors; }
+  int GetFactorWords() const { return (this->Factors + 1) / 2; }       // compute
+  int GetFactorWord() const { return this->Colours ? 5 : 3; } // the first of them
   vtkIdType GetMemorySize() const; // bytes
 
   ///@{
@@ -109,9 +118,10 @@ public:
 private:
   bool Compute = false;
   bool Colours = false;
+  int Factors = 0;
   glm::ivec2 Size{ 0, 0 };
   GLuint Depths = 0;
-  GLuint Sums[3] = { 0, 0, 0 };
+  GLuint Sums[4] = { 0, 0, 0, 0 };
   GLuint Ids = 0;
   GLuint DepthAttachment = 0;
   GLuint Framebuffer = 0;
@@ -119,8 +129,8 @@ private:
   GLuint Texels = 0;
   const vtkPointSplatImages* Projected = nullptr;
   GLuint Filled = 0;
-  int Units[5] = { -1, -1, -1, -1, -1 };
-  GLenum Targets[5] = { 0, 0, 0, 0, 0 };
+  int Units[6] = { -1, -1, -1, -1, -1, -1 };
+  GLenum Targets[6] = { 0, 0, 0, 0, 0, 0 };
 };
 
 #endif

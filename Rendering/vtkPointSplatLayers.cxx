@@ -91,11 +91,13 @@ bool vtkPointSplatLayers::BuildLayer(
   }
   vtkPointSplatImages& images = *this->Layers[index];
   bool colours = false;
+  int factors = 0;
   // Only the rectangle that something can cover is filled, and only its rows are emptied.
   glm::ivec4 covered(r.View.Size.x, r.View.Size.y, -1, -1);
   for (const vtkPointSplatItem& item : r.Items)
   {
     colours = colours || item.Cloud->HasColours();
+    factors = std::max(factors, item.FactorCount);
     if (item.Window.x <= item.Window.z)
     {
       covered = glm::ivec4(std::min(covered.x, item.Window.x), std::min(covered.y, item.Window.y),
@@ -112,7 +114,7 @@ bool vtkPointSplatLayers::BuildLayer(
   }
   const bool filled = r.FillSteps > 0;
   vtkPointSplatImages& projected = filled ? this->Projected : images;
-  projected.Allocate(r.Compute, r.View.Size, colours || peel.Gather);
+  projected.Allocate(r.Compute, r.View.Size, colours || peel.Gather, factors);
   if (r.Compute)
   {
     projected.ClearBuffers(covered);
@@ -138,6 +140,8 @@ bool vtkPointSplatLayers::BuildLayer(
   if (filled && !empty)
   {
     images.AllocateFilled(r.Compute, r.View.Size);
+    // Of several layers only the last one's projected images are left.
+    images.SetFactorCount(r.MaximumLayers == 1 ? factors : 0);
     if (!this->Fill.Reconstruct(window, r.View, r.Items, projected, covered, r.FillSteps,
           this->DepthUnit, images))
     {

@@ -65,6 +65,8 @@ struct vtkPointSplatMapper::vtkInternals
   int FillSteps = 0;
   double ProjectedSpacing = 0.0;
   const char* TransparencyUsed = "none";
+  int ShadowSamplesUsed = 0;
+  unsigned long ShadowUpdates = 0;
 };
 
 //------------------------------------------------------------------------------
@@ -133,6 +135,12 @@ bool vtkPointSplatMapper::UpdateCloud()
 }
 
 //------------------------------------------------------------------------------
+vtkPointSplatCloud* vtkPointSplatMapper::GetCloud()
+{
+  return &this->Internals->Cloud;
+}
+
+//------------------------------------------------------------------------------
 void vtkPointSplatMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 {
   if (this->GetNumberOfInputConnections(0) == 0)
@@ -186,6 +194,9 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   this->Internals->FillSteps = compositor->GetNumberOfFillSteps();
   this->Internals->LayersDrawn = compositor->GetNumberOfLayers();
   this->Internals->TransparencyUsed = compositor->GetTransparencyUsed();
+  this->Internals->ShadowSamplesUsed =
+    this->Shadows ? compositor->GetShadows().GetSamplesUsed() : 0;
+  this->Internals->ShadowUpdates = compositor->GetShadows().GetNumberOfUpdates();
   if (this->Internals->MethodReason != compositor->GetMethodReason())
   {
     this->Internals->MethodReason = compositor->GetMethodReason();
@@ -414,6 +425,18 @@ const char* vtkPointSplatMapper::GetTransparencyUsed()
 }
 
 //------------------------------------------------------------------------------
+int vtkPointSplatMapper::GetNumberOfShadowSamplesUsed()
+{
+  return this->Internals->ShadowSamplesUsed;
+}
+
+//------------------------------------------------------------------------------
+unsigned long vtkPointSplatMapper::GetNumberOfShadowUpdates()
+{
+  return this->Internals->ShadowUpdates;
+}
+
+//------------------------------------------------------------------------------
 const char* vtkPointSplatMapper::GetMethodReason()
 {
   return this->Internals->MethodReason.c_str();
@@ -512,6 +535,13 @@ void vtkPointSplatMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetMaximumImageMemory(other->MaximumImageMemory);
     this->SetMaximumNumberOfFillSteps(other->MaximumNumberOfFillSteps);
     this->SetAntiAliasing(other->AntiAliasing);
+    this->SetShadows(other->Shadows);
+    this->SetNumberOfShadowSamples(other->NumberOfShadowSamples);
+    this->SetNumberOfInteractiveShadowSamples(other->NumberOfInteractiveShadowSamples);
+    this->SetShadowLightRadius(other->ShadowLightRadius);
+    this->SetShadowSeed(other->ShadowSeed);
+    this->SetShadowLayerDistance(other->ShadowLayerDistance);
+    this->SetShadowResolution(other->ShadowResolution);
     this->SetProjection(other->Projection);
     this->SetKernel(other->Kernel);
     this->SetKernelSigma(other->KernelSigma);
@@ -549,6 +579,16 @@ void vtkPointSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AntiAliasing: " << (this->AntiAliasing ? "On" : "Off") << "\n";
   os << indent << "ProjectedSpacing: " << this->GetProjectedSpacing() << "\n";
   os << indent << "NumberOfGroups: " << this->GetNumberOfGroups() << "\n";
+  os << indent << "Shadows: " << (this->Shadows ? "On" : "Off") << "\n";
+  os << indent << "NumberOfShadowSamples: " << this->NumberOfShadowSamples
+     << " (used: " << this->GetNumberOfShadowSamplesUsed() << ")\n";
+  os << indent << "NumberOfInteractiveShadowSamples: " << this->NumberOfInteractiveShadowSamples
+     << "\n";
+  os << indent << "NumberOfShadowUpdates: " << this->GetNumberOfShadowUpdates() << "\n";
+  os << indent << "ShadowLightRadius: " << this->ShadowLightRadius << "\n";
+  os << indent << "ShadowSeed: " << this->ShadowSeed << "\n";
+  os << indent << "ShadowLayerDistance: " << this->ShadowLayerDistance << "\n";
+  os << indent << "ShadowResolution: " << this->ShadowResolution << "\n";
   os << indent << "Projection: " << this->Projection << " (used: " << this->GetProjectionUsed()
      << ")\n";
   os << indent << "Kernel: " << (this->Kernel == GAUSSIAN ? "Gaussian" : "plateau") << "\n";

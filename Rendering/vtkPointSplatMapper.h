@@ -76,6 +76,7 @@
  *   `SplatRadius` and the normals that it belongs to: the second fundamental form,
  *   whose eigenvalues are 1 / R on a sphere with outward normals. It is estimated
  *   with the radius; where only that is given, and for ellipses, splats are flat.
+ * - `ShadowFactor`, 1 to 4 components, 0 in a light's shadow, 1 lit: see Shadows.
  * - Scalars, as vtkMapper takes them: through the lookup table, or direct.
  *   InterpolateScalarsBeforeMapping is not honoured: colours are interpolated.
  * Points that are ghosts, or whose coordinates, normal or size are not finite or
@@ -83,9 +84,10 @@
  * GetNumberOfSkippedPoints().
  *
  * Images (compute; w x h are the viewport's): coded depths, 1 uint a pixel; sums,
- * 8 ints a pixel. Images (quads): the same as R32UI and two RGBA32F textures. Deferred
- * blending has besides, for each group, a layer of RGBA32UI and one of 32-bit depth; refraction,
- * for each layer up to the twelfth, one of RGBA32F.
+ * 8 ints a pixel. Images (quads): the same as R32UI and two RGBA32F textures, and one more where
+ * lights cast shadows. Deferred blending has besides, for each group, a layer of RGBA32UI and one
+ * of 32-bit depth, and one of R32UI where lights cast shadows; refraction, for each layer up to
+ * the twelfth, one of RGBA32F.
  *
  * @sa vtkPointSplatPass vtkPointSplatEstimation vtkIsosurfacePoints
  */
@@ -103,7 +105,9 @@
 
 struct vtkPointSplatItem;
 struct vtkPointSplatView;
+class vtkPointSplatCloud;
 class vtkPointSplatCompositor;
+class vtkPointSplatShadowCache;
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkUnsignedCharArray;
@@ -323,6 +327,53 @@ public:
 
   ///@{
   /**
+   * Whether lights cast shadows on these points (Dobrev, Rosenthal, Linsen 2010, section 6): how
+   * much of each light arrives at each point is computed as vtkPointShadowTexture does it, and
+   * computed again only when lights, points, their actors or meshes change. All opaque splat actors
+   * of the renderer and the faces of all opaque meshes cast; translucent ones do not, nor what
+   * clipping planes cut away. The first four lights that are switched on and no headlights cast;
+   * from where a headlight stands its shadows cannot be seen. Off by default: then the input's
+   * array `ShadowFactor` is used, if there is one, whose components belong to the same lights.
+   */
+  vtkSetMacro(Shadows, bool);
+  vtkGetMacro(Shadows, bool);
+  vtkBooleanMacro(Shadows, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Of area lights: how many samples are taken of each, 16 by default, and how many while the
+   * user interacts, 1 by default, which is while the window's desired update rate is higher
+   * than the interactor's still one. Shadows that were computed with more stay as long as they
+   * are right. The largest numbers of all mappers in the renderer hold.
+   * GetNumberOfShadowSamplesUsed() tells what the last frame had, GetNumberOfShadowUpdates() how
+   * often shadows were computed.
+   */
+  vtkSetClampMacro(NumberOfShadowSamples, int, 1, 65536);
+  vtkGetMacro(NumberOfShadowSamples, int);
+  vtkSetClampMacro(NumberOfInteractiveShadowSamples, int, 1, 65536);
+  vtkGetMacro(NumberOfInteractiveShadowSamples, int);
+  int GetNumberOfShadowSamplesUsed();
+  unsigned long GetNumberOfShadowUpdates();
+  ///@}
+
+  ///@{
+  /**
+   * As vtkPointShadowTexture's LightRadius, Seed, LayerDistance and Resolution. The first mapper's
+   * of a renderer that has Shadows on hold for all.
+   */
+  vtkSetClampMacro(ShadowLightRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(ShadowLightRadius, double);
+  vtkSetMacro(ShadowSeed, int);
+  vtkGetMacro(ShadowSeed, int);
+  vtkSetClampMacro(ShadowLayerDistance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(ShadowLayerDistance, double);
+  vtkSetClampMacro(ShadowResolution, int, 0, 16384);
+  vtkGetMacro(ShadowResolution, int);
+  ///@}
+
+  ///@{
+  /**
    * How splats become pixels: by compute shaders, which need OpenGL 4.3, or by
    * quads through the rasteriser. Automatic, the default, takes compute shaders
    * where they are to be had; GetProjectionUsed() tells what the last frame took.
@@ -436,12 +487,14 @@ private:
 
   friend class vtkPointSplatCompositor;
   friend class vtkPointSplatCloud;
+  friend class vtkPointSplatShadowCache;
 
   /**
    * Brings the pipeline and the splats up to date; false where there is nothing
    * to draw.
    */
   bool UpdateCloud();
+  vtkPointSplatCloud* GetCloud();
   void UpdateInput();
   void FillItem(vtkActor* actor, const vtkPointSplatView& view, vtkPointSplatItem& item);
   vtkSmartPointer<vtkUnsignedCharArray> MapPointColours(vtkDataSet* data, int& cellFlag);
@@ -469,6 +522,13 @@ private:
   vtkIdType MaximumImageMemory = vtkIdType(1) << 30;
   int MaximumNumberOfFillSteps = 32;
   bool AntiAliasing = true;
+  bool Shadows = false;
+  int NumberOfShadowSamples = 16;
+  int NumberOfInteractiveShadowSamples = 1;
+  double ShadowLightRadius = 0.0;
+  int ShadowSeed = 1;
+  double ShadowLayerDistance = 0.0;
+  int ShadowResolution = 0;
   int Projection = AUTOMATIC_PROJECTION;
   int Kernel = GAUSSIAN;
   double KernelSigma = 0.6;

@@ -50,8 +50,8 @@ std::string vtkPointSplatProgram::Source(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatProgram::Build(
-  const std::vector<std::pair<GLenum, std::string>>& stages, const std::string& defines)
+bool vtkPointSplatProgram::Build(const std::vector<std::pair<GLenum, std::string>>& stages,
+  const std::string& defines, const char* feedback)
 {
   this->Release();
   this->Log.clear();
@@ -79,6 +79,10 @@ bool vtkPointSplatProgram::Build(
   }
   if (good)
   {
+    if (feedback)
+    {
+      glTransformFeedbackVaryings(program, 1, &feedback, GL_INTERLEAVED_ATTRIBS);
+    }
     glLinkProgram(program);
     GLint linked = GL_FALSE;
     glGetProgramiv(program, GL_LINK_STATUS, &linked);

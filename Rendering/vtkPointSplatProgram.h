@@ -31,11 +31,12 @@ public:
 
   /**
    * Compiles and links. Each stage is a kind (GL_COMPUTE_SHADER, ...) and an
-   * embedded file. defines: lines that follow the version. False, and what the driver said
-   * in GetLog(), on failure.
+   * embedded file. defines: lines that follow the version; feedback: what the vertex shader
+   * writes by transform feedback, or null. False, and what the driver said in GetLog(), on
+   * failure.
    */
   bool Build(const std::vector<std::pair<GLenum, std::string>>& stages,
-    const std::string& defines = std::string());
+    const std::string& defines = std::string(), const char* feedback = nullptr);
 
   /**
    * Sets uniforms of a program that belongs to somebody else, who also has it in use.

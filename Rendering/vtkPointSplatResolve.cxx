@@ -15,6 +15,7 @@
 #include "vtkPointSplatEnvironment.h"
 #include "vtkPointSplatImages.h"
 #include "vtkPointSplatMapper.h"
+#include "vtkPointSplatShadowCache.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSSAOPass.h"
@@ -77,7 +78,7 @@ using Vectors = const float (*)[3];
 
 //------------------------------------------------------------------------------
 void vtkPointSplatResolve::SetLights(vtkRenderer* renderer, const vtkPointSplatView& view,
-  vtkShaderProgram* program, int level, int count)
+  vtkShaderProgram* program, int level, int count, int factors)
 {
   if (level == 0)
   {
@@ -88,6 +89,8 @@ void vtkPointSplatResolve::SetLights(vtkRenderer* renderer, const vtkPointSplatV
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> attenuations;
   std::vector<int> positional;
+  std::vector<int> components;
+  int casting = 0;
   std::vector<glm::vec2> cones;
   vtkCollectionSimpleIterator it;
   renderer->GetLights()->InitTraversal(it);
@@ -107,11 +110,17 @@ void vtkPointSplatResolve::SetLights(vtkRenderer* renderer, const vtkPointSplatV
     attenuations.push_back(Multiply(light->GetAttenuationValues(), 1.0));
     cones.emplace_back(light->GetConeAngle(), light->GetExponent());
     positional.push_back(light->GetPositional());
+    const bool casts = vtkPointSplatShadowCache::Casts(light) && casting < factors;
+    components.push_back(casts ? casting++ : -1);
   }
   program->SetUniform3fv("LightColour", count, reinterpret_cast<Vectors>(colours.data()));
   if (level > 1)
   {
     program->SetUniform3fv("LightDirection", count, reinterpret_cast<Vectors>(directions.data()));
+    if (factors > 0)
+    {
+      program->SetUniform1iv("LightFactor", count, components.data());
+    }
   }
   if (level > 2)
   {
@@ -165,11 +174,11 @@ std::string vtkPointSplatResolve::LightDefines(vtkRenderer* renderer, vtkActor* 
 
 //------------------------------------------------------------------------------
 void vtkPointSplatResolve::SetShading(vtkRenderer* renderer, vtkActor* actor,
-  const vtkPointSplatView& view, bool colours, vtkShaderProgram* program)
+  const vtkPointSplatView& view, bool colours, vtkShaderProgram* program, int factors)
 {
   int count = 0;
   const int level = LightLevel(renderer, actor, count);
-  vtkPointSplatResolve::SetLights(renderer, view, program, level, count);
+  vtkPointSplatResolve::SetLights(renderer, view, program, level, count, factors);
   vtkPointSplatResolve::SetMaterial(actor, colours, program);
 }
 
@@ -204,6 +213,10 @@ bool vtkPointSplatResolve::Present(vtkRenderer* renderer, vtkActor* actor,
   if (images.IsFilled() && shaded && mapper->GetAntiAliasing())
   {
     defines += "#define SILHOUETTES\n";
+  }
+  if (shaded && images.GetFactorCount() > 0)
+  {
+    defines += "#define FACTORS\n";
   }
   if (reflects)
   {
@@ -243,7 +256,8 @@ bool vtkPointSplatResolve::Present(vtkRenderer* renderer, vtkActor* actor,
   if (shaded)
   {
     vtkPointSplatResolve::SetShading(
-      renderer, actor, view, item.Cloud->HasColours() || gathered, program);
+      renderer, actor, view, item.Cloud->HasColours() || gathered, program,
+      images.GetFactorCount());
     if (gathered)
     {
       // The points' opacities hold the actors' own.

@@ -53,11 +53,12 @@ public:
   ///@{
   /**
    * For other programs that shade: the defines of vtkPointSplatLighting.glsl, and lights and
-   * material as uniforms. colours: the points have their own.
+   * material as uniforms. colours: the points have their own; factors: and those of so many
+   * lights, the first ones that are switched on and no headlights.
    */
   static std::string LightDefines(vtkRenderer* renderer, vtkActor* actor);
   static void SetShading(vtkRenderer* renderer, vtkActor* actor, const vtkPointSplatView& view,
-    bool colours, vtkShaderProgram* program);
+    bool colours, vtkShaderProgram* program, int factors = 0);
   ///@}
 
   /**
@@ -78,7 +79,7 @@ public:
 
 private:
   static void SetLights(vtkRenderer* renderer, const vtkPointSplatView& view, vtkShaderProgram* program,
-    int level, int count);
+    int level, int count, int factors);
   static void SetMaterial(
     vtkActor* actor, bool colours, vtkShaderProgram* program);
 

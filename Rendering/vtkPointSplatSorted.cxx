@@ -140,6 +140,8 @@ bool vtkPointSplatSorted::DrawGroup(vtkRenderer* renderer, const std::vector<vtk
     if (!shader)
     {
       std::string defines = vtkPointSplatResolve::LightDefines(renderer, actor);
+      const std::string quads = item.Factors ? "#define FACTORS\n" : "";
+      defines += quads;
       if (nearest && nearest->IsCompute())
       {
         defines += "#define COMPUTE_IMAGES\n";
@@ -153,8 +155,10 @@ bool vtkPointSplatSorted::DrawGroup(vtkRenderer* renderer, const std::vector<vtk
       {
         std::string fragment = vtkPointSplatProgram::Source("vtkPointSplatSortedFS");
         vtkShaderProgram::Substitute(fragment, "//PointSplat::Defines", defines);
+        std::string vertex = vtkPointSplatProgram::Source("vtkPointSplatQuadVS");
+        vertex.insert(vertex.find('\n') + 1, quads);
         shader->Ready = window->GetShaderCache()->ReadyShaderProgram(
-          vtkPointSplatProgram::Source("vtkPointSplatQuadVS").c_str(), fragment.c_str(), "");
+          vertex.c_str(), fragment.c_str(), "");
         if (!shader->Ready)
         {
           this->Error = "the shaders of sorted transparency do not build.";
@@ -181,7 +185,7 @@ bool vtkPointSplatSorted::DrawGroup(vtkRenderer* renderer, const std::vector<vtk
     program.Set("Refracts", item.Refracts);
     program.Set("KeepNearest", keepNearest);
     vtkPointSplatResolve::SetShading(
-      renderer, actor, request.View, item.Cloud->HasColours(), shader->Ready);
+      renderer, actor, request.View, item.Cloud->HasColours(), shader->Ready, item.FactorCount);
 
     vtkPointSplatCloud::Buffers& buffers = item.Cloud->Upload(window);
     if (indirect)

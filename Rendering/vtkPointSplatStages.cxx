@@ -65,8 +65,9 @@ bool vtkPointSplatItem::operator==(const vtkPointSplatItem& other) const
     this->KernelShape == other.KernelShape && this->KernelSupport == other.KernelSupport &&
     this->ClipPlanes == other.ClipPlanes && this->Colour == other.Colour &&
     this->CoveringScale == other.CoveringScale && this->Refracts == other.Refracts &&
-    this->Points == other.Points && this->PointLayer == other.PointLayer &&
-    this->PointLayerPixels == other.PointLayerPixels;
+    this->Factors == other.Factors && this->FactorCount == other.FactorCount &&
+    this->FactorVersion == other.FactorVersion && this->Points == other.Points &&
+    this->PointLayer == other.PointLayer && this->PointLayerPixels == other.PointLayerPixels;
 }
 
 //------------------------------------------------------------------------------
@@ -80,11 +81,11 @@ bool vtkPointSplatStages::ComputeSupported(vtkOpenGLRenderWindow* window)
 
 //------------------------------------------------------------------------------
 vtkPointSplatProgram* vtkPointSplatStages::Use(
-  Stage stage, bool compute, bool points, const vtkPointSplatPeel* peel)
+  Stage stage, bool compute, bool points, const vtkPointSplatPeel* peel, bool factors)
 {
   static const char* const names[3] = { "Visibility", "Accumulate", "Identify" };
   static const char* const pointNames[3] = { "PointDepth", "PointAccumulate", "PointIdentify" };
-  vtkPointSplatProgram& program = this->Programs[stage][compute][points][peel ? 1 : 0];
+  vtkPointSplatProgram& program = this->Programs[stage][compute][points][peel ? 1 : 0][factors];
   if (!program.IsBuilt())
   {
     const std::string name =
@@ -100,7 +101,8 @@ vtkPointSplatProgram* vtkPointSplatStages::Use(
         GL_VERTEX_SHADER, points ? "vtkPointSplatPointVS" : "vtkPointSplatQuadVS");
       files.emplace_back(GL_FRAGMENT_SHADER, name + "FS");
     }
-    if (!program.Build(files, peel ? "#define PEELING\n" : ""))
+    if (!program.Build(files,
+          std::string(peel ? "#define PEELING\n" : "") + (factors ? "#define FACTORS\n" : "")))
     {
       this->Error = program.GetLog();
       return nullptr;
@@ -148,6 +150,7 @@ void vtkPointSplatStages::SetItem(vtkPointSplatProgram& program, const vtkPointS
   program.Set("KernelShape", item.KernelShape);
   program.Set("KernelSupport", static_cast<float>(item.KernelSupport));
   program.Set("HasColours", item.Cloud->HasColours());
+  program.Set("HasFactors", item.Factors != 0);
   program.Set("ItemColour", glm::vec4(1.0f));
   program.Set("ImageWidth", imageSize.x);
   program.Set("ImageSize", imageSize);
@@ -277,7 +280,7 @@ bool vtkPointSplatStages::ReconstructByCompute(vtkOpenGLRenderWindow* window,
   for (size_t i = 0; i < items.size(); ++i)
   {
     const vtkPointSplatItem& item = items[i];
-    program = this->Use(Accumulation, true, item.Points, peel);
+    program = this->Use(Accumulation, true, item.Points, peel, images.GetFactorWords() > 0);
     if (!program)
     {
       return false;
@@ -288,11 +291,17 @@ bool vtkPointSplatStages::ReconstructByCompute(vtkOpenGLRenderWindow* window,
     program->Set("PrefilterRadius", PrefilterRadius);
     program->Set("DepthUnit", depthUnit);
     program->Set("SumStride", images.GetSumStride());
+    program->Set("FactorWord", images.GetFactorWord());
+    program->Set("FactorWords", images.GetFactorWords());
     if (peel && peel->Gather)
     {
       program->Set("ItemColour", item.Colour);
     }
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, item.Cloud->Upload(window).Colours);
+    if (images.GetFactorWords() > 0)
+    {
+      glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 6, item.Factors);
+    }
     draw(i, true);
   }
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
@@ -343,9 +352,14 @@ void vtkPointSplatStages::BindQuads(const vtkPointSplatItem& item,
     glBindBuffer(GL_ARRAY_BUFFER, buffers.Colours);
     glVertexAttribPointer(3, 4, GL_UNSIGNED_BYTE, GL_TRUE, 4, at(0, 4));
   }
+  if (item.Factors)
+  {
+    glBindBuffer(GL_ARRAY_BUFFER, item.Factors);
+    glVertexAttribPointer(6, 4, GL_UNSIGNED_BYTE, GL_TRUE, 4, at(0, 4));
+  }
   glBindBuffer(GL_ARRAY_BUFFER, 0);
-  const bool used[] = { true, true, true, colours, axes, axes };
-  for (GLuint i = 0; i < 6; ++i)
+  const bool used[] = { true, true, true, colours, axes, axes, item.Factors != 0 };
+  for (GLuint i = 0; i < 7; ++i)
   {
     if (used[i])
     {
@@ -389,7 +403,8 @@ bool vtkPointSplatStages::ReconstructByQuads(vtkOpenGLRenderWindow* window,
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, images.GetFramebuffer());
 
   // Visibility: the nearest depth of all disks.
-  GLenum all[] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2 };
+  GLenum all[] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2,
+    GL_COLOR_ATTACHMENT3 };
   const GLuint none[4] = { 0xffffffffu, 0xffffffffu, 0xffffffffu, 0xffffffffu };
   const GLfloat zero[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
   const GLfloat farthest = 1.0f;
@@ -459,8 +474,11 @@ bool vtkPointSplatStages::ReconstructByQuads(vtkOpenGLRenderWindow* window,
     GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, images.GetSums(1), 0);
   glFramebufferTexture2D(
     GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT2, GL_TEXTURE_2D, images.GetSums(2), 0);
-  state->vtkglDrawBuffers(3, all);
-  for (GLint k = 0; k < 3; ++k)
+  const int targets = images.GetFactorWords() > 0 ? 4 : 3;
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT3, GL_TEXTURE_2D,
+    targets > 3 ? images.GetSums(3) : 0, 0);
+  state->vtkglDrawBuffers(static_cast<unsigned int>(targets), all);
+  for (GLint k = 0; k < targets; ++k)
   {
     glClearBufferfv(GL_COLOR, k, zero);
   }
@@ -471,7 +489,7 @@ bool vtkPointSplatStages::ReconstructByQuads(vtkOpenGLRenderWindow* window,
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
   for (const vtkPointSplatItem& item : items)
   {
-    program = this->Use(Accumulation, false, item.Points, peel);
+    program = this->Use(Accumulation, false, item.Points, peel, targets > 3);
     if (!program)
     {
       return false;
@@ -488,6 +506,8 @@ bool vtkPointSplatStages::ReconstructByQuads(vtkOpenGLRenderWindow* window,
     }
     draw(item);
   }
+  // The other stages know three colour attachments.
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT3, GL_TEXTURE_2D, 0, 0);
   return true;
 }
 
@@ -620,9 +640,12 @@ void vtkPointSplatStages::Release()
     {
       for (auto& kind : projection)
       {
-        for (vtkPointSplatProgram& program : kind)
+        for (auto& peeling : kind)
         {
-          program.Release();
+          for (vtkPointSplatProgram& program : peeling)
+          {
+            program.Release();
+          }
         }
       }
     }

@@ -42,6 +42,9 @@ struct vtkPointSplatItem
   double KernelSupport = 1.5;
   std::vector<glm::dvec4> ClipPlanes; // world coordinates
   glm::ivec4 Window{ 0 };             // pixels that it can cover
+  GLuint Factors = 0;                 // a buffer: RGBA, 8 bits each, of as many lights, a splat
+  int FactorCount = 0;                // the lights
+  unsigned long FactorVersion = 0;    // counts what was in the buffer
   double CoveringScale = 1.0;         // how much larger group-sorted splats are drawn
   bool Points = false;                // projected as single pixels, holes filled in the image
   double PointLayer = 0.0;            // the least layer distance of such points, world units ...
@@ -143,9 +146,11 @@ private:
     Accumulation,
     Identification
   };
-  /// The program of a stage, in use; points: for items that are projected as single pixels.
+  /// The program of a stage, in use; points: for items that are projected as single pixels;
+  /// factors: for images that have those of lights.
   vtkPointSplatProgram* Use(
-    Stage stage, bool compute, bool points, const vtkPointSplatPeel* peel = nullptr);
+    Stage stage, bool compute, bool points, const vtkPointSplatPeel* peel = nullptr,
+    bool factors = false);
   static void Dispatch(vtkPointSplatProgram& program, vtkPointSplatUnits& units,
     vtkIdType splats, bool points, vtkPointSplatCloud::Buffers& buffers);
   void PrepareLists(const std::vector<vtkPointSplatItem>& items, int layer);
@@ -159,7 +164,7 @@ private:
     const std::vector<vtkPointSplatItem>& items, vtkPointSplatImages& images,
     vtkPointSplatCloud::IdKind kind);
 
-  vtkPointSplatProgram Programs[3][2][2][2]; // by stage, compute, points, peeling
+  vtkPointSplatProgram Programs[3][2][2][2][2]; // by stage, compute, points, peeling, factors
   GLuint Found = 0; // a buffer: whether compute shaders found anything
 
   /**

@@ -201,6 +201,7 @@ Options Options::Parse(int argc, char* argv[])
         o.Transparency = OneOf(n, v, { "automatic", "peeling", "sorted", "nearest-exact" });
       } },
     { "--layers", [&o](auto& n, auto& v) { o.Layers = Whole(n, v, 1, 256); } },
+    { "--shadows", [&o](auto& n, auto& v) { o.Shadows = Whole(n, v, 1, 1024); } },
     { "--projection",
       [&o](auto& n, auto& v) {
         o.Projection = OneOf(n, v, { "automatic", "compute", "quads" });
@@ -306,6 +307,8 @@ How it looks
                        position, focal point, view up, and view angle in degrees
   --size WxH           default 1024x768
   --scalar-bar         show the colour scale of --array
+  --shadows N          light by a lamp up on the left that casts shadows: hard ones (1), or
+                       soft ones by so many samples (1 to 1024)
 
 How it is drawn
   --method M           automatic (default), two-pass, deferred

@@ -32,6 +32,7 @@ struct Options
   std::string Method = "automatic";
   std::string Transparency = "automatic";
   int Layers = 32;
+  int Shadows = 0; // samples of a lamp; 0: no lamp
   std::string Projection = "automatic";
   std::string Normals = "keep";
   double RadiusScale = 1.0;

@@ -103,6 +103,7 @@ void WriteReport(const std::string& file, const Scene& scene, vtkRenderWindow* w
         << ", \"transparency\": " << Quoted(mapper->GetTransparencyUsed())
         << ", \"layers\": " << mapper->GetNumberOfLayersDrawn()
         << ", \"groups\": " << mapper->GetNumberOfGroups()
+        << ", \"shadow_samples\": " << mapper->GetNumberOfShadowSamplesUsed()
         << ", \"projection\": " << Quoted(mapper->GetProjectionUsed())
         << ", \"layer_distance\": " << Number(mapper->GetLayerDistanceUsed())
         << ", \"normals\": " << Quoted(surface.Normals)

@@ -14,7 +14,9 @@
 #include "vtkImageData.h"
 #include "vtkImageResample.h"
 #include "vtkIsosurfacePoints.h"
+#include "vtkLight.h"
 #include "vtkLookupTable.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
@@ -81,6 +83,12 @@ Surface& AddSurface(
     surface.Mapper->SetTransparencyToNearestExact();
   }
   surface.Mapper->SetMaximumNumberOfLayers(options.Layers);
+  if (options.Shadows > 0)
+  {
+    surface.Mapper->ShadowsOn();
+    surface.Mapper->SetShadowLightRadius(0.05);
+    surface.Mapper->SetNumberOfShadowSamples(options.Shadows);
+  }
   if (options.Projection != "automatic")
   {
     surface.Mapper->SetProjection(options.Projection == "quads" ? vtkPointSplatMapper::QUADS
@@ -102,6 +110,36 @@ Surface& AddSurface(
   scene.Renderer->AddActor(surface.Actor);
   scene.Surfaces.push_back(surface);
   return scene.Surfaces.back();
+}
+
+/**
+ * A lamp over the camera's left shoulder that stays there when the camera moves, and a faint
+ * headlight.
+ */
+void AddLamp(vtkRenderer* renderer)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const double* focus = camera->GetFocalPoint();
+  const double* back = camera->GetViewPlaneNormal();
+  double up[3];
+  double right[3];
+  double position[3];
+  vtkMath::Cross(camera->GetViewUp(), back, right);
+  vtkMath::Normalize(right);
+  vtkMath::Cross(back, right, up);
+  for (int k = 0; k < 3; ++k)
+  {
+    position[k] = focus[k] - 0.5 * right[k] + 0.7 * up[k] + 0.6 * back[k];
+  }
+  vtkNew<vtkLight> lamp;
+  lamp->SetPosition(position);
+  lamp->SetFocalPoint(camera->GetFocalPoint());
+  lamp->SetIntensity(0.8);
+  renderer->AddLight(lamp);
+  vtkNew<vtkLight> fill;
+  fill->SetLightTypeToHeadlight();
+  fill->SetIntensity(0.35);
+  renderer->AddLight(fill);
 }
 
 /**
@@ -306,5 +344,9 @@ Scene Scene::Make(const Options& options)
     }
   }
   PlaceCamera(scene.Renderer, own.Camera);
+  if (options.Shadows > 0)
+  {
+    AddLamp(scene.Renderer);
+  }
   return scene;
 }

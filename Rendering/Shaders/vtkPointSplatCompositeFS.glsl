@@ -20,6 +20,11 @@ layout(location = 0) out uint nearestDepth;
 layout(location = 1) out vec4 weightAndNormal;
 layout(location = 2) out vec4 depthAndColour;
 layout(location = 3) out float opacity;
+#ifdef FACTORS
+uniform usampler2DArray FactorTexels;
+
+layout(location = 4) out vec4 factors;
+#endif
 
 // The nearest disk's coded depth at a pixel, and the nearest of the kernels' tails.
 void nearestDepths(ivec2 pixel, out uint disk, out uint tail)
@@ -71,6 +76,9 @@ void main()
   vec4 a = vec4(0.0);
   vec4 b = vec4(0.0);
   float c = 0.0;
+#ifdef FACTORS
+  factors = vec4(0.0);
+#endif
   for (int k = 0; k < GroupCount; ++k)
   {
     if (texelFetch(GroupDepths, ivec3(pixel, k), 0).r < 1.0)
@@ -87,6 +95,9 @@ void main()
         vec4 colour = unpackColour(texel.w);
         b += weight * vec4(clamp(behind / DepthUnit, -1.0, 1.0), colour.rgb);
         c += weight * colour.a;
+#ifdef FACTORS
+        factors += weight * unpackColour(texelFetch(FactorTexels, ivec3(pixel, k), 0).r);
+#endif
       }
     }
   }

@@ -5,11 +5,16 @@
 // integers (COMPUTE_IMAGES), or textures; as the projection left them, or one image of texels
 // (FILLED_IMAGES).
 
+#ifdef COMPUTE_IMAGES
+#include "vtkPointSplatFixedPoint"
+#else
+uniform float DepthUnit;
+#endif
+
 #if defined(FILLED_IMAGES)
 
 #include "vtkPointSplatTexel"
 
-uniform float DepthUnit;
 #ifdef COMPUTE_IMAGES
 uniform usamplerBuffer Texels; // RGBA32UI, see vtkPointSplatTexel
 uniform usamplerBuffer Filled; // RG32UI: coded depth, and the pixel whose attributes are meant
@@ -57,8 +62,6 @@ bool fetchSums(ivec2 pixel, out vec3 normal, out float behind, out vec4 colour)
 
 #elif defined(COMPUTE_IMAGES)
 
-#include "vtkPointSplatFixedPoint"
-
 uniform usamplerBuffer Depths; // R32UI, one a pixel
 uniform isamplerBuffer Sums;   // RGBA32I, see vtkPointSplatFixedPoint
 uniform usamplerBuffer Ids;    // RG32UI, one a pixel
@@ -97,7 +100,6 @@ uniform sampler2D WeightAndNormal;
 uniform sampler2D DepthAndColour;
 uniform sampler2D Opacities;
 uniform usampler2D Ids;
-uniform float DepthUnit;
 
 uint fetchDepth(ivec2 pixel)
 {
@@ -131,4 +133,44 @@ bool fetchSums(ivec2 pixel, out vec3 normal, out float behind, out vec4 colour)
   colour /= w;
   return w > 0.0;
 }
+#endif
+
+#ifdef FACTORS
+// The factors of lights. Those of a filled layer are the projected point's.
+#if defined(COMPUTE_IMAGES)
+#ifdef FILLED_IMAGES
+uniform isamplerBuffer Sums;   // of the projected images
+uniform int TexelsPerPixel;
+#endif
+uniform int FactorWord; // 3, or 5 with colours
+
+vec4 fetchFactors(ivec2 pixel)
+{
+#ifdef FILLED_IMAGES
+  uint source = texelFetch(Filled, pixel.y * ImageWidth + pixel.x).g;
+  pixel = ivec2(source & 0xffffu, source >> 16);
+#endif
+  int at = (pixel.y * ImageWidth + pixel.x) * TexelsPerPixel;
+  ivec4 a = texelFetch(Sums, at);
+  ivec4 b = TexelsPerPixel > 1 ? texelFetch(Sums, at + 1) : ivec4(0);
+  ivec2 words = FactorWord == 3 ? ivec2(a.w, b.x) : b.yz;
+  bool good = a.x > 0 && a.x < WeightOverflow;
+  return good ? vec4(unpackSums(words.x), unpackSums(words.y)) / float(a.x) : vec4(1.0);
+}
+#else
+uniform sampler2D Factors;
+#ifdef FILLED_IMAGES
+uniform sampler2D WeightAndNormal;
+#endif
+
+vec4 fetchFactors(ivec2 pixel)
+{
+#ifdef FILLED_IMAGES
+  uint source = texelFetch(Filled, pixel, 0).g;
+  pixel = ivec2(source & 0xffffu, source >> 16);
+#endif
+  float w = texelFetch(WeightAndNormal, pixel, 0).x;
+  return w > 0.0 ? texelFetch(Factors, pixel, 0) / w : vec4(1.0);
+}
+#endif
 #endif

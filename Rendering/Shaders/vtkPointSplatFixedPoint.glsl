@@ -9,7 +9,9 @@
 //   word 2  normal z, depth behind the nearest
 //   word 3  red, green        (words 3 and 4 only with colours)
 //   word 4  blue, opacity
-// each times the weight.
+//   then    the factors of the first and the second light, of the third and the fourth
+// each times the weight; factors only where there are some, as many words as they fill, from
+// word 3 or 5 on.
 
 // A weight of 1. Sums of 127 such fit into 16 bits.
 const float WeightScale = 256.0;

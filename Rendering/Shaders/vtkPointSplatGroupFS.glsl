@@ -19,6 +19,9 @@ flat in vec3 diskLeanAndReach;
 uniform float VoronoiScale; // world units; 0: plain depth
 
 layout(location = 0) out uvec4 texel;
+#ifdef FACTORS
+layout(location = 1) out uint factorTexel; // 8 bits each
+#endif
 
 void main()
 {
@@ -45,6 +48,9 @@ void main()
   texel = uvec4(encodeDepth(onDisk ? onto.depth : hit.depth, q.tag), encodeNormal(normalAt(q, hit.uv)),
     encodeHalf(weight, !onDisk) | encodeHalf(along / DepthUnit, q.facing <= SteepFacing) << 16,
     packColour(splatColour));
+#ifdef FACTORS
+  factorTexel = packColour(splatFactors);
+#endif
   // Off the disk comes last: a widened splat's tail would else hide the disk that
   // tells where the surface is.
   float rim = sqrt(hit.r2) / KernelSupport + (onDisk ? 0.0 : 1.0);

@@ -8,6 +8,7 @@
 //      the least layer distance along the ray, world units, negative where the
 //      splat stands so steep that only splats of its own side belong to its layer
 //   w  colour and opacity, 8 bits a component
+// Where lights cast shadows, a second image (R32UI) has their factors, 8 bits each.
 // Halves hold up to 65504: layer distances are in units of DepthUnit.
 
 uniform float DepthUnit; // world units

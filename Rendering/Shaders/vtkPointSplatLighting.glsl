@@ -17,6 +17,13 @@ uniform vec3 LightAttenuation[LIGHT_COUNT]; // constant, linear, quadratic
 uniform vec2 LightCone[LIGHT_COUNT];        // half angle in degrees, exponent
 uniform int LightPositional[LIGHT_COUNT];
 #endif
+#if defined(FACTORS) && LIGHT_LEVEL > 1
+uniform int LightFactor[LIGHT_COUNT]; // the light's component of lightFactors, or -1
+#endif
+#ifdef FACTORS
+// How much of each light arrives at what is shaded (Dobrev, Rosenthal, Linsen 2010, section 6).
+vec4 lightFactors = vec4(1.0);
+#endif
 
 struct Material
 {
@@ -59,6 +66,9 @@ vec3 shade(Material m, vec3 positionVC, vec3 normalVC)
           coneDot >= cos(radians(LightCone[i].x)) ? pow(coneDot, LightCone[i].y) : 0.0;
       }
     }
+#endif
+#ifdef FACTORS
+    attenuation *= LightFactor[i] < 0 ? 1.0 : lightFactors[LightFactor[i]];
 #endif
     float df = max(0.0, attenuation * dot(normalVC, -direction));
     float reflected = max(0.0, dot(reflect(direction, normalVC), view));

@@ -35,5 +35,8 @@ void main()
 #endif
   // Normals of many surfaces: turned to the viewer, or front and back would cancel.
   float turned = Gather && (q.tag & 1u) != 0u ? -1.0 : 1.0;
+#ifdef FACTORS
+  factorsGiven = pointFactors;
+#endif
   addToSums(pointColour, 1.0, turned * q.normal, q.depth - decodeDepth(nearest), Gather);
 }

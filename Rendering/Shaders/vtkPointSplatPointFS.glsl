@@ -9,6 +9,9 @@ flat in vec4 normalAndDepth;
 flat in vec2 facingAndLayer;
 flat in uvec2 tagAndId;
 flat in vec4 pointColour;
+#ifdef FACTORS
+flat in vec4 pointFactors;
+#endif
 
 Splat fragmentPoint()
 {

@@ -12,6 +12,14 @@ layout(location = 1) in uvec3 shape;
 layout(location = 2) in uint id;
 layout(location = 3) in vec4 colour;
 
+#ifdef FACTORS
+layout(location = 6) in vec4 factorsOfLights;
+
+uniform bool HasFactors;
+
+flat out vec4 pointFactors;
+#endif
+
 uniform ivec2 ImageSize;
 
 flat out vec4 normalAndDepth;
@@ -32,5 +40,8 @@ void main()
     facingAndLayer = vec2(q.facing, q.layer);
     tagAndId = uvec2(q.tag, id);
     pointColour = colour;
+#ifdef FACTORS
+    pointFactors = HasFactors ? factorsOfLights : vec4(1.0);
+#endif
   }
 }

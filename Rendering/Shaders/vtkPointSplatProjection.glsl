@@ -19,6 +19,8 @@
 // So single precision suffices however far the window's corner is. Nothing in
 // this needs a perspective: in parallel projection all w are 1.
 
+#include "vtkPointSplatOctahedron"
+
 uniform mat4 MCVC;           // cloud's local coordinates to view coordinates
 uniform mat3 NormalMatrix;   // normals likewise
 uniform vec4 PixelX;         // view coordinates to x w, in pixels of the images
@@ -162,18 +164,6 @@ void addDisk(Splat q, float h, float r, inout vec2 low, inout vec2 high)
       }
     }
   }
-}
-
-// A unit vector from the octahedron's two coordinates, 16 bits each (Cigolle et al.
-// 2014, A survey of efficient representations for independent unit vectors).
-vec3 decodeNormal(uint code)
-{
-  vec2 f = vec2(ivec2(int(code << 16) >> 16, int(code) >> 16)) / 32767.0;
-  vec3 n = vec3(f, 1.0 - abs(f.x) - abs(f.y));
-  float fold = max(-n.z, 0.0);
-  n.x += n.x >= 0.0 ? -fold : fold;
-  n.y += n.y >= 0.0 ? -fold : fold;
-  return normalize(n);
 }
 
 // Projects a splat. False: nothing of it can be seen.

@@ -12,6 +12,13 @@ layout(location = 2) in uint id;
 layout(location = 3) in vec4 colour;
 layout(location = 4) in vec3 axis1MC;
 layout(location = 5) in vec3 axis2MC;
+#ifdef FACTORS
+layout(location = 6) in vec4 factorsOfLights;
+
+uniform bool HasFactors;
+
+flat out vec4 splatFactors;
+#endif
 
 uniform float Reach;         // radii to draw: 1, or the kernel's support
 uniform float MinimumRadius; // pixels
@@ -57,6 +64,9 @@ bool spanQuad()
   splatNormal = q.normal;
   tagAndId = uvec2(q.tag, id);
   splatColour = colour;
+#ifdef FACTORS
+  splatFactors = HasFactors ? factorsOfLights : vec4(1.0);
+#endif
   positionVC = q.positionVC;
   sVC = q.sVC;
   tVC = q.tVC;

@@ -16,6 +16,9 @@ flat in vec3 splatTurnT;
 flat in vec3 splatNormal;
 flat in uvec2 tagAndId;
 flat in vec4 splatColour;
+#ifdef FACTORS
+flat in vec4 splatFactors;
+#endif
 flat in vec3 positionVC;
 flat in vec3 sVC;
 flat in vec3 tVC;

@@ -94,6 +94,9 @@ void main()
   id >>= uint(SelectionShift);
   gl_FragData[0] = vec4(uvec4(id, id >> 8, id >> 16, 255u) & 255u) / 255.0;
 #else
+#ifdef FACTORS
+  lightFactors = fetchFactors(at);
+#endif
   bool back;
   vec4 shaded = shadeSurface(positionVC.xyz, normalVC, colour, back);
 #ifdef SILHOUETTES

@@ -47,6 +47,9 @@ vec4 smoothSilhouette(ivec2 at, uint code, vec4 shaded)
   vec4 colour;
   bool back;
   fetchSums(beyond, normalVC, behind, colour);
+#ifdef FACTORS
+  lightFactors = fetchFactors(beyond);
+#endif
   vec4 positionVC = pointOfPixel(beyond, -(NearDistance + farthest + behind));
   return mix(shaded, shadeSurface(positionVC.xyz, normalVC, colour, back), 0.5);
 }

@@ -81,6 +81,9 @@ void main()
     m.diffuse *= splatColour.rgb;
     opacity *= splatColour.a;
   }
+#ifdef FACTORS
+  lightFactors = splatFactors;
+#endif
   blended = vec4(opacity * shade(m, position, normal), opacity);
   gl_FragDepth =
     clamp((floor(hit.depth / CoarseDepth) + 0.5) * CoarseDepth / DepthRange.y, 0.0, 0.9999999);

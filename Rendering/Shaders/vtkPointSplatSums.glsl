@@ -8,6 +8,13 @@
 layout(std430, binding = 0) buffer Sums { int sums[]; };
 layout(std430, binding = 2) readonly buffer Colours { uint colours[]; };
 
+#ifdef FACTORS
+layout(std430, binding = 6) readonly buffer Factors { uint factors[]; };
+
+uniform bool HasFactors;
+uniform int FactorWord;  // where they begin
+uniform int FactorWords; // 1 or 2
+#endif
 uniform vec4 ItemColour; // multiplies the points' colours
 uniform bool HasColours;
 uniform int SumStride;   // ints a pixel
@@ -37,4 +44,13 @@ void addToSums(int at, uint index, float kernel, vec3 normal, float behind, bool
     atomicAdd(sums[at + 3], packSums(sum.r, sum.g));
     atomicAdd(sums[at + 4], packSums(sum.b, sum.a));
   }
+#ifdef FACTORS
+  ivec4 lit =
+    ivec4(round(weight * (HasFactors ? unpackUnorm4x8(factors[index]) : vec4(1.0))));
+  atomicAdd(sums[at + FactorWord], packSums(lit.x, lit.y));
+  if (FactorWords > 1)
+  {
+    atomicAdd(sums[at + FactorWord + 1], packSums(lit.z, lit.w));
+  }
+#endif
 }

@@ -126,6 +126,15 @@ class TestSplatviewPicture(SplatviewTest):
         self.assertEqual(report["surfaces"][0]["layers"], 1)
         self.assertGreater(one.difference(pictures["peeling"]), 1.0)
 
+    def test_shadows(self):
+        report, plain = self.draw("globe.xyz")
+        self.assertEqual(report["surfaces"][0]["shadow_samples"], 0)
+        report, hard = self.draw("globe.xyz", "--shadows", "1")
+        self.assertEqual(report["surfaces"][0]["shadow_samples"], 1)
+        self.assertGreater(hard.difference(plain), 1.0)
+        report, _ = self.draw("globe.xyz", "--shadows", "4")
+        self.assertEqual(report["surfaces"][0]["shadow_samples"], 4)
+
     def test_array_and_scalar_bar(self):
         self.write(
             "heights.xyz",

@@ -1,0 +1,30 @@
+#version 330
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Writes a splat's texels; the depth test keeps the nearest one.
+
+#include "vtkPointSplatShadowProjection"
+
+flat in vec3 positionLC;
+flat in vec3 normalLC;
+flat in vec4 pixelRadiusFacing;
+
+layout(location = 0) out uint shadow;
+
+void main()
+{
+  Seen s;
+  s.position = positionLC;
+  s.normal = normalLC;
+  s.pixel = pixelRadiusFacing.xy;
+  s.radius = pixelRadiusFacing.z;
+  s.facing = pixelRadiusFacing.w;
+  s.depth = positionLC.z;
+  shadow = texelOf(s, ivec2(gl_FragCoord.xy));
+  if (shadow == Nothing)
+  {
+    discard;
+  }
+  gl_FragDepth = float(shadow >> 8) / 16777216.0;
+}

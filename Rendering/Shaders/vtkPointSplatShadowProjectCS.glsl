@@ -1,0 +1,41 @@
+#version 430
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Projects splats to a shadow map by compute, as disks: the nearest stays.
+// Writes: Map.
+
+#include "vtkPointSplatShadowProjection"
+
+layout(local_size_x = 64) in;
+layout(r32ui, binding = 0) uniform uimage2D Map;
+
+uniform uint SplatCount;
+
+void main()
+{
+  uint index =
+    (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 64u + gl_LocalInvocationID.x;
+  if (index >= SplatCount)
+  {
+    return;
+  }
+  Seen s = seeSplat(int(index));
+  if (s.inside && !s.cut)
+  {
+    int reach = reachOf(s);
+    ivec2 low = max(ivec2(s.pixel) - reach, ivec2(0));
+    ivec2 high = min(ivec2(s.pixel) + reach, MapSize - 1);
+    for (int y = low.y; y <= high.y; ++y)
+    {
+      for (int x = low.x; x <= high.x; ++x)
+      {
+        uint texel = texelOf(s, ivec2(x, y));
+        if (texel != Nothing)
+        {
+          imageAtomicMin(Map, ivec2(x, y), texel);
+        }
+      }
+    }
+  }
+}

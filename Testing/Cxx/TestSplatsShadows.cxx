@@ -1,0 +1,416 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures with shadows against closed forms, in every method; when shadows are computed again;
+// saved factors.
+#include "ShadowScene.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkPointShadowTexture.h"
+
+namespace
+{
+using namespace ShadowScene;
+using SplatScene::Checks;
+using SplatScene::Picture;
+using SplatScene::Window;
+
+constexpr double Ambient = 0.2;
+constexpr double Diffuse = 0.8;
+const Vector Colour{ 0.9, 0.7, 0.5 };
+
+/// A scene by its mapper, lit as the lights say, seen from above.
+struct View
+{
+  Window Win;
+  vtkNew<vtkPointSplatMapper> Mapper;
+  vtkActor* Actor = nullptr;
+
+  explicit View(vtkPolyData* points, const std::vector<vtkSmartPointer<vtkLight>>& lights)
+  {
+    this->Mapper->SetInputData(points);
+    this->Mapper->ScalarVisibilityOff();
+    this->Actor = this->Win.Add(this->Mapper);
+    vtkProperty* property = this->Actor->GetProperty();
+    property->SetColor(Colour[0], Colour[1], Colour[2]);
+    property->SetAmbient(Ambient);
+    property->SetDiffuse(Diffuse);
+    property->SetSpecular(0.0);
+    this->Win.Renderer->AutomaticLightCreationOff();
+    for (vtkLight* light : lights)
+    {
+      this->Win.Renderer->AddLight(light);
+    }
+    vtkCamera* camera = this->Win.Renderer->GetActiveCamera();
+    camera->SetPosition(0.5, -5.0, 5.0);
+    camera->SetFocalPoint(0.0, 0.0, 0.3);
+    camera->SetViewUp(0.0, 0.0, 1.0);
+    this->Win.Renderer->ResetCameraClippingRange();
+  }
+  /// The ray through a point of the picture.
+  void Ray(double x, double y, Vector& o, Vector& d)
+  {
+    double world[2][4];
+    vtkRenderer* renderer = this->Win.Renderer;
+    for (int end = 0; end < 2; ++end)
+    {
+      renderer->SetDisplayPoint(x, y, end);
+      renderer->DisplayToWorld();
+      renderer->GetWorldPoint(world[end]);
+    }
+    for (size_t k = 0; k < 3; ++k)
+    {
+      o[k] = world[0][k] / world[0][3];
+      d[k] = world[1][k] / world[1][3] - o[k];
+    }
+    d = Unit(d);
+  }
+};
+
+/// What a ray sees: which surface, and by which lights it is lit.
+struct Seen
+{
+  int Surface = -1;
+  unsigned int Lit = 0;
+  Vector Normal{ 0.0, 0.0, 1.0 };
+  bool operator==(const Seen& other) const
+  {
+    return this->Surface == other.Surface && this->Lit == other.Lit;
+  }
+};
+
+Seen See(const Spheres& scene, const std::vector<vtkSmartPointer<vtkLight>>& lights,
+  const Vector& o, const Vector& d)
+{
+  Seen seen;
+  const Hit hit = scene.Cast(o, d);
+  seen.Surface = hit.Surface;
+  if (hit.Surface < 0)
+  {
+    return seen;
+  }
+  const Vector p = Along(o, hit.T, d);
+  if (hit.Surface > 0)
+  {
+    seen.Normal = Unit(Between(scene.Balls[static_cast<size_t>(hit.Surface) - 1].Centre, p));
+  }
+  for (size_t i = 0; i < lights.size(); ++i)
+  {
+    bool clear = false;
+    seen.Lit |= IsLit(scene, lights[i], Along(p, 1e-6, seen.Normal), 0.0, clear) ? 1u << i : 0u;
+  }
+  return seen;
+}
+
+/// Compares a picture with the closed form where no edge of a surface or a shadow is near.
+/// opacity: of the points before black; the first surface only counts then.
+void Compare(Checks& checks, const std::string& name, View& view, const Spheres& scene,
+  const std::vector<vtkSmartPointer<vtkLight>>& lights, double opacity = 1.0)
+{
+  const Picture picture = view.Win.Draw();
+  const int reach = 4;
+  double sum = 0.0;
+  long inside = 0;
+  long dark = 0;
+  long wrong = 0;
+  for (int y = 10; y < picture.Height - 10; y += 2)
+  {
+    for (int x = 10; x < picture.Width - 10; x += 2)
+    {
+      Vector o;
+      Vector d;
+      view.Ray(x + 0.5, y + 0.5, o, d);
+      const Seen seen = See(scene, lights, o, d);
+      if (seen.Surface < 0 || (opacity < 1.0 && seen.Surface > 0))
+      {
+        continue;
+      }
+      bool clear = true;
+      for (int k = 0; k < 8 && clear; ++k)
+      {
+        Vector o2;
+        Vector d2;
+        view.Ray(x + 0.5 + reach * std::cos(k * vtkMath::Pi() / 4),
+          y + 0.5 + reach * std::sin(k * vtkMath::Pi() / 4), o2, d2);
+        clear = See(scene, lights, o2, d2) == seen;
+      }
+      if (!clear)
+      {
+        continue;
+      }
+      ++inside;
+      double light = Ambient;
+      for (size_t i = 0; i < lights.size(); ++i)
+      {
+        Vector from;
+        Vector ray;
+        RayTo(lights[i], Along(o, scene.Cast(o, d).T, d), from, ray);
+        const double cosine = std::max(0.0, -Dot(seen.Normal, ray));
+        light += (seen.Lit >> i & 1u) * Diffuse * cosine * lights[i]->GetIntensity();
+      }
+      dark += seen.Lit + 1u != 1u << lights.size();
+      double worst = 0.0;
+      for (int c = 0; c < 3; ++c)
+      {
+        const double wanted =
+          255.0 * opacity * std::min(1.0, light * Colour[static_cast<size_t>(c)]);
+        worst = std::max(worst, std::abs(wanted - picture.At(x, y)[c]));
+      }
+      sum += worst;
+      wrong += worst > 8.0;
+    }
+  }
+  std::cout << name << " (" << view.Mapper->GetMethodUsed() << ", "
+            << view.Mapper->GetProjectionUsed() << ", " << view.Mapper->GetTransparencyUsed()
+            << "): " << inside << " pixels, " << dark << " of them in a shadow, mean error "
+            << sum / inside << ", " << 100.0 * wrong / inside << " % wrong\n";
+  checks.AtLeast(inside, 1000l, name + ": pixels");
+  checks.AtLeast(dark, 100l, name + ": pixels in shadow");
+  checks.AtMost(sum / inside, 2.0, name + ": mean error");
+  checks.AtMost(100.0 * wrong / inside, 1.0, name + ": per cent wrong");
+}
+
+const Vector Middle{ 0.0, 0.0, 0.5 };
+
+void TestMethods(Checks& checks)
+{
+  const Spheres scene(40000);
+  auto first = MakeLight({ 2, 1, 3 }, Middle, false);
+  auto second = MakeLight({ -3, 1, 4 }, Middle, true);
+  first->SetIntensity(0.6);
+  second->SetIntensity(0.4);
+  for (const bool both : { false, true })
+  {
+    std::vector<vtkSmartPointer<vtkLight>> lights{ first };
+    if (both)
+    {
+      lights.push_back(second);
+    }
+    const std::string name = both ? "two lights" : "one light";
+    {
+      View view(scene.Points, lights);
+      view.Mapper->ShadowsOn();
+      Compare(checks, name, view, scene, lights);
+    }
+    {
+      View view(scene.Points, lights);
+      view.Mapper->ShadowsOn();
+      view.Mapper->SetProjectionToQuads();
+      view.Mapper->SetMethodToTwoPass();
+      Compare(checks, name, view, scene, lights);
+    }
+    for (const int projection : { vtkPointSplatMapper::COMPUTE, vtkPointSplatMapper::QUADS })
+    {
+      View view(scene.Points, lights);
+      view.Mapper->ShadowsOn();
+      view.Mapper->SetMethod(vtkPointSplatMapper::IMAGE_SPACE);
+      view.Mapper->SetProjection(projection);
+      Compare(checks, name, view, scene, lights);
+    }
+    {
+      View view(scene.Points, lights);
+      view.Mapper->ShadowsOn();
+      view.Mapper->SetMethodToDeferred();
+      Compare(checks, name, view, scene, lights);
+      checks.Expect(std::string(view.Mapper->GetMethodUsed()) == "deferred", "Not deferred.");
+    }
+  }
+  // With colours, and more lights than one word of the sums holds.
+  vtkNew<vtkPolyData> coloured;
+  coloured->ShallowCopy(scene.Points);
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < coloured->GetNumberOfPoints(); ++i)
+  {
+    colours->InsertNextTuple3(std::lround(255 * Colour[0]), std::lround(255 * Colour[1]),
+      std::lround(255 * Colour[2]));
+  }
+  coloured->GetPointData()->SetScalars(colours);
+  for (const bool quads : { false, true })
+  {
+    for (const bool withColours : { false, true })
+    {
+      std::vector<vtkSmartPointer<vtkLight>> lights{ first, second,
+        MakeLight({ 0, -4, 4 }, Middle, false), MakeLight({ -1, 3, 2 }, Middle, true) };
+      first->SetIntensity(0.3);
+      second->SetIntensity(0.3);
+      lights[2]->SetIntensity(0.2);
+      lights[3]->SetIntensity(0.2);
+      View view(withColours ? coloured.Get() : scene.Points.Get(), lights);
+      view.Mapper->SetScalarVisibility(withColours);
+      view.Mapper->ShadowsOn();
+      view.Mapper->SetProjection(
+        quads ? vtkPointSplatMapper::QUADS : vtkPointSplatMapper::COMPUTE);
+      Compare(checks, "four lights", view, scene, lights);
+    }
+  }
+}
+
+/// A translucent plane in the shadow of an opaque mesh.
+void TestTranslucent(Checks& checks)
+{
+  Spheres scene(10);
+  scene.Balls = { { { 0.0, 0.0, 1.2 }, 0.6 } };
+  const auto plane =
+    SplatScene::RandomCloud(40000, [](double u, double v, double* p, double* n) {
+      p[0] = 4.0 * u - 2.0;
+      p[1] = 4.0 * v - 2.0;
+      p[2] = n[0] = n[1] = 0.0;
+      n[2] = 1.0;
+    });
+  vtkNew<vtkSphereSource> ball;
+  ball->SetRadius(0.6);
+  ball->SetThetaResolution(100);
+  ball->SetPhiResolution(50);
+  vtkNew<vtkPolyDataMapper> mesh;
+  mesh->SetInputConnection(ball->GetOutputPort());
+  const std::vector<vtkSmartPointer<vtkLight>> lights{ MakeLight({ 1, -1, 2.5 }, Middle, false) };
+  for (const int transparency : { vtkPointSplatMapper::PEELING, vtkPointSplatMapper::SORTED,
+         vtkPointSplatMapper::NEAREST_EXACT })
+  {
+    View view(plane, lights);
+    view.Win.Add(mesh)->SetPosition(0.0, 0.0, 1.2);
+    view.Mapper->ShadowsOn();
+    view.Mapper->SetTransparency(transparency);
+    view.Actor->GetProperty()->SetOpacity(0.6);
+    Compare(checks, "translucent", view, scene, lights, 0.6);
+  }
+}
+
+void TestUpdates(Checks& checks)
+{
+  const Spheres scene(10000);
+  auto light = MakeLight({ 2, 1, 3 }, Middle, false);
+  View view(scene.Points, { light });
+  vtkPointSplatMapper* mapper = view.Mapper;
+  mapper->ShadowsOn();
+  mapper->SetShadowLightRadius(0.1);
+  mapper->SetNumberOfShadowSamples(8);
+  unsigned long updates = 0;
+  auto expect = [&](bool again, int samples, const std::string& what) {
+    view.Win.Win->Render();
+    checks.Expect((mapper->GetNumberOfShadowUpdates() != updates) == again,
+      what + (again ? " does not bring shadows up to date" : " computes shadows again"));
+    checks.Expect(mapper->GetNumberOfShadowSamplesUsed() == samples,
+      what + ": " + std::to_string(mapper->GetNumberOfShadowSamplesUsed()) + " samples");
+    updates = mapper->GetNumberOfShadowUpdates();
+  };
+  expect(true, 8, "The first frame");
+  expect(false, 8, "The same again");
+  view.Win.Renderer->GetActiveCamera()->Azimuth(20);
+  expect(false, 8, "Another camera");
+  view.Actor->GetProperty()->SetColor(1, 0, 0);
+  expect(false, 8, "Another colour");
+  light->SetPosition(2, 0, 3);
+  expect(true, 8, "A light that moved");
+  view.Actor->RotateZ(10);
+  expect(true, 8, "An actor that turned");
+  mapper->SetShadowSeed(5);
+  expect(true, 8, "Another seed");
+
+  // While the user drags: one sample for what changes, and what is there stays.
+  view.Win.Win->SetDesiredUpdateRate(15.0);
+  view.Win.Renderer->GetActiveCamera()->Azimuth(20);
+  expect(false, 8, "A camera that is dragged");
+  light->SetPosition(2, -1, 3);
+  expect(true, 1, "A light that is dragged");
+  expect(false, 1, "The same again");
+  mapper->SetNumberOfInteractiveShadowSamples(4);
+  expect(true, 4, "More samples while dragging");
+  view.Win.Win->SetDesiredUpdateRate(0.0001);
+  expect(true, 8, "A window at rest");
+
+  // Meshes: one that comes, moves and goes.
+  vtkNew<vtkSphereSource> ball;
+  ball->SetRadius(0.3);
+  vtkNew<vtkPolyDataMapper> ballMapper;
+  ballMapper->SetInputConnection(ball->GetOutputPort());
+  vtkActor* mesh = view.Win.Add(ballMapper);
+  mesh->SetPosition(0.5, 0.5, 2.0);
+  expect(true, 8, "A mesh");
+  mesh->SetPosition(0.5, 0.7, 2.0);
+  expect(true, 8, "A mesh that moved");
+  ball->SetRadius(0.4);
+  expect(true, 8, "A mesh that changed");
+  mesh->VisibilityOff();
+  expect(true, 8, "A mesh that went");
+  mapper->SetMethodToDeferred();
+  view.Win.Win->Render();
+  updates = mapper->GetNumberOfShadowUpdates();
+  expect(false, 8, "Deferred blending");
+
+  // A headlight casts none, and nothing but its light is drawn.
+  view.Win.Renderer->RemoveAllLights();
+  auto head = vtkSmartPointer<vtkLight>::New();
+  head->SetLightTypeToHeadlight();
+  view.Win.Renderer->AddLight(head);
+  view.Win.Renderer->SetLightFollowCamera(true);
+  const Picture with = view.Win.Draw();
+  mapper->ShadowsOff();
+  const Picture without = view.Win.Draw();
+  checks.Expect(with.Pixels == without.Pixels, "A headlight's picture changes by shadows.");
+  view.Win.Win->Finalize();
+}
+
+/// Factors that were saved draw the picture that the mapper computes.
+void TestSaved(Checks& checks)
+{
+  const Spheres scene(40000);
+  auto light = MakeLight({ 2, 1, 3 }, Middle, false);
+  vtkNew<vtkPointShadowTexture> texture;
+  texture->SetInputData(scene.Points);
+  texture->AddLight(light);
+  texture->SetLightRadius(0.1);
+  texture->Update();
+  for (const int method : { vtkPointSplatMapper::TWO_PASS, vtkPointSplatMapper::DEFERRED })
+  {
+    View computed(scene.Points, { light });
+    computed.Mapper->ShadowsOn();
+    computed.Mapper->SetShadowLightRadius(0.1);
+    computed.Mapper->SetMethod(method);
+    View saved(texture->GetOutput(), { light });
+    saved.Mapper->SetMethod(method);
+    View bare(scene.Points, { light });
+    bare.Mapper->SetMethod(method);
+    const Picture a = computed.Win.Draw();
+    const Picture b = saved.Win.Draw();
+    const Picture c = bare.Win.Draw();
+    checks.Expect(a.Pixels == b.Pixels, "Saved factors draw another picture.");
+    long shadowed = 0;
+    for (size_t i = 0; i < a.Pixels.size(); ++i)
+    {
+      shadowed += std::abs(int(b.Pixels[i]) - int(c.Pixels[i])) > 20;
+    }
+    checks.AtLeast(shadowed, 3000l, "values that saved shadows change");
+    checks.Expect(saved.Mapper->GetNumberOfShadowUpdates() == 0, "Shadows are computed in vain.");
+  }
+
+  // Factors of another number of points are not used.
+  vtkNew<vtkPolyData> wrong;
+  wrong->ShallowCopy(scene.Points);
+  vtkNew<vtkFloatArray> few;
+  few->SetName("ShadowFactor");
+  few->SetNumberOfTuples(5);
+  wrong->GetPointData()->AddArray(few);
+  View spoilt(scene.Points, { light });
+  View bare(scene.Points, { light });
+  int errors = 0;
+  vtkNew<vtkCallbackCommand> count;
+  count->SetClientData(&errors);
+  count->SetCallback([](vtkObject*, unsigned long, void* n, void*) { ++*static_cast<int*>(n); });
+  spoilt.Mapper->AddObserver(vtkCommand::ErrorEvent, count);
+  spoilt.Mapper->SetInputData(wrong);
+  const Picture a = spoilt.Win.Draw();
+  checks.Expect(errors == 1, "No error on too few factors, or several.");
+  checks.Expect(a.Pixels == bare.Win.Draw().Pixels, "Too few factors change the picture.");
+}
+}
+
+int TestSplatsShadows(int, char*[])
+{
+  Checks checks;
+  TestMethods(checks);
+  TestTranslucent(checks);
+  TestUpdates(checks);
+  TestSaved(checks);
+  return checks.Result();
+}
