@@ -4,7 +4,7 @@
 // saved factors.
 #include "ShadowScene.h"
 
-#include "vtkDataSetAttributes.h"
+#include "vtkCallbackCommand.h"
 #include "vtkPointShadowTexture.h"
 
 namespace
@@ -385,9 +385,13 @@ void TestSaved(Checks& checks)
   wrong->GetPointData()->AddArray(few);
   View spoilt(wrong, { light });
   View bare(scene.Points, { light });
-  vtkObject::GlobalWarningDisplayOff();
+  int errors = 0;
+  vtkNew<vtkCallbackCommand> count;
+  count->SetClientData(&errors);
+  count->SetCallback([](vtkObject*, unsigned long, void* n, void*) { ++*static_cast<int*>(n); });
+  spoilt.Mapper->AddObserver(vtkCommand::ErrorEvent, count);
   const Picture a = spoilt.Win.Draw();
-  vtkObject::GlobalWarningDisplayOn();
+  checks.Expect(errors == 1, "No error on too few factors, or several.");
   checks.Expect(a.Pixels == bare.Win.Draw().Pixels, "Too few factors change the picture.");
 }
 }
