@@ -383,13 +383,14 @@ void TestSaved(Checks& checks)
   few->SetName("ShadowFactor");
   few->SetNumberOfTuples(5);
   wrong->GetPointData()->AddArray(few);
-  View spoilt(wrong, { light });
+  View spoilt(scene.Points, { light });
   View bare(scene.Points, { light });
   int errors = 0;
   vtkNew<vtkCallbackCommand> count;
   count->SetClientData(&errors);
   count->SetCallback([](vtkObject*, unsigned long, void* n, void*) { ++*static_cast<int*>(n); });
   spoilt.Mapper->AddObserver(vtkCommand::ErrorEvent, count);
+  spoilt.Mapper->SetInputData(wrong);
   const Picture a = spoilt.Win.Draw();
   checks.Expect(errors == 1, "No error on too few factors, or several.");
   checks.Expect(a.Pixels == bare.Win.Draw().Pixels, "Too few factors change the picture.");
