@@ -41,7 +41,9 @@ const unsigned char* GetGhosts(vtkDataSetAttributes* data, vtkIdType size)
 {
   auto* ghosts =
     vtkUnsignedCharArray::SafeDownCast(data->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  return ghosts && ghosts->GetNumberOfTuples() == size ? ghosts->GetPointer(0) : nullptr;
+  return ghosts && ghosts->GetNumberOfTuples() == size && ghosts->GetNumberOfComponents() == 1
+    ? ghosts->GetPointer(0)
+    : nullptr;
 }
 
 vtkIsosurfaceGrid DescribeGrid(vtkImageData* image, int numberOfComponents)

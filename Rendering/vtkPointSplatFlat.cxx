@@ -5,6 +5,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkPointSplatSavedState.h"
 #include "vtkPointSplatUnits.h"
 #include "vtkRenderer.h"
 
@@ -52,8 +53,7 @@ bool vtkPointSplatFlat::Blend(vtkRenderer* renderer, const std::vector<Part>& pa
   this->Allocate(window, request.View.Size);
 
   vtkOpenGLState* state = window->GetState();
-  state->Push();
-  state->PushFramebufferBindings();
+  const vtkPointSplatSavedState saved(state);
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
   glFramebufferTexture2D(
     GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Colour, 0);
@@ -105,8 +105,6 @@ bool vtkPointSplatFlat::Blend(vtkRenderer* renderer, const std::vector<Part>& pa
   }
   glEnablei(GL_BLEND, 1);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, 0, 0);
-  state->PopFramebufferBindings();
-  state->Pop();
   return good;
 }
 
