@@ -26,7 +26,7 @@
 namespace
 {
 /**
- * For each point the first cell that uses it, or -1.
+ * For each point the first cell that uses it, or -1. Cells may name points that are not there.
  */
 std::vector<vtkIdType> CellsOfPoints(vtkPointSet* data)
 {
@@ -37,7 +37,11 @@ std::vector<vtkIdType> CellsOfPoints(vtkPointSet* data)
     data->GetCellPoints(c, ids);
     for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
     {
-      cells[static_cast<size_t>(ids->GetId(k))] = c;
+      const vtkIdType id = ids->GetId(k);
+      if (id >= 0 && id < data->GetNumberOfPoints())
+      {
+        cells[static_cast<size_t>(id)] = c;
+      }
     }
   }
   return cells;

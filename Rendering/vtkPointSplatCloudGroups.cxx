@@ -3,6 +3,7 @@
 // A cloud's groups, for deferred blending: the part of vtkPointSplatCloud that orders splats.
 #include "vtkPointSplatCloud.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
@@ -102,6 +103,10 @@ bool vtkPointSplatCloud::FindGroups(
   splats->GetPointData()->SetNormals(normals);
   splats->GetPointData()->AddArray(radii);
   vtkNew<vtkPointSplatGrouping> grouping;
+  // The mapper says what is to be said, and not at every frame.
+  vtkNew<vtkCallbackCommand> silence;
+  grouping->AddObserver(vtkCommand::WarningEvent, silence);
+  grouping->AddObserver(vtkCommand::ErrorEvent, silence);
   grouping->SetInputData(splats);
   grouping->SetOverlapFactor(factor);
   grouping->SetReach(reach);

@@ -37,6 +37,14 @@ void EachVisibleProp(vtkRenderer* renderer, const Visit& visit)
 }
 }
 
+//------------------------------------------------------------------------------
+bool vtkPointSplatCompositor::IsWithoutSplats(vtkProp* prop)
+{
+  vtkActor* actor = vtkActor::SafeDownCast(prop);
+  auto* mapper = actor ? vtkPointSplatMapper::SafeDownCast(actor->GetMapper()) : nullptr;
+  return mapper && !mapper->UpdateCloud();
+}
+
 class vtkPointSplatCompositor::FrameObserver : public vtkCommand
 {
 public:
@@ -267,6 +275,7 @@ bool vtkPointSplatCompositor::Build(vtkRenderer* renderer, const vtkPointSplatVi
                                                   : entry.Actor->GetProperty()->GetOpacity());
     }
   }
+  layer = std::min(layer, view.Far - view.Near);
   request.VoronoiScale = !deferred ? -1.0f : voronoi ? static_cast<float>(layer) : 0.0f;
   if (sorted != vtkPointSplatFlat::None)
   {
@@ -351,7 +360,8 @@ bool vtkPointSplatCompositor::Present(
     EachVisibleProp(renderer, [&](vtkProp* prop) {
       const bool splats = std::any_of(
         entries.begin(), entries.end(), [prop](const Entry& e) { return e.Actor == prop; });
-      flat = flat && (splats || !prop->HasTranslucentPolygonalGeometry()) &&
+      flat = flat &&
+        (splats || !prop->HasTranslucentPolygonalGeometry() || IsWithoutSplats(prop)) &&
         !(vtkVolume::SafeDownCast(prop) && renderer->GetUseDepthPeelingForVolumes());
     });
   }

@@ -31,6 +31,10 @@
 #include <set>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
+class vtkProp;
+VTK_ABI_NAMESPACE_END
+
 class vtkPointSplatCompositor
 {
 public:
@@ -85,6 +89,8 @@ private:
   };
   class FrameObserver;
 
+  /// A splat actor that draws nothing, and so is in nobody's way.
+  static bool IsWithoutSplats(vtkProp* prop);
   static std::vector<Entry> Collect(vtkRenderer* renderer, bool translucent);
   bool WantsCompute(vtkOpenGLRenderWindow* window, const std::vector<Entry>& entries,
     const glm::ivec2& size) const;

@@ -45,8 +45,11 @@ bool vtkPointSplatLayers::Build(vtkOpenGLRenderWindow* window,
     layer = std::max(layer, item.LargestLayer);
   }
   // Splats seen edge-on may lie 5 layer distances off along the ray; see
-  // sameLayer() in vtkPointSplatProjection.glsl.
-  this->DepthUnit = static_cast<float>(5.0 * layer);
+  // sameLayer() in vtkPointSplatProjection.glsl. Nothing lies farther off than the clipping planes:
+  // one actor of huge splats must not coarsen the unit of all without bound.
+  const double range = this->Request.View.Far - this->Request.View.Near;
+  this->DepthUnit =
+    static_cast<float>(layer > 0.0 && 5.0 * layer < range ? 5.0 * layer : range);
 
   double remaining = 1.0; // of the light behind the layers so far, at most
   bool empty = false;

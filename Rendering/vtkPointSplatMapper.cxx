@@ -252,6 +252,17 @@ void vtkPointSplatMapper::FillItem(
 vtkSmartPointer<vtkUnsignedCharArray> vtkPointSplatMapper::MapPointColours(
   vtkDataSet* data, int& cellFlag)
 {
+  // vtkMapper does not survive a lookup table that can make no colours of an array.
+  vtkAbstractArray* scalars = vtkAbstractMapper::GetAbstractScalars(
+    data, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
+  if (scalars && this->ColorMode == VTK_COLOR_MODE_DIRECT_SCALARS &&
+    scalars->GetDataType() == VTK_BIT)
+  {
+    vtkErrorMacro("The array " << (scalars->GetName() ? scalars->GetName() : "(without name)")
+                               << " of bits cannot be colours: choose another one, or "
+                                  "SetColorModeToMapScalars().");
+    return nullptr;
+  }
   // Colours are interpolated, not texture coordinates.
   const vtkTypeBool interpolate = this->InterpolateScalarsBeforeMapping;
   this->InterpolateScalarsBeforeMapping = 0;

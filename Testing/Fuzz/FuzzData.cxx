@@ -188,7 +188,7 @@ void AddArray(FuzzRandom& random, vtkDataSetAttributes* to, const Known& known, 
 vtkSmartPointer<vtkPoints> MakeCoordinates(FuzzRandom& random, double wrong)
 {
   const int n = random.Chance(0.15) ? random.Below(4)
-    : random.Chance(0.1)            ? 500 + random.Below(3000)
+    : random.Chance(0.06)           ? 500 + random.Below(3000)
                                     : 4 + random.Below(300);
   auto points = vtkSmartPointer<vtkPoints>::New();
   if (random.Chance(0.1))
