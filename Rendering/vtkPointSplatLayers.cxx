@@ -101,8 +101,9 @@ bool vtkPointSplatLayers::BuildLayer(
     colours = colours || item.Cloud->HasColours();
     if (item.Window.x <= item.Window.z)
     {
-      rows.y = std::min(rows.y, item.Window.y);
-      rows.w = std::max(rows.w, item.Window.w);
+      // And one more: in multisampled framebuffers Mesa lets samples of the next row through.
+      rows.y = std::min(rows.y, std::max(item.Window.y - 1, 0));
+      rows.w = std::max(rows.w, std::min(item.Window.w + 1, r.View.Size.y - 1));
     }
   }
   vtkPointSplatPeel peel;
