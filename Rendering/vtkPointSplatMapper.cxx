@@ -255,12 +255,14 @@ vtkSmartPointer<vtkUnsignedCharArray> vtkPointSplatMapper::MapPointColours(
   // vtkMapper does not survive a lookup table that can make no colours of an array.
   vtkAbstractArray* scalars = vtkAbstractMapper::GetAbstractScalars(
     data, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
-  if (scalars && this->ColorMode == VTK_COLOR_MODE_DIRECT_SCALARS &&
-    scalars->GetDataType() == VTK_BIT)
+  const bool direct = this->ColorMode == VTK_COLOR_MODE_DIRECT_SCALARS ||
+    (this->ColorMode == VTK_COLOR_MODE_DEFAULT && vtkUnsignedCharArray::SafeDownCast(scalars));
+  if (scalars && direct &&
+    (scalars->GetNumberOfComponents() > 4 || scalars->GetDataType() == VTK_BIT))
   {
     vtkErrorMacro("The array " << (scalars->GetName() ? scalars->GetName() : "(without name)")
-                               << " of bits cannot be colours: choose another one, or "
-                                  "SetColorModeToMapScalars().");
+                               << " of bits, or of more than 4 components, cannot be colours: choose "
+                                  "another one, or SetColorModeToMapScalars().");
     return nullptr;
   }
   // Colours are interpolated, not texture coordinates.

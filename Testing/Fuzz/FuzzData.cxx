@@ -157,7 +157,7 @@ void AddArray(FuzzRandom& random, vtkDataSetAttributes* to, const Known& known, 
   if (defect == 1 || random.Chance(0.2))
   {
     type = random.Pick({ VTK_FLOAT, VTK_DOUBLE, VTK_INT, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_CHAR,
-      VTK_LONG_LONG, VTK_UNSIGNED_INT, VTK_ID_TYPE, VTK_BIT });
+      VTK_LONG_LONG, VTK_UNSIGNED_INT, VTK_ID_TYPE, VTK_SHORT });
   }
   const int components = defect == 2 ? random.Below(9) + 1 : known.Components;
   if (defect == 3)
