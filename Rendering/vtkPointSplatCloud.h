@@ -14,6 +14,7 @@
 #ifndef vtkPointSplatCloud_h
 #define vtkPointSplatCloud_h
 
+#include "vtkPointSplatContext.h"
 #include "vtkPointSplattingOpenGL.h"
 
 #include "vtkTimeStamp.h"
@@ -61,10 +62,14 @@ public:
     GLuint VertexArray = 0;
     vtkTimeStamp SplatTime;
     vtkTimeStamp ColourTime;
+    vtkPointSplatContext Context;
+
+    void Delete();
   };
 
   vtkPointSplatCloud() = default;
-  ~vtkPointSplatCloud() = default;
+  /// Deletes the buffers of contexts that are still there.
+  ~vtkPointSplatCloud();
   vtkPointSplatCloud(const vtkPointSplatCloud&) = delete;
   void operator=(const vtkPointSplatCloud&) = delete;
 

@@ -69,6 +69,7 @@ vtkPointSplatCompositor::~vtkPointSplatCompositor()
   {
     this->Renderer->RemoveObserver(this->ObserverTag);
   }
+  this->Context.Use([this] { this->ReleaseAll(); });
 }
 
 //------------------------------------------------------------------------------
@@ -301,14 +302,17 @@ bool vtkPointSplatCompositor::Present(
     this->Error = "The renderer has no OpenGL window.";
     return false;
   }
-  if (this->Window != window)
+  if (!this->Context.IsOf(window))
   {
-    // Whatever is left belongs to a context that has gone.
+    // Whatever is left belongs to another context, or to one that has gone.
+    this->Context.Use([this] { this->ReleaseAll(); });
+    window->MakeCurrent();
     this->Opaque.Invalidate();
     this->Translucent.Invalidate();
     this->Alone.clear();
     this->SceneFrame = this->FlatFrame = 0;
     this->Window = window;
+    this->Context.Set(window);
   }
   this->Users.insert(mapper);
   this->TransparencyUsed = "none";
@@ -519,9 +523,9 @@ void vtkPointSplatCompositor::Leave(vtkPointSplatMapper* mapper, vtkWindow* wind
   auto alone = this->Alone.find(mapper);
   if (alone != this->Alone.end())
   {
-    if (window && this->Window == window && alone->second)
+    if (alone->second)
     {
-      alone->second->Release();
+      this->Context.Use([&alone] { alone->second->Release(); });
     }
     this->Last = this->Last == alone->second.get() ? nullptr : this->Last;
     this->Alone.erase(alone);
@@ -535,6 +539,11 @@ void vtkPointSplatCompositor::Leave(vtkPointSplatMapper* mapper, vtkWindow* wind
 //------------------------------------------------------------------------------
 void vtkPointSplatCompositor::ReleaseAll()
 {
+  for (auto& alone : this->Alone)
+  {
+    alone.second->Release();
+  }
+  this->Alone.clear();
   this->Opaque.Release();
   this->Translucent.Release();
   this->Scene.Release();

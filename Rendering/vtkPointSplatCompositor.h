@@ -18,6 +18,7 @@
 #ifndef vtkPointSplatCompositor_h
 #define vtkPointSplatCompositor_h
 
+#include "vtkPointSplatContext.h"
 #include "vtkPointSplatFlat.h"
 #include "vtkPointSplatLayers.h"
 #include "vtkPointSplatResolve.h"
@@ -119,6 +120,7 @@ private:
 
   std::set<vtkPointSplatMapper*> Users;
   vtkWeakPointer<vtkWindow> Window; // whose context the resources belong to
+  vtkPointSplatContext Context;     // and that context
   std::string Error;
   std::string MethodReason;
 
