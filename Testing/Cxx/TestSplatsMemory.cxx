@@ -18,9 +18,16 @@ namespace
 {
 using namespace SplatScene;
 
+// The address sanitizer keeps what was freed, and is for other faults.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr int Frames = 400;
+constexpr bool MeasureMemory = false;
+#else
 constexpr int Frames = 10000;
+constexpr bool MeasureMemory = true;
+#endif
 // After these every program is built and every image has had its largest size.
-constexpr int FirstFrames = 1000;
+constexpr int FirstFrames = 200;
 // Frames after which everything is as it was this many frames before.
 constexpr int Cycle = 40;
 // KiB. One lost image of 16 x 16 pixels and 20 bytes a pixel in a hundred frames would be 450, one
@@ -180,7 +187,8 @@ void Change(Window& window, int frame, vtkActor* steady, vtkActor* guest, vtkPol
       mapper->SetInputData(small);
       break;
     default:
-      window.Renderer->GetActiveCamera()->Azimuth(360.0 / Cycle);
+      window.Renderer->GetActiveCamera()->SetPosition(
+        4 * std::sin(frame % Cycle), 0, 4 * std::cos(frame % Cycle));
       break;
   }
 }
@@ -220,8 +228,11 @@ int TestSplatsMemory(int, char*[])
     if (frame == Frames)
     {
       checks.Expect(now == objects, "OpenGL objects: " + now + ", not as before " + objects);
-      checks.AtMost(residentNow - resident, MostGrowth, "KiB resident more");
-      checks.AtMost(allocatedNow - allocated, MostGrowth, "KiB allocated more");
+      if (MeasureMemory)
+      {
+        checks.AtMost(residentNow - resident, MostGrowth, "KiB resident more");
+        checks.AtMost(allocatedNow - allocated, MostGrowth, "KiB allocated more");
+      }
     }
     objects = now;
     resident = residentNow;
