@@ -68,7 +68,7 @@ public:
   };
 
   vtkPointSplatCloud() = default;
-  /// Deletes the buffers of contexts that are still there.
+  /// Deletes the buffers of the current context.
   ~vtkPointSplatCloud();
   vtkPointSplatCloud(const vtkPointSplatCloud&) = delete;
   void operator=(const vtkPointSplatCloud&) = delete;

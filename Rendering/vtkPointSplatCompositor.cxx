@@ -306,7 +306,6 @@ bool vtkPointSplatCompositor::Present(
   {
     // Whatever is left belongs to another context, or to one that has gone.
     this->Context.Use([this] { this->ReleaseAll(); });
-    window->MakeCurrent();
     this->Opaque.Invalidate();
     this->Translucent.Invalidate();
     this->Alone.clear();

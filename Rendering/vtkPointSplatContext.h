@@ -22,20 +22,15 @@ public:
   {
     return window && this->Window == window && this->Time == window->GetContextCreationTime();
   }
-  /// Makes it current for the function, which is not called where there is no such context any more.
+  /// Calls the function if that context is there still and current. It is not made so: who lets
+  /// resources go may be amid a frame of another window.
   template <typename Function>
   void Use(const Function& function) const
   {
-    if (!this->IsOf(this->Window))
-    {
-      return;
-    }
-    this->Window->PushContext();
-    if (this->Window->IsCurrent())
+    if (this->IsOf(this->Window) && this->Window->IsCurrent())
     {
       function();
     }
-    this->Window->PopContext();
   }
 
 private:

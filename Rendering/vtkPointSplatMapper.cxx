@@ -258,10 +258,12 @@ vtkSmartPointer<vtkUnsignedCharArray> vtkPointSplatMapper::MapPointColours(
   const bool direct = this->ColorMode == VTK_COLOR_MODE_DIRECT_SCALARS ||
     (this->ColorMode == VTK_COLOR_MODE_DEFAULT && vtkUnsignedCharArray::SafeDownCast(scalars));
   if (scalars && direct &&
-    (scalars->GetNumberOfComponents() > 4 || scalars->GetDataType() == VTK_BIT))
+    (scalars->GetNumberOfComponents() > 4 || scalars->GetDataType() == VTK_BIT ||
+      scalars->GetDataType() == VTK_CHAR || scalars->GetDataType() == VTK_SIGNED_CHAR))
   {
     vtkErrorMacro("The array " << (scalars->GetName() ? scalars->GetName() : "(without name)")
-                               << " of bits, or of more than 4 components, cannot be colours: choose "
+                               << " of bits, of signed char, or of more than 4 components, cannot "
+                                  "be colours: choose "
                                   "another one, or SetColorModeToMapScalars().");
     return nullptr;
   }
