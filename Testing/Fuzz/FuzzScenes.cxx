@@ -26,6 +26,7 @@
 #include "vtkPointSplatPass.h"
 #include "vtkPointSplattingOpenGL.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkRenderer.h"
@@ -427,7 +428,9 @@ void FuzzScenes::Implementation::Select(FuzzRandom& random, const std::vector<Sp
     for (const Splats& splats : all)
     {
       auto* data = vtkPointSet::SafeDownCast(splats.Data);
-      if (prop != splats.Actor || !ids || !data)
+      // A point that no cell uses has no cell id, and what lies behind shows its own there.
+      const bool behind = !points && renderer->GetViewProps()->GetNumberOfItems() > 1;
+      if (prop != splats.Actor || !ids || !data || behind)
       {
         continue;
       }
@@ -436,7 +439,8 @@ void FuzzScenes::Implementation::Select(FuzzRandom& random, const std::vector<Sp
       for (vtkIdType i = 0; i < ids->GetNumberOfValues(); ++i)
       {
         FuzzExpect(ids->GetValue(i) >= 0 && ids->GetValue(i) < most,
-          "selected id " + std::to_string(ids->GetValue(i)) + " of " + std::to_string(most));
+          std::string("selected ") + (points ? "point " : "cell ") +
+            std::to_string(ids->GetValue(i)) + " of " + std::to_string(most) + Describe(splats));
       }
     }
   }
