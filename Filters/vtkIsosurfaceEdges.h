@@ -181,7 +181,9 @@ private:
     const vtkIdType to[3] = { from[0] + (axis == 0), from[1] + (axis == 1), from[2] + (axis == 2) };
     const double s0 = this->Field.Get(from[0], from[1], from[2]);
     const double s1 = this->Field.Get(to[0], to[1], to[2]);
-    const double t = (this->Field.Isovalues[edge.Isovalue] - s0) / (s1 - s0);
+    // Halves, since differences of doubles may overflow.
+    const double t =
+      (0.5 * this->Field.Isovalues[edge.Isovalue] - 0.5 * s0) / (0.5 * s1 - 0.5 * s0);
     double index[3] = { static_cast<double>(from[0]), static_cast<double>(from[1]),
       static_cast<double>(from[2]) };
     index[axis] += t;
@@ -196,8 +198,8 @@ private:
     if (!this->Field.Grid.GetNormal(g0, normal))
     {
       // A sheet one sample thick has the same value on both sides; the edge knows better.
-      const double along[3] = { axis == 0 ? s1 - s0 : 0, axis == 1 ? s1 - s0 : 0,
-        axis == 2 ? s1 - s0 : 0 };
+      double along[3] = { 0, 0, 0 };
+      along[axis] = s1 > s0 ? 1 : -1;
       this->Field.Grid.GetNormal(along, normal);
     }
     target.Put(id, x, normal);

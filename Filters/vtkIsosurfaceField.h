@@ -65,11 +65,18 @@ struct vtkIsosurfaceGrid
   /// The unit normal; false if the gradient is zero.
   bool GetNormal(const double gradient[3], double normal[3]) const
   {
-    double squared = 0;
+    double largest = 0;
     for (int r = 0; r < 3; ++r)
     {
       const double* m = this->ToNormal[r];
       normal[r] = m[0] * gradient[0] + m[1] * gradient[1] + m[2] * gradient[2];
+      largest = std::max(largest, std::abs(normal[r]));
+    }
+    // Scaled first, since squares may overflow or underflow.
+    double squared = 0;
+    for (int r = 0; r < 3; ++r)
+    {
+      normal[r] /= largest;
       squared += normal[r] * normal[r];
     }
     if (!(squared > 0) || !std::isfinite(squared))

@@ -13,6 +13,7 @@
 #include "vtkIsosurfaceEdges.h"
 #include "vtkIsosurfaceSamples.h"
 #include "vtkIsosurfaceScatter.h"
+#include "vtkMath.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
@@ -36,12 +37,16 @@ namespace
 {
 /// What part of a voxel points must resolve at least.
 constexpr double Resolution = 1e-3;
+/// Past this floats soon have no number.
+constexpr double LargestSingle = 1e37;
 
 const unsigned char* GetGhosts(vtkDataSetAttributes* data, vtkIdType size)
 {
   auto* ghosts =
     vtkUnsignedCharArray::SafeDownCast(data->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  return ghosts && ghosts->GetNumberOfTuples() == size ? ghosts->GetPointer(0) : nullptr;
+  return ghosts && ghosts->GetNumberOfTuples() == size && ghosts->GetNumberOfComponents() == 1
+    ? ghosts->GetPointer(0)
+    : nullptr;
 }
 
 vtkIsosurfaceGrid DescribeGrid(vtkImageData* image, int numberOfComponents)
@@ -73,6 +78,23 @@ vtkIsosurfaceGrid DescribeGrid(vtkImageData* image, int numberOfComponents)
   return grid;
 }
 
+/// Whether the grid has a place for each sample, and voxels of some volume.
+bool IsUsable(const vtkIsosurfaceGrid& grid)
+{
+  double determinant = vtkMath::Determinant3x3(grid.ToNormal);
+  for (int c = 0; c < 3; ++c)
+  {
+    const double* m = grid.ToWorld[c];
+    determinant *= grid.Spacing[c];
+    if (!std::isfinite(std::abs(m[0]) * grid.Dimensions[0] + std::abs(m[1]) * grid.Dimensions[1] +
+          std::abs(m[2]) * grid.Dimensions[2] + std::abs(m[3])))
+    {
+      return false;
+    }
+  }
+  return determinant != 0 && std::isfinite(determinant);
+}
+
 /// The least point spacing for which voxels are divided far enough.
 double GetFinestSpacing(const vtkIsosurfaceGrid& grid)
 {
@@ -90,7 +112,8 @@ bool NeedsDouble(vtkImageData* image)
     largest = std::max(largest, std::abs(bounds[c]));
     least = std::min(least, std::abs(image->GetSpacing()[c / 2]));
   }
-  return largest * std::numeric_limits<float>::epsilon() > 2 * Resolution * least;
+  return largest * std::numeric_limits<float>::epsilon() > 2 * Resolution * least ||
+    largest > LargestSingle;
 }
 
 /// The same for scattered samples, with the spacing they would have if they filled their bounds.
@@ -104,7 +127,8 @@ bool NeedsDouble(vtkPointSet* samples)
     diagonal = std::max(diagonal, bounds[2 * c + 1] - bounds[2 * c]);
   }
   const double spacing = diagonal / std::cbrt(static_cast<double>(samples->GetNumberOfPoints()));
-  return largest * std::numeric_limits<float>::epsilon() > 2 * Resolution * spacing;
+  return largest * std::numeric_limits<float>::epsilon() > 2 * Resolution * spacing ||
+    largest > LargestSingle;
 }
 
 /// An array that can be read through a pointer to its type.
@@ -362,6 +386,12 @@ void vtkIsosurfacePoints::ExtractVolume(
     return;
   }
   const vtkIsosurfaceGrid grid = DescribeGrid(image, scalars->GetNumberOfComponents());
+  if (!IsUsable(grid))
+  {
+    vtkErrorMacro("The image's origin, spacing or direction is not finite, or leaves its voxels no "
+                  "volume; set them by SetOrigin, SetSpacing and SetDirectionMatrix.");
+    return;
+  }
   const double finest = GetFinestSpacing(grid);
   if (this->PointSpacing > 0 && this->PointSpacing < finest)
   {

@@ -74,7 +74,8 @@
  * direction than along another, as in a boundary layer, gaps are as wide as the wider spacing.
  *
  * Isovalues that are not finite are left out and reported. A missing array, or an image that is
- * no volume, is an error, and the output empty; less than two samples are a warning.
+ * no volume (of less than two samples along an axis, or whose origin, spacing or direction is not
+ * finite or leaves voxels without volume), is an error, and the output empty; less than two samples are a warning.
  *
  * The filter reports progress and can be aborted, with an empty output then.
  */

@@ -98,8 +98,8 @@ void vtkPointSplatCurvature::Estimate(
     const int i = rows[k], j = columns[k];
     const double element = part *
       (B[0] * a[i] * a[j] + B[1] * (a[i] * b[j] + a[j] * b[i]) + B[2] * b[i] * b[j]);
-    // Singular equations give what is not finite.
-    this->Tensor[k] = std::isfinite(element) ? static_cast<float>(element) : 0.0f;
+    // Singular equations give what is not finite, and points next to each other what no float is.
+    this->Tensor[k] = std::abs(element) <= VTK_FLOAT_MAX ? static_cast<float>(element) : 0.0f;
   }
 }
 

@@ -193,6 +193,14 @@ int vtkPointSplatEstimation::RequestData(
 
   vtkNew<vtkFloatArray> normals;
   vtkDataArray* given = input->GetPointData()->GetNormals();
+  if (given && given->GetNumberOfTuples() != numberOfPoints)
+  {
+    vtkErrorMacro("The point normals " << (given->GetName() ? given->GetName() : "") << " have "
+                                       << given->GetNumberOfTuples() << " tuples for "
+                                       << numberOfPoints
+                                       << " points; they are estimated instead.");
+    given = nullptr;
+  }
   normals->SetName(given && given->GetName() ? given->GetName() : "Normals");
   normals->SetNumberOfComponents(3);
   normals->SetNumberOfTuples(numberOfPoints);
@@ -236,7 +244,9 @@ int vtkPointSplatEstimation::RequestData(
     auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
       input->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
     const unsigned char* ghost =
-      ghosts && ghosts->GetNumberOfTuples() == numberOfPoints ? ghosts->GetPointer(0) : nullptr;
+      ghosts && ghosts->GetNumberOfTuples() == numberOfPoints && ghosts->GetNumberOfComponents() == 1
+      ? ghosts->GetPointer(0)
+      : nullptr;
     vtkIdType hidden = 0;
     for (vtkIdType id = 0; ghost && id < numberOfPoints; ++id)
     {

@@ -50,7 +50,22 @@ bool Finite(const double v[3])
 vtkDataArray* ArrayOf(vtkPointSet* data, const char* name, int components)
 {
   vtkDataArray* array = data->GetPointData()->GetArray(name);
-  return array && array->GetNumberOfComponents() == components ? array : nullptr;
+  return array && array->GetNumberOfComponents() == components &&
+      array->GetNumberOfTuples() == data->GetNumberOfPoints()
+    ? array
+    : nullptr;
+}
+
+/// Arrays without one tuple a point cannot be read by points.
+void RemoveMisshapen(vtkPointData* data, vtkIdType count)
+{
+  for (int a = data->GetNumberOfArrays() - 1; a >= 0; --a)
+  {
+    if (data->GetAbstractArray(a)->GetNumberOfTuples() != count)
+    {
+      data->RemoveArray(a);
+    }
+  }
 }
 }
 
@@ -208,18 +223,24 @@ void vtkPointSplatGrouping::Cover(const Splats& splats, const std::vector<int>& 
   vtkPointSet* input, vtkPolyData* output)
 {
   using Index = vtkPointSplatOverlap::Index;
+  // Measuring looks at each overlap many times: also of few splats, too many have no end.
+  vtkPointSplatOverlap graph;
+  if (!graph.Build(splats.Positions.data(), splats.Radii.data(), splats.Count(), 1.0,
+        std::max<std::size_t>(MostEdgesPerSplat * splats.Count(), 10000)))
+  {
+    vtkErrorMacro("Each splat overlaps more than " << 2 * MostEdgesPerSplat
+                                                   << " others on average: groups are left without "
+                                                      "coverage. Look whether "
+                                                   << vtkPointSplatArrays::Radius
+                                                   << " is in the points' unit, or lower Reach.");
+    return;
+  }
   const vtkPointSplatCoverage coverage(splats.Positions.data(), splats.Normals.data(),
     splats.Radii.data(), splats.Count());
   std::vector<std::vector<Index>> groups(this->NumberOfGroups);
   for (Index i = 0; i < splats.Count(); ++i)
   {
     groups[colors[i]].push_back(i);
-  }
-  vtkPointSplatOverlap graph;
-  if (this->Coverage == Duplicate)
-  {
-    graph.Build(splats.Positions.data(), splats.Radii.data(), splats.Count(), 1.0,
-      std::numeric_limits<std::size_t>::max());
   }
   const double area = std::max(coverage.GetSurfaceArea(), std::numeric_limits<double>::min());
   this->Figures.assign(this->NumberOfGroups, GroupFigures());
@@ -340,6 +361,7 @@ int vtkPointSplatGrouping::RequestData(
     return 1;
   }
   output->SetPoints(input->GetPoints());
+  RemoveMisshapen(output->GetPointData(), count);
 
   vtkDataArray* normals = input->GetPointData()->GetNormals();
   vtkDataArray* radius = ArrayOf(input, vtkPointSplatArrays::Radius, 1);
@@ -351,8 +373,7 @@ int vtkPointSplatGrouping::RequestData(
     vtkNew<vtkPolyData> bare;
     bare->SetPoints(input->GetPoints());
     bare->GetPointData()->SetNormals(normals);
-    if (vtkDataArray* ghosts =
-          input->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()))
+    if (vtkDataArray* ghosts = ArrayOf(input, vtkDataSetAttributes::GhostArrayName(), 1))
     {
       bare->GetPointData()->AddArray(ghosts);
     }
@@ -376,9 +397,12 @@ int vtkPointSplatGrouping::RequestData(
 
   Splats splats;
   auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
-    input->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+    ArrayOf(input, vtkDataSetAttributes::GhostArrayName(), 1));
   auto* colors = vtkUnsignedCharArray::SafeDownCast(input->GetPointData()->GetScalars());
-  splats.Colors = colors && colors->GetNumberOfComponents() >= 3 ? colors : nullptr;
+  splats.Colors = colors && colors->GetNumberOfComponents() >= 3 &&
+      colors->GetNumberOfTuples() == count
+    ? colors
+    : nullptr;
   if (normals->GetNumberOfTuples() != count || normals->GetNumberOfComponents() != 3)
   {
     vtkErrorMacro("The point normals " << (normals->GetName() ? normals->GetName() : "")
@@ -408,7 +432,7 @@ int vtkPointSplatGrouping::RequestData(
       r = radius->GetComponent(id, 0);
     }
     r *= this->Reach;
-    const unsigned char ghost = ghosts && id < ghosts->GetNumberOfTuples()
+    const unsigned char ghost = ghosts
       ? ghosts->GetValue(id) &
         (vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT)
       : 0;

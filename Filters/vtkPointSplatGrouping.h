@@ -42,9 +42,11 @@
  * and overlaps.
  *
  * Bad input: points that are ghosts or hidden, or whose coordinates, normal or size are not
- * finite and positive, get the group -1; their number is reported. Where more than 128 splats
+ * finite and positive, get the group -1; their number is reported. Arrays without one tuple a point
+ * are not used, and are not in the output. Where more than 128 splats
  * overlap each one on average (radii in another unit, heaps of duplicates) the filter
- * refuses with an error, and all groups are -1.
+ * refuses with an error, and all groups are -1; of a few thousand points only the coverage is
+ * refused, and the groups are given.
  *
  * @sa vtkPointSplatMapper vtkPointSplatEstimation
  */

@@ -10,6 +10,7 @@
 #include "vtkIdList.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPointSplatArrays.h"
@@ -28,7 +29,7 @@
 namespace
 {
 /**
- * For each point the first cell that uses it, or -1.
+ * For each point the first cell that uses it, or -1. Cells may name points that are not there.
  */
 std::vector<vtkIdType> CellsOfPoints(vtkPointSet* data)
 {
@@ -39,7 +40,11 @@ std::vector<vtkIdType> CellsOfPoints(vtkPointSet* data)
     data->GetCellPoints(c, ids);
     for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
     {
-      cells[static_cast<size_t>(ids->GetId(k))] = c;
+      const vtkIdType id = ids->GetId(k);
+      if (id >= 0 && id < data->GetNumberOfPoints())
+      {
+        cells[static_cast<size_t>(id)] = c;
+      }
     }
   }
   return cells;
@@ -377,10 +382,12 @@ std::vector<uint32_t> vtkPointSplatCloud::Ordered(
 //------------------------------------------------------------------------------
 vtkPointSplatCloud::Buffers& vtkPointSplatCloud::Upload(vtkWindow* window)
 {
+  auto* current = vtkOpenGLRenderWindow::SafeDownCast(window);
   std::unique_ptr<Buffers>& buffers = this->PerWindow[window];
-  if (!buffers)
+  if (!buffers || !buffers->Context.IsOf(current))
   {
     buffers.reset(new Buffers);
+    buffers->Context.Set(current);
     glGenBuffers(1, &buffers->Splats);
     glGenTextures(1, &buffers->SplatTexture);
     glGenBuffers(1, &buffers->Colours);
@@ -469,11 +476,29 @@ void vtkPointSplatCloud::Release(vtkWindow* window)
   {
     return;
   }
-  Buffers& buffers = *found->second;
-  const GLuint all[] = { buffers.Splats, buffers.Colours, buffers.Factors, buffers.Large,
-    buffers.IdMaps[1], buffers.IdMaps[2] };
-  glDeleteBuffers(6, all);
-  glDeleteTextures(1, &buffers.SplatTexture);
-  glDeleteVertexArrays(1, &buffers.VertexArray);
+  if (found->second->Context.IsOf(vtkOpenGLRenderWindow::SafeDownCast(window)))
+  {
+    found->second->Delete();
+  }
   this->PerWindow.erase(found);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatCloud::Buffers::Delete()
+{
+  const GLuint all[] = { this->Splats, this->Colours, this->Factors, this->Large,
+    this->IdMaps[1], this->IdMaps[2] };
+  glDeleteBuffers(6, all);
+  glDeleteTextures(1, &this->SplatTexture);
+  glDeleteVertexArrays(1, &this->VertexArray);
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatCloud::~vtkPointSplatCloud()
+{
+  for (auto& entry : this->PerWindow)
+  {
+    Buffers& buffers = *entry.second;
+    buffers.Context.Use([&buffers] { buffers.Delete(); });
+  }
 }

@@ -15,6 +15,7 @@
 #ifndef vtkPointSplatCloud_h
 #define vtkPointSplatCloud_h
 
+#include "vtkPointSplatContext.h"
 #include "vtkPointSplattingOpenGL.h"
 
 #include "vtkTimeStamp.h"
@@ -63,10 +64,14 @@ public:
     GLuint VertexArray = 0;
     vtkTimeStamp SplatTime;
     vtkTimeStamp ColourTime;
+    vtkPointSplatContext Context;
+
+    void Delete();
   };
 
   vtkPointSplatCloud() = default;
-  ~vtkPointSplatCloud() = default;
+  /// Deletes the buffers of the current context.
+  ~vtkPointSplatCloud();
   vtkPointSplatCloud(const vtkPointSplatCloud&) = delete;
   void operator=(const vtkPointSplatCloud&) = delete;
 

@@ -3,6 +3,7 @@
 // A cloud's groups, for deferred blending: the part of vtkPointSplatCloud that orders splats.
 #include "vtkPointSplatCloud.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
@@ -51,12 +52,27 @@ bool vtkPointSplatCloud::GivenGroups(std::vector<int>& groups) const
     for (vtkIdType i = block.First; i < block.First + block.Count; ++i)
     {
       const uint32_t id = this->Splats[words * static_cast<size_t>(i) + 7];
-      groups[static_cast<size_t>(i)] = static_cast<int>(given->GetComponent(id, 0));
+      const double group = given->GetComponent(id, 0);
+      groups[static_cast<size_t>(i)] = group >= 0.0 && group < VTK_INT_MAX
+        ? static_cast<int>(group)
+        : -1;
     }
   }
   // Splats that belong to no group make one of their own.
   const int most = *std::max_element(groups.begin(), groups.end());
   std::replace_if(groups.begin(), groups.end(), [](int group) { return group < 0; }, most + 1);
+  if (most >= this->Count)
+  {
+    // Numbers with gaps, as of ids that mean something else: there are no more groups than splats.
+    std::vector<int> numbers = groups;
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    for (int& group : groups)
+    {
+      group = static_cast<int>(
+        std::lower_bound(numbers.begin(), numbers.end(), group) - numbers.begin());
+    }
+  }
   return true;
 }
 
@@ -87,6 +103,10 @@ bool vtkPointSplatCloud::FindGroups(
   splats->GetPointData()->SetNormals(normals);
   splats->GetPointData()->AddArray(radii);
   vtkNew<vtkPointSplatGrouping> grouping;
+  // The mapper says what is to be said, and not at every frame.
+  vtkNew<vtkCallbackCommand> silence;
+  grouping->AddObserver(vtkCommand::WarningEvent, silence);
+  grouping->AddObserver(vtkCommand::ErrorEvent, silence);
   grouping->SetInputData(splats);
   grouping->SetOverlapFactor(factor);
   grouping->SetReach(reach);

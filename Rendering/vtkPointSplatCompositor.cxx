@@ -37,6 +37,14 @@ void EachVisibleProp(vtkRenderer* renderer, const Visit& visit)
 }
 }
 
+//------------------------------------------------------------------------------
+bool vtkPointSplatCompositor::IsWithoutSplats(vtkProp* prop)
+{
+  vtkActor* actor = vtkActor::SafeDownCast(prop);
+  auto* mapper = actor ? vtkPointSplatMapper::SafeDownCast(actor->GetMapper()) : nullptr;
+  return mapper && !mapper->UpdateCloud();
+}
+
 class vtkPointSplatCompositor::FrameObserver : public vtkCommand
 {
 public:
@@ -61,6 +69,7 @@ vtkPointSplatCompositor::~vtkPointSplatCompositor()
   {
     this->Renderer->RemoveObserver(this->ObserverTag);
   }
+  this->Context.Use([this] { this->ReleaseAll(); });
 }
 
 //------------------------------------------------------------------------------
@@ -344,6 +353,7 @@ bool vtkPointSplatCompositor::Build(vtkRenderer* renderer, const vtkPointSplatVi
     request.Items.push_back(entry.Item);
     request.CloudTimes.push_back(entry.Item.Cloud->GetMTime());
   }
+  layer = std::min(layer, view.Far - view.Near);
   request.VoronoiScale = !deferred ? -1.0f : voronoi ? static_cast<float>(layer) : 0.0f;
   if (sorted != vtkPointSplatFlat::None)
   {
@@ -370,15 +380,17 @@ bool vtkPointSplatCompositor::Present(
     this->Error = "The renderer has no OpenGL window.";
     return false;
   }
-  if (this->Window != window)
+  if (!this->Context.IsOf(window))
   {
-    // Whatever is left belongs to a context that has gone.
+    // Whatever is left belongs to another context, or to one that has gone.
+    this->Context.Use([this] { this->ReleaseAll(); });
     this->Opaque.Invalidate();
     this->Translucent.Invalidate();
     this->Alone.clear();
     this->Shadows.Forget();
     this->SceneFrame = this->FlatFrame = this->EnvironmentFrame = 0;
     this->Window = window;
+    this->Context.Set(window);
   }
   this->Users.insert(mapper);
   this->TransparencyUsed = "none";
@@ -430,7 +442,8 @@ bool vtkPointSplatCompositor::Present(
     EachVisibleProp(renderer, [&](vtkProp* prop) {
       const bool splats = std::any_of(
         entries.begin(), entries.end(), [prop](const Entry& e) { return e.Actor == prop; });
-      flat = flat && (splats || !prop->HasTranslucentPolygonalGeometry()) &&
+      flat = flat &&
+        (splats || !prop->HasTranslucentPolygonalGeometry() || IsWithoutSplats(prop)) &&
         !(vtkVolume::SafeDownCast(prop) && renderer->GetUseDepthPeelingForVolumes());
     });
   }
@@ -614,9 +627,9 @@ void vtkPointSplatCompositor::Leave(vtkPointSplatMapper* mapper, vtkWindow* wind
   auto alone = this->Alone.find(mapper);
   if (alone != this->Alone.end())
   {
-    if (window && this->Window == window && alone->second)
+    if (alone->second)
     {
-      alone->second->Release();
+      this->Context.Use([&alone] { alone->second->Release(); });
     }
     this->Last = this->Last == alone->second.get() ? nullptr : this->Last;
     this->Alone.erase(alone);
@@ -630,6 +643,11 @@ void vtkPointSplatCompositor::Leave(vtkPointSplatMapper* mapper, vtkWindow* wind
 //------------------------------------------------------------------------------
 void vtkPointSplatCompositor::ReleaseAll()
 {
+  for (auto& alone : this->Alone)
+  {
+    alone.second->Release();
+  }
+  this->Alone.clear();
   this->Opaque.Release();
   this->Translucent.Release();
   this->Scene.Release();

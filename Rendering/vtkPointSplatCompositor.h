@@ -18,6 +18,7 @@
 #ifndef vtkPointSplatCompositor_h
 #define vtkPointSplatCompositor_h
 
+#include "vtkPointSplatContext.h"
 #include "vtkPointSplatEnvironment.h"
 #include "vtkPointSplatFlat.h"
 #include "vtkPointSplatLayers.h"
@@ -33,6 +34,10 @@
 #include <memory>
 #include <set>
 #include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkProp;
+VTK_ABI_NAMESPACE_END
 
 class vtkPointSplatCompositor
 {
@@ -93,6 +98,8 @@ private:
   };
   class FrameObserver;
 
+  /// A splat actor that draws nothing, and so is in nobody's way.
+  static bool IsWithoutSplats(vtkProp* prop);
   static std::vector<Entry> Collect(vtkRenderer* renderer, bool translucent);
   bool WantsCompute(vtkOpenGLRenderWindow* window, const std::vector<Entry>& entries,
     const glm::ivec2& size) const;
@@ -129,6 +136,7 @@ private:
 
   std::set<vtkPointSplatMapper*> Users;
   vtkWeakPointer<vtkWindow> Window; // whose context the resources belong to
+  vtkPointSplatContext Context;     // and that context
   std::string Error;
   std::string MethodReason;
 

@@ -6,6 +6,7 @@
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkPointSplatImages.h"
+#include "vtkPointSplatSavedState.h"
 
 #include <algorithm>
 
@@ -109,8 +110,7 @@ bool vtkPointSplatDeferred::Reconstruct(vtkOpenGLRenderWindow* window,
 
   window->GetShaderCache()->ReleaseCurrentShader();
   vtkOpenGLState* state = window->GetState();
-  state->Push();
-  state->PushFramebufferBindings();
+  const vtkPointSplatSavedState saved(state);
   vtkPointSplatStages::SetStateForQuads(state, images.GetSize());
 
   // Geometry
@@ -192,8 +192,6 @@ bool vtkPointSplatDeferred::Reconstruct(vtkOpenGLRenderWindow* window,
   // The other stages know three colour attachments.
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT3, GL_TEXTURE_2D, 0, 0);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT4, GL_TEXTURE_2D, 0, 0);
-  state->PopFramebufferBindings();
-  state->Pop();
   glUseProgram(0);
   return true;
 }

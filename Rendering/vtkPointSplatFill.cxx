@@ -6,6 +6,7 @@
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkPointSplatImages.h"
+#include "vtkPointSplatSavedState.h"
 #include "vtkPointSplatUnits.h"
 
 #include <algorithm>
@@ -250,8 +251,7 @@ bool vtkPointSplatFill::Reconstruct(vtkOpenGLRenderWindow* window,
 
   window->GetShaderCache()->ReleaseCurrentShader();
   vtkOpenGLState* state = window->GetState();
-  state->Push();
-  state->PushFramebufferBindings();
+  const vtkPointSplatSavedState saved(state);
   if (!this->Compute)
   {
     vtkPointSplatStages::SetStateForQuads(state, projected.GetSize());
@@ -288,8 +288,6 @@ bool vtkPointSplatFill::Reconstruct(vtkOpenGLRenderWindow* window,
   {
     glBindVertexArray(0);
   }
-  state->PopFramebufferBindings();
-  state->Pop();
   glUseProgram(0);
   return good;
 }

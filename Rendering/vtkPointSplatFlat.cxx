@@ -5,6 +5,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkPointSplatSavedState.h"
 #include "vtkPointSplatUnits.h"
 #include "vtkRenderer.h"
 
@@ -77,8 +78,7 @@ bool vtkPointSplatFlat::Blend(vtkRenderer* renderer, const std::vector<Part>& pa
   const bool countLayers = refracts && sorted != None;
 
   vtkOpenGLState* state = window->GetState();
-  state->Push();
-  state->PushFramebufferBindings();
+  const vtkPointSplatSavedState saved(state);
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
   glFramebufferTexture2D(
     GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Colour, 0);
@@ -154,8 +154,6 @@ bool vtkPointSplatFlat::Blend(vtkRenderer* renderer, const std::vector<Part>& pa
              countLayers ? this->LayerCount : 0) &&
       good;
   }
-  state->PopFramebufferBindings();
-  state->Pop();
   return good;
 }
 

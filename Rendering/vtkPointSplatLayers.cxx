@@ -45,8 +45,11 @@ bool vtkPointSplatLayers::Build(vtkOpenGLRenderWindow* window,
     layer = std::max(layer, item.LargestLayer);
   }
   // Splats seen edge-on may lie 5 layer distances off along the ray; see
-  // sameLayer() in vtkPointSplatProjection.glsl.
-  this->DepthUnit = static_cast<float>(5.0 * layer);
+  // sameLayer() in vtkPointSplatProjection.glsl. Nothing lies farther off than the clipping planes:
+  // one actor of huge splats must not coarsen the unit of all without bound.
+  const double range = this->Request.View.Far - this->Request.View.Near;
+  this->DepthUnit =
+    static_cast<float>(layer > 0.0 && 5.0 * layer < range ? 5.0 * layer : range);
 
   double remaining = 1.0; // of the light behind the layers so far, at most
   bool empty = false;
@@ -100,8 +103,10 @@ bool vtkPointSplatLayers::BuildLayer(
     factors = std::max(factors, item.FactorCount);
     if (item.Window.x <= item.Window.z)
     {
-      covered = glm::ivec4(std::min(covered.x, item.Window.x), std::min(covered.y, item.Window.y),
-        std::max(covered.z, item.Window.z), std::max(covered.w, item.Window.w));
+      // And one row more: in multisampled framebuffers Mesa lets samples of the next one through.
+      covered = glm::ivec4(std::min(covered.x, item.Window.x),
+        std::min(covered.y, std::max(item.Window.y - 1, 0)), std::max(covered.z, item.Window.z),
+        std::max(covered.w, std::min(item.Window.w + 1, r.View.Size.y - 1)));
     }
   }
   vtkPointSplatPeel peel;

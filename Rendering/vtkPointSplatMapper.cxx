@@ -295,6 +295,21 @@ void vtkPointSplatMapper::FillItem(
 vtkSmartPointer<vtkUnsignedCharArray> vtkPointSplatMapper::MapPointColours(
   vtkDataSet* data, int& cellFlag)
 {
+  // vtkMapper does not survive a lookup table that can make no colours of an array.
+  vtkAbstractArray* scalars = vtkAbstractMapper::GetAbstractScalars(
+    data, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
+  const bool direct = this->ColorMode == VTK_COLOR_MODE_DIRECT_SCALARS ||
+    (this->ColorMode == VTK_COLOR_MODE_DEFAULT && vtkUnsignedCharArray::SafeDownCast(scalars));
+  if (scalars && direct &&
+    (scalars->GetNumberOfComponents() > 4 || scalars->GetDataType() == VTK_BIT ||
+      scalars->GetDataType() == VTK_CHAR || scalars->GetDataType() == VTK_SIGNED_CHAR))
+  {
+    vtkErrorMacro("The array " << (scalars->GetName() ? scalars->GetName() : "(without name)")
+                               << " of bits, of signed char, or of more than 4 components, cannot "
+                                  "be colours: choose "
+                                  "another one, or SetColorModeToMapScalars().");
+    return nullptr;
+  }
   // Colours are interpolated, not texture coordinates.
   const vtkTypeBool interpolate = this->InterpolateScalarsBeforeMapping;
   this->InterpolateScalarsBeforeMapping = 0;

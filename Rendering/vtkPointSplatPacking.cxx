@@ -116,6 +116,17 @@ bool Finite(const double v[3])
   return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
 }
 
+/// Lengths that floats hold: vtkPointSplatEstimation goes no farther either.
+constexpr double LargestLength = 1e37;
+constexpr double SmallestLength = 1e-37;
+
+bool Holdable(const double v[3])
+{
+  // NaN compares false.
+  return std::abs(v[0]) <= LargestLength && std::abs(v[1]) <= LargestLength &&
+    std::abs(v[2]) <= LargestLength;
+}
+
 /**
  * An array of the wanted shape, or an error that says what is wrong with it.
  */
@@ -162,7 +173,7 @@ struct PackWorker
           a.Ghosts ? a.Ghosts->GetValue(i) & (vtkDataSetAttributes::HIDDENPOINT |
                                                vtkDataSetAttributes::DUPLICATEPOINT)
                    : 0;
-        if (ghost || !Finite(p) || !(length > 0.0) || !std::isfinite(length))
+        if (ghost || !Holdable(p) || !(length > 0.0) || !std::isfinite(length))
         {
           continue;
         }
@@ -176,7 +187,7 @@ struct PackWorker
           radius = std::sqrt(
             std::max(axis1[0] * axis1[0] + axis1[1] * axis1[1] + axis1[2] * axis1[2],
               axis2[0] * axis2[0] + axis2[1] * axis2[1] + axis2[2] * axis2[2]));
-          if (!Finite(axis1) || !Finite(axis2))
+          if (!Holdable(axis1) || !Holdable(axis2))
           {
             continue;
           }
@@ -200,7 +211,7 @@ struct PackWorker
             vtkMath::MultiplyScalar(axis2, radius);
           }
         }
-        if (!(radius > 0.0 || !(a.Radius || a.Axis1)) || !std::isfinite(radius))
+        if ((a.Radius || a.Axis1) && !(radius >= SmallestLength && radius <= LargestLength))
         {
           continue;
         }
@@ -263,7 +274,9 @@ vtkPointSplatPacking vtkPointSplatPacking::Collect(
   a.Points = data->GetPoints()->GetData();
   a.Ghosts = vtkArrayDownCast<vtkUnsignedCharArray>(
     data->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  if (a.Ghosts && a.Ghosts->GetNumberOfTuples() != data->GetNumberOfPoints())
+  if (a.Ghosts &&
+    (a.Ghosts->GetNumberOfTuples() != data->GetNumberOfPoints() ||
+      a.Ghosts->GetNumberOfComponents() != 1))
   {
     a.Ghosts = nullptr;
   }

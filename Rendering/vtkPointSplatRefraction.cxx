@@ -7,6 +7,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkPointSplatMapper.h"
 #include "vtkPointSplatResolve.h"
+#include "vtkPointSplatSavedState.h"
 #include "vtkPointSplatUnits.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
@@ -109,8 +110,7 @@ bool vtkPointSplatRefraction::MakeInterfaces(
   }
 
   vtkOpenGLState* state = window->GetState();
-  state->Push();
-  state->PushFramebufferBindings();
+  const vtkPointSplatSavedState saved(state);
   const glm::ivec3 size(request.View.Size, count);
   if (this->Size != size)
   {
@@ -164,8 +164,6 @@ bool vtkPointSplatRefraction::MakeInterfaces(
     this->DrawTriangle();
     images.Unbind(window);
   }
-  state->PopFramebufferBindings();
-  state->Pop();
   this->Count = count;
   this->Source = &layers;
   this->Generation = layers.GetGeneration();
@@ -262,8 +260,7 @@ bool vtkPointSplatRefraction::DrawImages(vtkRenderer* renderer,
   auto window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   const glm::ivec2 size = layers.GetRequest().View.Size;
   vtkOpenGLState* state = window->GetState();
-  state->Push();
-  state->PushFramebufferBindings();
+  const vtkPointSplatSavedState saved(state);
   if (!this->ImageFramebuffer)
   {
     glGenFramebuffers(1, &this->ImageFramebuffer);
@@ -292,8 +289,6 @@ bool vtkPointSplatRefraction::DrawImages(vtkRenderer* renderer,
   glClearBufferfv(GL_COLOR, 0, nothing);
   glClearBufferfv(GL_COLOR, 1, farthest);
   const bool good = this->Draw(renderer, mappers, layers, environment, 0);
-  state->PopFramebufferBindings();
-  state->Pop();
   return good;
 }
 

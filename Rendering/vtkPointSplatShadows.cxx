@@ -5,6 +5,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkPointSplatSavedState.h"
 #include "vtkPointSplatUnits.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
@@ -429,8 +430,7 @@ bool vtkPointSplatShadows::Cast(vtkOpenGLRenderWindow* window,
 
   window->GetShaderCache()->ReleaseCurrentShader();
   vtkOpenGLState* state = window->GetState();
-  state->Push();
-  state->PushFramebufferBindings();
+  const vtkPointSplatSavedState saved(state);
   this->Triangles.Upload(meshes);
   this->BeginCounting(clouds);
 
@@ -495,8 +495,6 @@ bool vtkPointSplatShadows::Cast(vtkOpenGLRenderWindow* window,
   this->CloudCounts.clear();
   glBindBuffer(GL_ARRAY_BUFFER, 0);
   glUseProgram(0);
-  state->PopFramebufferBindings();
-  state->Pop();
   return good;
 }
 

@@ -6,6 +6,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkPointSplatSavedState.h"
 #include "vtkPointSplatUnits.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
@@ -233,8 +234,7 @@ bool vtkPointSplatSorted::Draw(vtkRenderer* renderer, const std::vector<vtkActor
   }
 
   vtkOpenGLState* state = window->GetState();
-  state->Push();
-  state->PushFramebufferBindings();
+  const vtkPointSplatSavedState saved(state);
   GLenum attachments[] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2 };
   const GLfloat nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
   const GLfloat farthest = 1.0f;
@@ -292,8 +292,6 @@ bool vtkPointSplatSorted::Draw(vtkRenderer* renderer, const std::vector<vtkActor
     }
     glBlendEquationi(1, GL_FUNC_ADD);
   }
-  state->PopFramebufferBindings();
-  state->Pop();
   return good;
 }
 

@@ -6,6 +6,7 @@
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkPointSplatImages.h"
+#include "vtkPointSplatSavedState.h"
 #include "vtkPointSplatUnits.h"
 
 #include <algorithm>
@@ -569,11 +570,8 @@ bool vtkPointSplatStages::Reconstruct(vtkOpenGLRenderWindow* window,
   else
   {
     vtkOpenGLState* state = window->GetState();
-    state->Push();
-    state->PushFramebufferBindings();
+    const vtkPointSplatSavedState saved(state);
     good = this->ReconstructByQuads(window, view, items, images, depthUnit, peel, empty);
-    state->PopFramebufferBindings();
-    state->Pop();
   }
   glUseProgram(0);
   return good;
@@ -621,11 +619,8 @@ bool vtkPointSplatStages::Identify(vtkOpenGLRenderWindow* window, const vtkPoint
   else
   {
     vtkOpenGLState* state = window->GetState();
-    state->Push();
-    state->PushFramebufferBindings();
+    const vtkPointSplatSavedState saved(state);
     good = this->IdentifyByQuads(window, view, items, images, kind);
-    state->PopFramebufferBindings();
-    state->Pop();
   }
   glUseProgram(0);
   return good;

@@ -312,7 +312,7 @@ bool intersect(Splat q, vec2 pixel, float reach, out Hit hit)
   for (int i = 0; i < ClipPlaneCount; ++i)
   {
     vec3 position = q.positionVC + x.x * q.sVC + x.y * q.tVC + x.z * q.mVC;
-    if (dot(ClipPlanes[i], vec4(position, 1.0)) < 0.0)
+    if (!(dot(ClipPlanes[i], vec4(position, 1.0)) >= 0.0)) // NaN, too, is cut away
     {
       return false;
     }

@@ -347,6 +347,64 @@ void Normals()
     first = all;
   }
 }
+
+/**
+ * What cannot be is refused or left out, and what comes out is finite.
+ */
+void Wild()
+{
+  vtkObject::GlobalWarningDisplayOff();
+  vtkSmartPointer<vtkImageData> flat = Volume(VTK_FLOAT, 1.0);
+  vtkNew<vtkIsosurfacePoints> points;
+  points->SetInputData(flat);
+  points->SetValue(0, 1.0);
+  for (const double spacing : { 0.0, static_cast<double>(NAN), 1e-320, 1e308 })
+  {
+    flat->SetSpacing(0.1, spacing, 0.1);
+    points->Update();
+    Expect(points->GetOutput()->GetNumberOfPoints() == 0, "voxels without a usable volume");
+  }
+
+  // Differences of these values are no doubles any more.
+  vtkSmartPointer<vtkImageData> steep = Volume(VTK_DOUBLE, 1.0);
+  vtkDataArray* scalars = steep->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
+  {
+    scalars->SetTuple1(i, scalars->GetTuple1(i) < 1.0 ? -1.7e308 : 1.7e308);
+  }
+  points->SetInputData(steep);
+  points->SetValue(0, 0.0);
+  points->Update();
+  vtkPolyData* output = points->GetOutput();
+  Expect(output->GetNumberOfPoints() > 100, "steep: points");
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    double x[3], n[3];
+    output->GetPoint(i, x);
+    output->GetPointData()->GetNormals()->GetTuple(i, n);
+    if (!std::isfinite(x[0] + x[1] + x[2]) || !(std::abs(vtkMath::Norm(n) - 1) < 1e-5))
+    {
+      Expect(false, "steep: a point or a normal is not finite");
+      break;
+    }
+  }
+
+  // Normals of another number than the points are estimated anew.
+  vtkSmartPointer<vtkPolyData> plane = Plane(2500, true, true);
+  vtkNew<vtkFloatArray> brief;
+  brief->SetNumberOfComponents(3);
+  brief->SetNumberOfTuples(7);
+  brief->Fill(1.0);
+  plane->GetPointData()->SetNormals(brief);
+  vtkNew<vtkPointSplatEstimation> estimation;
+  estimation->SetInputData(plane);
+  estimation->Update();
+  vtkDataArray* normals = estimation->GetOutput()->GetPointData()->GetNormals();
+  Expect(normals && normals->GetNumberOfTuples() == plane->GetNumberOfPoints() &&
+      std::abs(normals->GetComponent(2400, 2)) > 0.99,
+    "too few normals");
+  vtkObject::GlobalWarningDisplayOn();
+}
 }
 
 int TestSplatFilters(int, char*[])
@@ -359,6 +417,7 @@ int TestSplatFilters(int, char*[])
   Spaced(0.05);
   Spaced(0.02);
   Special();
+  Wild();
   Coverage("grid", Plane(2500, true, true), false, 0, 0.75 / 50);
   Coverage("random", Plane(2500, false, true), false, 2, 1.15 / 50);
   // Ellipses of a random sampling are fitted to few neighbours: up to 1 % is left to the

@@ -555,6 +555,32 @@ void TestBadInput()
   groups = Groups(grouping);
   Check(observer->GetError() && grouping->GetNumberOfGroups() == 0 && groups->GetValue(5) == -1,
     "a heap is refused");
+  observer->Clear();
+
+  // Of a few splats only the coverage is, and the groups are given.
+  Cloud few;
+  for (int i = 0; i < 1000; ++i)
+  {
+    few.Add(0.001 * i, 0, 0, 0, 0, 1, 1);
+  }
+  grouping->SetInputData(few.Data);
+  grouping->SetCoverageToEnlarge();
+  groups = Groups(grouping);
+  Check(observer->GetError() && grouping->GetNumberOfGroups() == 1000 && groups->GetValue(5) >= 0,
+    "coverage of a heap is refused");
+  observer->Clear();
+
+  // Radii of fewer tuples than there are points are not used, nor written to.
+  vtkNew<vtkFloatArray> brief;
+  brief->SetName("SplatRadius");
+  brief->SetNumberOfTuples(3);
+  brief->Fill(0.1);
+  sphere.Data->GetPointData()->AddArray(brief);
+  grouping->SetInputData(sphere.Data);
+  grouping->Update();
+  vtkDataArray* used = grouping->GetOutput()->GetPointData()->GetArray("SplatRadius");
+  Check(used && used->GetNumberOfTuples() == 1000 && grouping->GetNumberOfGroups() > 3,
+    "too few radii");
 }
 }
 

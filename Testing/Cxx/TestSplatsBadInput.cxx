@@ -5,10 +5,13 @@
 #include "SplatScene.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkCellArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
+#include "vtkHardwareSelector.h"
 #include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkSelection.h"
 #include "vtkStringArray.h"
 
 #include <limits>
@@ -253,6 +256,65 @@ int TestSplatsBadInput(int, char*[])
   Messages toldToo;
   checks.AtLeast(DrawData(brief, toldToo).CountDrawn(), 20000, "too few radii: drawn");
   checks.AtLeast(toldToo.Errors, 1, "too few radii: errors");
+
+  // Numbers of groups that would fill any memory.
+  vtkSmartPointer<vtkPolyData> wild = Grid(true);
+  vtkNew<vtkDoubleArray> groups;
+  groups->SetName("SplatGroup");
+  for (vtkIdType i = 0; i < wild->GetNumberOfPoints(); ++i)
+  {
+    const double numbers[] = { 0.0, 2147483646.0, -5.0, 1e300, NAN };
+    groups->InsertNextValue(numbers[i % 5]);
+  }
+  wild->GetPointData()->AddArray(groups);
+  Window deferred(200);
+  vtkNew<vtkPointSplatMapper> grouped;
+  grouped->SetInputData(wild);
+  grouped->SetMethodToDeferred();
+  deferred.Add(grouped);
+  checks.AtLeast(deferred.Draw().CountDrawn(), 5000, "wild groups: drawn");
+  checks.AtMost(grouped->GetNumberOfGroups(), 3, "wild groups");
+
+  // Arrays that can be no colours.
+  vtkSmartPointer<vtkPolyData> eight = Grid(true);
+  vtkNew<vtkUnsignedCharArray> components;
+  components->SetName("eight");
+  components->SetNumberOfComponents(8);
+  components->SetNumberOfTuples(eight->GetNumberOfPoints());
+  components->Fill(100.0);
+  eight->GetPointData()->SetScalars(components);
+  Messages toldOfColours;
+  checks.AtLeast(DrawData(eight, toldOfColours).CountDrawn(), 20000, "8 colour components: drawn");
+  checks.AtLeast(toldOfColours.Errors, 1, "8 colour components: errors");
+
+  // A translucent actor that draws nothing does not change what others draw.
+  Window translucent(200);
+  vtkNew<vtkPointSplatMapper> ball;
+  ball->SetInputData(RandomSphere(2000));
+  translucent.Add(ball)->GetProperty()->SetOpacity(0.5);
+  const Picture alone = translucent.Draw();
+  vtkNew<vtkPointSplatMapper> nothing;
+  nothing->SetInputData(empty);
+  translucent.Add(nothing)->GetProperty()->SetOpacity(0.5);
+  checks.Expect(translucent.Draw().Pixels == alone.Pixels, "beside an empty translucent actor");
+
+  // Cells of points that are not there, where a selection asks for cells.
+  vtkSmartPointer<vtkPolyData> lost = Grid(true);
+  vtkNew<vtkCellArray> verts;
+  verts->InsertNextCell({ 0 });
+  verts->InsertNextCell({ 100000 });
+  lost->SetVerts(verts);
+  Window picked(200);
+  vtkNew<vtkPointSplatMapper> cellular;
+  cellular->SetInputData(lost);
+  picked.Add(cellular);
+  picked.Draw();
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(picked.Renderer);
+  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  selector->SetArea(90, 90, 110, 110);
+  auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+  checks.Expect(selection != nullptr, "a selection of lost cells");
 
   // Far coordinates beside near ones.
   vtkSmartPointer<vtkPolyData> huge = Grid(true);
