@@ -195,7 +195,9 @@ Options Options::Parse(int argc, char* argv[])
     { "--background", [&o](auto& n, auto& v) { o.Background = Colour(n, v); } },
     { "--array", [&o](auto&, auto& v) { o.Array = v; } },
     { "--method",
-      [&o](auto& n, auto& v) { o.Method = OneOf(n, v, { "automatic", "two-pass", "deferred" }); } },
+      [&o](auto& n, auto& v) {
+        o.Method = OneOf(n, v, { "automatic", "two-pass", "deferred", "image-space" });
+      } },
     { "--transparency",
       [&o](auto& n, auto& v) {
         o.Transparency = OneOf(n, v, { "automatic", "peeling", "sorted", "nearest-exact" });
@@ -311,7 +313,7 @@ How it looks
                        soft ones by so many samples (1 to 1024)
 
 How it is drawn
-  --method M           automatic (default), two-pass, deferred
+  --method M           automatic (default), two-pass, deferred, image-space
   --transparency T     automatic (default), peeling, sorted, nearest-exact
   --layers N           the most layers that are peeled (32)
   --projection P       automatic (default), compute, quads

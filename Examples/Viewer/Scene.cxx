@@ -70,6 +70,10 @@ Surface& AddSurface(
   {
     surface.Mapper->SetMethodToDeferred();
   }
+  else if (options.Method == "image-space")
+  {
+    surface.Mapper->SetMethodToImageSpace();
+  }
   if (options.Transparency == "peeling")
   {
     surface.Mapper->SetTransparencyToPeeling();

@@ -9,6 +9,7 @@
 // vtkPointSplatFixedPoint.
 
 #include "vtkPointSplatPointsCS"
+#include "vtkPointSplatPointWeight"
 #include "vtkPointSplatSums"
 #ifdef PEELING
 #include "vtkPointSplatPeel"
@@ -45,6 +46,7 @@ void main()
   {
     // Normals of many surfaces: turned to the viewer, or front and back would cancel.
     float turned = Gather && (q.tag & 1u) != 0u ? -1.0 : 1.0;
-    addToSums(SumStride * at, index, 1.0, turned * q.normal, q.depth - decodeDepth(nearest), Gather);
+    addToSums(SumStride * at, index, pointWeight(q), turned * q.normal,
+      q.depth - decodeDepth(nearest), Gather);
   }
 }

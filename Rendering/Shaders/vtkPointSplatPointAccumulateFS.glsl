@@ -7,6 +7,7 @@
 // Reads: the coded depths. Writes: see vtkPointSplatBlendedSums.
 
 #include "vtkPointSplatPointFS"
+#include "vtkPointSplatPointWeight"
 #include "vtkPointSplatBlendedSums"
 #ifdef PEELING
 #include "vtkPointSplatPeel"
@@ -38,5 +39,6 @@ void main()
 #ifdef FACTORS
   factorsGiven = pointFactors;
 #endif
-  addToSums(pointColour, 1.0, turned * q.normal, q.depth - decodeDepth(nearest), Gather);
+  addToSums(
+    pointColour, pointWeight(q), turned * q.normal, q.depth - decodeDepth(nearest), Gather);
 }

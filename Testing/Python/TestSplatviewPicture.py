@@ -112,6 +112,9 @@ class TestSplatviewPicture(SplatviewTest):
         self.assertEqual(report["surfaces"][0]["method"], "deferred")
         self.assertGreater(report["surfaces"][0]["groups"], 2)
         self.assertLess(picture.difference(reference), 2.0)
+        report, picture = self.draw("globe.xyz", "--method", "image-space")
+        self.assertEqual(report["surfaces"][0]["method"], "image-space")
+        self.assertLess(picture.difference(reference), 8.0)
 
     def test_transparency(self):
         pictures = {}
