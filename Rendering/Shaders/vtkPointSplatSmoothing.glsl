@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Smooths a filled layer (Dobrev, Rosenthal, Linsen 2010, section 3.4): the mean of normal,
-// depth, colour and lights' factors over the 3 x 3 pixels with the alleviated Gaussian, 16/28 in the
-// middle, 2/28 beside it and 1/28 at the corners; background and other layers are kept out of
-// the sums. Each pixel counts as often as there are points in it. Splats that have an extent
+// depth, colour and lights' factors over the 3 x 3 pixels with the alleviated Gaussian, 16/28 in
+// the middle, 2/28 beside it and 1/28 at the corners; background and other layers are kept out
+// of the sums. Each pixel counts as often as there are points in it. Splats that have an extent
 // pass as they are.
 
 uniform vec2 RayOffset; // pixels

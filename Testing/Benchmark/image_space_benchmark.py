@@ -315,7 +315,8 @@ def report(name, parts):
     return key
 
 
-print(f"Frames a second, and in brackets the ratio to local illumination; medians of {options.runs}")
+print("Frames a second, and in brackets the ratio to local illumination; "
+      f"medians of {options.runs}")
 tori = [torus(options.points, minor) for minor in (0.4, 0.28, 0.16)]
 seen = {report("3 nested tori", tori)}
 del tori
