@@ -67,14 +67,24 @@ void vtkPointSplatFill::Allocate(bool compute, const glm::ivec2& size, int level
 }
 
 //------------------------------------------------------------------------------
-vtkPointSplatProgram* vtkPointSplatFill::Use(Stage stage, bool colours)
+vtkPointSplatFill::Stage vtkPointSplatFill::SmoothingFor(const vtkPointSplatImages& projected)
+{
+  if (projected.GetFactorCount() > 0)
+  {
+    return projected.HasColours() ? ColourFactorSmoothing : FactorSmoothing;
+  }
+  return projected.HasColours() ? ColourSmoothing : Smoothing;
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatProgram* vtkPointSplatFill::Use(Stage stage)
 {
   static const char* const files[NumberOfStages] = { "vtkPointSplatFill", "vtkPointSplatFill",
     "vtkPointSplatPushPull", "vtkPointSplatPushPull", "vtkPointSplatSmooth",
-    "vtkPointSplatSmooth" };
+    "vtkPointSplatSmooth", "vtkPointSplatSmooth", "vtkPointSplatSmooth" };
   static const char* const defines[NumberOfStages] = { "#define FIRST_FILL\n", "", "",
-    "#define PUSH\n", "", "#define COLOURS\n" };
-  stage = colours ? ColourSmoothing : stage;
+    "#define PUSH\n", "", "#define COLOURS\n", "#define FACTORS\n",
+    "#define COLOURS\n#define FACTORS\n" };
   vtkPointSplatProgram& program = this->Programs[stage][this->Compute];
   if (!program.IsBuilt())
   {
@@ -101,10 +111,9 @@ vtkPointSplatProgram* vtkPointSplatFill::Use(Stage stage, bool colours)
 
 //------------------------------------------------------------------------------
 bool vtkPointSplatFill::Draw(vtkOpenGLRenderWindow* window, Stage stage, size_t index,
-  vtkPointSplatImages& projected, GLuint to)
+  vtkPointSplatImages& projected, GLuint to, GLuint factors)
 {
-  vtkPointSplatProgram* program =
-    this->Use(stage, stage == Smoothing && projected.HasColours());
+  vtkPointSplatProgram* program = this->Use(stage);
   if (!program)
   {
     return false;
@@ -127,7 +136,7 @@ bool vtkPointSplatFill::Draw(vtkOpenGLRenderWindow* window, Stage stage, size_t 
   {
     units.Bind(*program, "Filled", kind, level.Textures[level.Now]);
   }
-  if (stage == FirstStep || stage == Smoothing)
+  if (stage == FirstStep || stage >= Smoothing)
   {
     projected.Bind(units, *program);
   }
@@ -151,6 +160,10 @@ bool vtkPointSplatFill::Draw(vtkOpenGLRenderWindow* window, Stage stage, size_t 
   {
     const int strip = stage == Pull || stage == Push ? 1 : StripLength;
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, to);
+    if (factors)
+    {
+      glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, factors);
+    }
     glDispatchCompute(static_cast<GLuint>((w.z - w.x + StripsPerGroup) / StripsPerGroup),
       static_cast<GLuint>((w.w - w.y + strip) / strip), 1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
@@ -159,9 +172,11 @@ bool vtkPointSplatFill::Draw(vtkOpenGLRenderWindow* window, Stage stage, size_t 
   vtkOpenGLState* state = window->GetState();
   state->vtkglViewport(0, 0, result->Size.x, result->Size.y);
   state->vtkglScissor(w.x, w.y, w.z - w.x + 1, w.w - w.y + 1);
-  GLenum first[] = { GL_COLOR_ATTACHMENT0 };
+  const GLenum both[] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1 };
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, to, 0);
-  state->vtkglDrawBuffers(1, first);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, factors, 0);
+  // Past the state, which takes another framebuffer's second one for this.
+  glDrawBuffers(factors ? 2 : 1, both);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   return true;
 }
@@ -281,7 +296,9 @@ bool vtkPointSplatFill::Reconstruct(vtkOpenGLRenderWindow* window,
     good = this->Draw(window, Push, k - 1, projected, level.Targets[1 - level.Now]);
     level.Now = 1 - level.Now;
   }
-  good = good && this->Draw(window, Smoothing, 0, projected, images.GetTexels());
+  good = good &&
+    this->Draw(window, vtkPointSplatFill::SmoothingFor(projected), 0, projected,
+      images.GetTexels(), images.GetFactorTexels());
   images.SetIdSource(&projected, this->Levels[0].Textures[this->Levels[0].Now]);
 
   if (!this->Compute)

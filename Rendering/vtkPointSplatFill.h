@@ -7,7 +7,8 @@
 //    oftener than something changes.
 // 2. Where points are farther apart than pixels, this is done in coarser levels, from which the
 //    finer ones are filled then (pull and push).
-// 3. Normals, depths and colours are smoothed by the alleviated Gaussian.
+// 3. Normals, depths, colours and the factors of lights that cast shadows are smoothed by the
+//    alleviated Gaussian.
 // It reads what the stages that project wrote (vtkPointSplatImages, of either kind), and writes
 // texels: by compute shaders to buffers from buffers, by fragments to textures from textures. On
 // the way: two images of two uints a pixel, the coded depth and the pixel whose attributes are
@@ -49,6 +50,8 @@ private:
     Push,
     Smoothing,
     ColourSmoothing,
+    FactorSmoothing,
+    ColourFactorSmoothing,
     NumberOfStages
   };
 
@@ -79,10 +82,12 @@ private:
   };
 
   static int LevelsFor(double spacing);
-  vtkPointSplatProgram* Use(Stage stage, bool colours);
-  /// Draws a stage that reads a level of this index.
+  static Stage SmoothingFor(const vtkPointSplatImages& projected);
+  vtkPointSplatProgram* Use(Stage stage);
+  /// Draws a stage that reads a level of this index. factors: where smoothing writes those of
+  /// the lights to, or 0.
   bool Draw(vtkOpenGLRenderWindow* window, Stage stage, size_t index,
-    vtkPointSplatImages& projected, GLuint to);
+    vtkPointSplatImages& projected, GLuint to, GLuint factors = 0);
   bool DrawStep(vtkOpenGLRenderWindow* window, size_t index, bool first,
     vtkPointSplatImages& projected, bool* changed);
   void Allocate(bool compute, const glm::ivec2& size, int levels);

@@ -17,6 +17,9 @@ namespace
 constexpr GLsizeiptr DepthBytes = 4;
 constexpr GLsizeiptr LargestSumBytes = 32;
 constexpr GLsizeiptr IdBytes = 8;
+// Of filled layers.
+constexpr GLsizeiptr TexelBytes = 16;
+constexpr GLsizeiptr FactorTexelBytes = 4;
 
 void ClearRows(GLuint buffer, GLsizeiptr bytesPerPixel, int width, const glm::ivec4& window,
   GLenum internal, GLenum format, GLenum type, const void* value)
@@ -118,22 +121,34 @@ std::string vtkPointSplatImages::GetDefines() const
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatImages::AllocateFilled(bool compute, const glm::ivec2& size)
+void vtkPointSplatImages::AllocateFilled(bool compute, const glm::ivec2& size, int factors)
 {
-  if (this->Texels && this->Compute == compute && this->Size == size)
+  if (this->Texels && this->Compute == compute && this->Size == size &&
+    (this->FactorTexels != 0) == (factors > 0))
   {
+    this->Factors = factors;
     return;
   }
   this->Release();
   this->Compute = compute;
+  this->Factors = factors;
   this->Size = size;
   if (compute)
   {
     MakeBuffer(this->Texels, this->BufferTextures[0],
-      static_cast<GLsizeiptr>(16) * size.x * size.y, GL_RGBA32UI);
+      static_cast<GLsizeiptr>(TexelBytes) * size.x * size.y, GL_RGBA32UI);
+    if (factors > 0)
+    {
+      MakeBuffer(this->FactorTexels, this->BufferTextures[1],
+        static_cast<GLsizeiptr>(FactorTexelBytes) * size.x * size.y, GL_R32UI);
+    }
     return;
   }
   this->Texels = MakeTexture(size, GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT);
+  if (factors > 0)
+  {
+    this->FactorTexels = MakeTexture(size, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -166,7 +181,7 @@ vtkIdType vtkPointSplatImages::GetMemorySize() const
   const vtkIdType pixels = static_cast<vtkIdType>(this->Size.x) * this->Size.y;
   if (this->Texels)
   {
-    return 16 * pixels;
+    return (TexelBytes + (this->FactorTexels ? FactorTexelBytes : 0)) * pixels;
   }
   const vtkIdType ids = this->Ids ? IdBytes : 0;
   return this->Compute ? pixels * (DepthBytes + 4 * this->GetSumStride() + ids) : pixels * (4 + 36 + (this->Sums[3] ? 16 : 0) + 4 + 4);
@@ -187,23 +202,13 @@ void vtkPointSplatImages::Bind(
   if (this->Texels)
   {
     bind(0, this->GetDepthTexture(), "Texels", usual);
-    if (withIds || this->Factors > 0)
+    if (this->FactorTexels)
     {
-      bind(1, this->Filled, "Filled", usual);
-    }
-    if (this->Factors > 0 && this->Compute)
-    {
-      bind(2, this->Projected->BufferTextures[1], "Sums", usual);
-      program->SetUniformi("TexelsPerPixel", this->Projected->GetSumStride() / 4);
-      program->SetUniformi("FactorWord", this->Projected->GetFactorWord());
-    }
-    else if (this->Factors > 0)
-    {
-      bind(2, this->Projected->Sums[0], "WeightAndNormal", usual);
-      bind(5, this->Projected->Sums[3], "Factors", usual);
+      bind(2, this->Compute ? this->BufferTextures[1] : this->FactorTexels, "FactorTexels", usual);
     }
     if (withIds)
     {
+      bind(1, this->Filled, "Filled", usual);
       bind(3, this->Compute ? this->Projected->BufferTextures[2] : this->Projected->Ids, "Ids",
         usual);
     }
@@ -249,12 +254,17 @@ void vtkPointSplatImages::Bind(vtkPointSplatUnits& units, vtkPointSplatProgram& 
     units.Bind(program, "Sums", GL_TEXTURE_BUFFER, this->BufferTextures[1]);
     program.Set("ImageWidth", this->Size.x);
     program.Set("TexelsPerPixel", this->GetSumStride() / 4);
+    program.Set("FactorWord", this->GetFactorWord());
     return;
   }
   units.Bind(program, "Depths", GL_TEXTURE_2D, this->Depths);
   units.Bind(program, "WeightAndNormal", GL_TEXTURE_2D, this->Sums[0]);
   units.Bind(program, "DepthAndColour", GL_TEXTURE_2D, this->Sums[1]);
   units.Bind(program, "Opacities", GL_TEXTURE_2D, this->Sums[2]);
+  if (this->Sums[3])
+  {
+    units.Bind(program, "Factors", GL_TEXTURE_2D, this->Sums[3]);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -278,22 +288,23 @@ void vtkPointSplatImages::Release()
 {
   if (this->Compute)
   {
-    const GLuint buffers[] = { this->Depths, this->Sums[0], this->Ids, this->Texels };
-    glDeleteBuffers(4, buffers);
+    const GLuint buffers[] = { this->Depths, this->Sums[0], this->Ids, this->Texels,
+      this->FactorTexels };
+    glDeleteBuffers(5, buffers);
     glDeleteTextures(3, this->BufferTextures);
   }
   else
   {
     const GLuint textures[] = { this->Depths, this->Sums[0], this->Sums[1], this->Sums[2],
-      this->Sums[3], this->Ids, this->DepthAttachment, this->Texels };
-    glDeleteTextures(8, textures);
+      this->Sums[3], this->Ids, this->DepthAttachment, this->Texels, this->FactorTexels };
+    glDeleteTextures(9, textures);
     if (this->Framebuffer)
     {
       glDeleteFramebuffers(1, &this->Framebuffer);
     }
   }
   this->Depths = this->Sums[0] = this->Sums[1] = this->Sums[2] = this->Sums[3] = this->Ids = this->DepthAttachment = 0;
-  this->Framebuffer = this->Texels = 0;
+  this->Framebuffer = this->Texels = this->FactorTexels = 0;
   this->Projected = nullptr;
   std::fill_n(this->BufferTextures, 3, 0u);
   this->Size = glm::ivec2(0);

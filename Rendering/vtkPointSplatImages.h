@@ -6,9 +6,10 @@
 //   ids     the splat of the greatest weight, made for hardware selection only
 // Compute shaders write buffers (uint; 4 ints, or 8 with colours or more than two factors; 2 uints
 // a pixel), which the resolve stage reads as buffer textures. Quads write textures (R32UI; two
-// RGBA32F and one R32F, and one more RGBA32F with factors; R32UI) through a framebuffer object. A layer that was filled in image space is one buffer or
-// texture (RGBA32UI, see vtkPointSplatTexel.glsl), and names its points by the images that it
-// came from.
+// RGBA32F and one R32F, and one more RGBA32F with factors; R32UI) through a framebuffer object. A
+// layer that was filled in image space is one buffer or texture (RGBA32UI), and one more with
+// factors (R32UI; see vtkPointSplatTexel.glsl), and names its points by the images that it came
+// from.
 #ifndef vtkPointSplatImages_h
 #define vtkPointSplatImages_h
 
@@ -49,15 +50,14 @@ public:
   void Allocate(bool compute, const glm::ivec2& size, bool colours, int factors = 0);
 
   /**
-   * Makes the one image of a filled layer, in place of the others.
+   * Makes the image of a filled layer, and with factors the second one, in place of the others.
    */
-  void AllocateFilled(bool compute, const glm::ivec2& size);
+  void AllocateFilled(bool compute, const glm::ivec2& size, int factors);
   bool IsFilled() const { return this->Texels != 0; }
   /// What tells vtkPointSplatFetch.glsl of which kind the images are.
   std::string GetDefines() const;
   GLuint GetTexels() const { return this->Texels; }
-  /// Whose factors are read where the ids are, too.
-  void SetFactorCount(int factors) { this->Factors = factors; }
+  GLuint GetFactorTexels() const { return this->FactorTexels; } // 0 without factors
   /// Where a filled layer's ids are: in the images that were projected, at the pixel that
   /// the image filled (RG32UI: a texture, of a buffer or not) tells.
   void SetIdSource(const vtkPointSplatImages* projected, GLuint filled)
@@ -125,8 +125,9 @@ private:
   GLuint Ids = 0;
   GLuint DepthAttachment = 0;
   GLuint Framebuffer = 0;
-  GLuint BufferTextures[3] = { 0, 0, 0 }; // of depths, sums, ids
+  GLuint BufferTextures[3] = { 0, 0, 0 }; // of depths, sums, ids; or of texels, factors
   GLuint Texels = 0;
+  GLuint FactorTexels = 0;
   const vtkPointSplatImages* Projected = nullptr;
   GLuint Filled = 0;
   int Units[6] = { -1, -1, -1, -1, -1, -1 };

@@ -144,9 +144,7 @@ bool vtkPointSplatLayers::BuildLayer(
   }
   if (filled && !empty)
   {
-    images.AllocateFilled(r.Compute, r.View.Size);
-    // Of several layers only the last one's projected images are left.
-    images.SetFactorCount(r.MaximumLayers == 1 ? factors : 0);
+    images.AllocateFilled(r.Compute, r.View.Size, factors);
     if (!this->Fill.Reconstruct(window, r.View, r.Items, projected, covered, r.FillSteps,
           this->DepthUnit, images))
     {

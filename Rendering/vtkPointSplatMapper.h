@@ -86,7 +86,8 @@
  * Images (compute; w x h are the viewport's): coded depths, 1 uint a pixel; sums,
  * 8 ints a pixel. Images (quads): the same as R32UI and two RGBA32F textures, and one more where
  * lights cast shadows. Deferred blending has besides, for each group, a layer of RGBA32UI and one
- * of 32-bit depth, and one of R32UI where lights cast shadows; refraction, for each layer up to
+ * of 32-bit depth, and one of R32UI where lights cast shadows; image space, for each layer, one of
+ * RGBA32UI, and one of R32UI where lights cast shadows; refraction, for each layer up to
  * the twelfth, one of RGBA32F.
  *
  * @sa vtkPointSplatPass vtkPointSplatEstimation vtkIsosurfacePoints
@@ -284,7 +285,7 @@ public:
   ///@{
   /**
    * Bytes that the groups' images may take, 20 a pixel and group: past it, two passes are taken,
-   * with a warning. And bytes that translucent layers may take, 20 or 36 a pixel and layer: past
+   * with a warning. And bytes that translucent layers may take, 16 to 64 a pixel and layer: past
    * it, no further ones are peeled. 0: no bound. Default: 1 GiB.
    */
   vtkSetClampMacro(MaximumImageMemory, vtkIdType, 0, VTK_ID_MAX);

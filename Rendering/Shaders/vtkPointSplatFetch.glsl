@@ -136,41 +136,53 @@ bool fetchSums(ivec2 pixel, out vec3 normal, out float behind, out vec4 colour)
 #endif
 
 #ifdef FACTORS
-// The factors of lights. Those of a filled layer are the projected point's.
-#if defined(COMPUTE_IMAGES)
+// The factors of lights.
 #ifdef FILLED_IMAGES
-uniform isamplerBuffer Sums;   // of the projected images
-uniform int TexelsPerPixel;
-#endif
-uniform int FactorWord; // 3, or 5 with colours
+#ifdef COMPUTE_IMAGES
+uniform usamplerBuffer FactorTexels; // R32UI, see vtkPointSplatTexel
 
 vec4 fetchFactors(ivec2 pixel)
 {
-#ifdef FILLED_IMAGES
-  uint source = texelFetch(Filled, pixel.y * ImageWidth + pixel.x).g;
-  pixel = ivec2(source & 0xffffu, source >> 16);
+  return unpackColour(texelFetch(FactorTexels, pixel.y * ImageWidth + pixel.x).r);
+}
+#else
+uniform usampler2D FactorTexels;
+
+vec4 fetchFactors(ivec2 pixel)
+{
+  return unpackColour(texelFetch(FactorTexels, pixel, 0).r);
+}
 #endif
+#else
+#ifdef COMPUTE_IMAGES
+uniform int FactorWord; // 3, or 5 with colours
+
+// Sums of weights, and of weighted factors; of nothing as in fetchRawSums.
+float fetchRawFactors(ivec2 pixel, out vec4 factors)
+{
   int at = (pixel.y * ImageWidth + pixel.x) * TexelsPerPixel;
   ivec4 a = texelFetch(Sums, at);
   ivec4 b = TexelsPerPixel > 1 ? texelFetch(Sums, at + 1) : ivec4(0);
   ivec2 words = FactorWord == 3 ? ivec2(a.w, b.x) : b.yz;
-  bool good = a.x > 0 && a.x < WeightOverflow;
-  return good ? vec4(unpackSums(words.x), unpackSums(words.y)) / float(a.x) : vec4(1.0);
+  bool good = a.x < WeightOverflow;
+  factors = good ? vec4(unpackSums(words.x), unpackSums(words.y)) : vec4(0.0);
+  return good ? float(a.x) : 0.0;
 }
 #else
 uniform sampler2D Factors;
-#ifdef FILLED_IMAGES
-uniform sampler2D WeightAndNormal;
+
+float fetchRawFactors(ivec2 pixel, out vec4 factors)
+{
+  factors = texelFetch(Factors, pixel, 0);
+  return texelFetch(WeightAndNormal, pixel, 0).x;
+}
 #endif
 
 vec4 fetchFactors(ivec2 pixel)
 {
-#ifdef FILLED_IMAGES
-  uint source = texelFetch(Filled, pixel, 0).g;
-  pixel = ivec2(source & 0xffffu, source >> 16);
-#endif
-  float w = texelFetch(WeightAndNormal, pixel, 0).x;
-  return w > 0.0 ? texelFetch(Factors, pixel, 0) / w : vec4(1.0);
+  vec4 factors;
+  float w = fetchRawFactors(pixel, factors);
+  return w > 0.0 ? factors / w : vec4(1.0);
 }
 #endif
 #endif

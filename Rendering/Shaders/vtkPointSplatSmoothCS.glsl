@@ -12,6 +12,9 @@
 #include "vtkPointSplatSmoothing"
 
 layout(std430, binding = 0) writeonly buffer Result { uvec4 result[]; };
+#ifdef FACTORS
+layout(std430, binding = 2) writeonly buffer FactorResult { uint factorResult[]; };
+#endif
 
 struct Row
 {
@@ -77,6 +80,13 @@ void main()
           pixel.y > FilledWindow.y ? below.middle.code : mean.code));
     }
     result[pixelIndex(pixel)] = texel;
+#ifdef FACTORS
+    // Where there is nothing, nobody asks for factors.
+    if (mean.code != NoDepth)
+    {
+      factorResult[pixelIndex(pixel)] = factorTexelOf(mean);
+    }
+#endif
     below = row;
     row = above;
   }

@@ -12,6 +12,9 @@
 #include "vtkPointSplatSmoothing"
 
 layout(location = 0) out uvec4 texel;
+#ifdef FACTORS
+layout(location = 1) out uint factorTexel;
+#endif
 
 void main()
 {
@@ -20,6 +23,9 @@ void main()
   if (mean.code == NoDepth)
   {
     texel = uvec4(NoDepth, 0u, 0u, 0u);
+#ifdef FACTORS
+    factorTexel = 0u;
+#endif
     return;
   }
   float range = smoothingRange(mean, pixel);
@@ -38,4 +44,7 @@ void main()
     }
   }
   texel = texelOf(mean, isSilhouette(mean.code, codes[0], codes[2], codes[4], codes[6]));
+#ifdef FACTORS
+  factorTexel = factorTexelOf(mean);
+#endif
 }

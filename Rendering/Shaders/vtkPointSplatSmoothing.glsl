@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Smooths a filled layer (Dobrev, Rosenthal, Linsen 2010, section 3.4): the mean of normal,
-// depth and colour over the 3 x 3 pixels with the alleviated Gaussian, 16/28 in the
-// middle, 2/28 beside it and 1/28 at the corners; background and other layers are kept out of
-// the sums. Each pixel counts as often as there are points in it. Splats that have an extent
+// depth, colour and lights' factors over the 3 x 3 pixels with the alleviated Gaussian, 16/28 in
+// the middle, 2/28 beside it and 1/28 at the corners; background and other layers are kept out
+// of the sums. Each pixel counts as often as there are points in it. Splats that have an extent
 // pass as they are.
 
 uniform vec2 RayOffset; // pixels
@@ -22,6 +22,9 @@ struct Sum
 #ifdef COLOURS
   vec4 colour;
 #endif
+#ifdef FACTORS
+  vec4 factors;
+#endif
 };
 
 Sum fetchSum(ivec2 pixel)
@@ -34,6 +37,12 @@ Sum fetchSum(ivec2 pixel)
     : fetchRawSums(sourcePixel(fetchSource(pixel)), s.normalAndBehind, colour);
 #ifdef COLOURS
   s.colour = colour;
+#endif
+#ifdef FACTORS
+  if (s.code != NoDepth)
+  {
+    fetchRawFactors(sourcePixel(fetchSource(pixel)), s.factors);
+  }
 #endif
   return s;
 }
@@ -61,6 +70,9 @@ void addNeighbour(inout Sum mean, uint own, Sum other, float kernel, float range
 #ifdef COLOURS
     mean.colour += kernel * other.colour;
 #endif
+#ifdef FACTORS
+    mean.factors += kernel * other.factors;
+#endif
   }
 }
 
@@ -70,6 +82,9 @@ void scaleSum(inout Sum s, float factor)
   s.normalAndBehind *= factor;
 #ifdef COLOURS
   s.colour *= factor;
+#endif
+#ifdef FACTORS
+  s.factors *= factor;
 #endif
 }
 
@@ -94,3 +109,10 @@ uvec4 texelOf(Sum mean, bool silhouette)
 #endif
   return packTexel(mean.code, n.xyz, n.w, colour, silhouette);
 }
+
+#ifdef FACTORS
+uint factorTexelOf(Sum mean)
+{
+  return packColour(mean.weight > 0.0 ? mean.factors / mean.weight : vec4(1.0));
+}
+#endif

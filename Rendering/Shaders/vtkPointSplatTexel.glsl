@@ -7,6 +7,8 @@
 //   z  its length, 15 bits; whether this is a silhouette, 1 bit; the depth behind the coded one,
 //      in units of DepthUnit, 16 bits
 //   w  colour and opacity, 8 bits a component
+// Where lights cast shadows, a second image (R32UI) has the factors of up to four lights, 8 bits
+// each, packed as a colour.
 
 uint encodeNormal(vec3 n)
 {

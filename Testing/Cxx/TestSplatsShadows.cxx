@@ -276,6 +276,170 @@ void TestTranslucent(Checks& checks)
   }
 }
 
+/// What a ray sees of two sheets, z = 0 and below it, in the shadow of a ball: by which lights
+/// each is lit, or ~0u where the ray misses it.
+struct Sheets
+{
+  Ball Caster{ { 0.0, 0.0, 1.2 }, 0.5 };
+  std::array<double, 2> Heights{ { 0.0, -0.7 } };
+
+  bool IsHidden(const Vector& p, const Vector& towards) const
+  {
+    const Vector c = Between(p, this->Caster.Centre);
+    const double along = Dot(c, towards);
+    return along > 0.0 && Dot(c, c) - along * along < this->Caster.Radius * this->Caster.Radius;
+  }
+  std::array<unsigned int, 2> See(const std::vector<vtkSmartPointer<vtkLight>>& lights,
+    const Vector& o, const Vector& d) const
+  {
+    std::array<unsigned int, 2> seen{ { ~0u, ~0u } };
+    for (size_t k = 0; k < 2 && !this->IsHidden(o, d); ++k)
+    {
+      const Vector p = Along(o, (this->Heights[k] - o[2]) / d[2], d);
+      if (std::abs(p[0]) > 2.0 || std::abs(p[1]) > 2.0)
+      {
+        continue;
+      }
+      seen[k] = 0u;
+      for (size_t i = 0; i < lights.size(); ++i)
+      {
+        Vector from;
+        Vector ray;
+        RayTo(lights[i], p, from, ray);
+        seen[k] |= this->IsHidden(p, { -ray[0], -ray[1], -ray[2] }) ? 0u : 1u << i;
+      }
+    }
+    return seen;
+  }
+  /// How bright a sheet is where it is seen, of Colour.
+  double Shade(size_t sheet, unsigned int lit,
+    const std::vector<vtkSmartPointer<vtkLight>>& lights, const Vector& o, const Vector& d) const
+  {
+    double light = Ambient;
+    for (size_t i = 0; i < lights.size(); ++i)
+    {
+      Vector from;
+      Vector ray;
+      RayTo(lights[i], Along(o, (this->Heights[sheet] - o[2]) / d[2], d), from, ray);
+      light += (lit >> i & 1u) * Diffuse * std::abs(ray[2]) * lights[i]->GetIntensity();
+    }
+    return light;
+  }
+};
+
+/// Layers that were filled in image space have each its own shadows.
+void TestTranslucentLayers(Checks& checks)
+{
+  const Sheets sheets;
+  const auto points =
+    SplatScene::RandomCloud(80000, [&](double u, double v, double* p, double* n) {
+      const size_t k = u < 0.5 ? 0 : 1;
+      p[0] = 4.0 * (2.0 * u - static_cast<double>(k)) - 2.0;
+      p[1] = 4.0 * v - 2.0;
+      p[2] = sheets.Heights[k];
+      n[0] = n[1] = 0.0;
+      n[2] = 1.0;
+    });
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    colours->InsertNextTuple3(std::lround(255 * Colour[0]), std::lround(255 * Colour[1]),
+      std::lround(255 * Colour[2]));
+  }
+  points->GetPointData()->SetScalars(colours);
+  vtkNew<vtkSphereSource> ball;
+  ball->SetRadius(sheets.Caster.Radius);
+  ball->SetThetaResolution(100);
+  ball->SetPhiResolution(50);
+  vtkNew<vtkPolyDataMapper> mesh;
+  mesh->SetInputConnection(ball->GetOutputPort());
+  // More than one word of the sums holds.
+  const std::vector<vtkSmartPointer<vtkLight>> lights{ MakeLight({ 1, -1, 3 }, Middle, false),
+    MakeLight({ -3, 1, 4 }, Middle, true), MakeLight({ 0, 4, 4 }, Middle, false) };
+  const std::array<double, 3> intensities{ { 0.4, 0.3, 0.3 } };
+  for (size_t i = 0; i < lights.size(); ++i)
+  {
+    lights[i]->SetIntensity(intensities[i]);
+  }
+  constexpr double opacity = 0.6;
+  constexpr int reach = 4;
+  for (const bool quads : { false, true })
+  {
+    for (const bool coloured : { false, true })
+    {
+      View view(points, lights);
+      view.Mapper->SetScalarVisibility(coloured);
+      view.Win.Add(mesh)->SetPosition(
+        sheets.Caster.Centre[0], sheets.Caster.Centre[1], sheets.Caster.Centre[2]);
+      view.Mapper->ShadowsOn();
+      view.Mapper->SetMethod(vtkPointSplatMapper::IMAGE_SPACE);
+      view.Mapper->SetProjection(
+        quads ? vtkPointSplatMapper::QUADS : vtkPointSplatMapper::COMPUTE);
+      view.Mapper->SetTransparency(vtkPointSplatMapper::PEELING);
+      view.Actor->GetProperty()->SetOpacity(opacity);
+      const Picture picture = view.Win.Draw();
+      double sum = 0.0;
+      long inside = 0;
+      long different = 0;
+      long wrong = 0;
+      for (int y = 10; y < picture.Height - 10; y += 2)
+      {
+        for (int x = 10; x < picture.Width - 10; x += 2)
+        {
+          Vector o;
+          Vector d;
+          view.Ray(x + 0.5, y + 0.5, o, d);
+          const auto seen = sheets.See(lights, o, d);
+          bool clear = seen[0] != ~0u && seen[1] != ~0u;
+          for (int k = 0; k < 8 && clear; ++k)
+          {
+            Vector o2;
+            Vector d2;
+            view.Ray(x + 0.5 + reach * std::cos(k * vtkMath::Pi() / 4),
+              y + 0.5 + reach * std::sin(k * vtkMath::Pi() / 4), o2, d2);
+            clear = sheets.See(lights, o2, d2) == seen;
+          }
+          if (!clear)
+          {
+            continue;
+          }
+          ++inside;
+          different += seen[0] != seen[1];
+          const double light = opacity *
+            (sheets.Shade(0, seen[0], lights, o, d) +
+              (1.0 - opacity) * sheets.Shade(1, seen[1], lights, o, d));
+          double worst = 0.0;
+          for (int c = 0; c < 3; ++c)
+          {
+            worst = std::max(worst,
+              std::abs(255.0 * light * Colour[static_cast<size_t>(c)] - picture.At(x, y)[c]));
+          }
+          sum += worst;
+          wrong += worst > 8.0;
+        }
+      }
+      const std::string name = coloured ? "translucent layers, colours" : "translucent layers";
+      std::cout << name << " (" << view.Mapper->GetMethodUsed() << ", "
+                << view.Mapper->GetProjectionUsed() << "): " << inside << " pixels, " << different
+                << " of them with other shadows on either sheet, mean error " << sum / inside
+                << ", " << 100.0 * wrong / inside << " % wrong\n";
+      checks.AtLeast(view.Mapper->GetNumberOfLayersDrawn(), 2, name + ": layers");
+      // The second image comes and goes with the factors.
+      view.Mapper->ShadowsOff();
+      checks.Expect(
+        view.Win.Draw().Pixels != picture.Pixels, name + ": the picture does not need shadows.");
+      view.Mapper->ShadowsOn();
+      checks.Expect(view.Win.Draw().Pixels == picture.Pixels,
+        name + ": shadows that are off and on again change the picture.");
+      checks.AtLeast(inside, 1000l, name + ": pixels");
+      checks.AtLeast(different, 100l, name + ": pixels with other shadows");
+      checks.AtMost(sum / inside, 2.0, name + ": mean error");
+      checks.AtMost(100.0 * wrong / inside, 1.0, name + ": per cent wrong");
+    }
+  }
+}
+
 void TestUpdates(Checks& checks)
 {
   const Spheres scene(10000);
@@ -410,6 +574,7 @@ int TestSplatsShadows(int, char*[])
   Checks checks;
   TestMethods(checks);
   TestTranslucent(checks);
+  TestTranslucentLayers(checks);
   TestUpdates(checks);
   TestSaved(checks);
   return checks.Result();
