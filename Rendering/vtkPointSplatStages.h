@@ -151,6 +151,9 @@ private:
   vtkPointSplatProgram* Use(
     Stage stage, bool compute, bool points, const vtkPointSplatPeel* peel = nullptr,
     bool factors = false);
+  /// What the layers before and the scene are to a stage.
+  static void SetPeel(vtkPointSplatProgram& program, vtkPointSplatUnits& units,
+    const vtkPointSplatView& view, const vtkPointSplatPeel* peel, bool compute);
   static void Dispatch(vtkPointSplatProgram& program, vtkPointSplatUnits& units,
     vtkIdType splats, bool points, vtkPointSplatCloud::Buffers& buffers);
   void PrepareLists(const std::vector<vtkPointSplatItem>& items, int layer);
