@@ -13,7 +13,7 @@
 
 namespace
 {
-constexpr GLuint GroupSize = 64;      // as in vtkPointSplatSplatsCS.glsl
+constexpr GLuint GroupSize = 64;      // as in vtkPointSplatSplatsCS.glsl and PointsCS
 constexpr GLuint MostGroups = 32768;  // in one dimension; OpenGL promises 65535
 constexpr GLuint LargeGroups = 256;   // share the listed splats of many pixels
 
@@ -39,6 +39,28 @@ bool vtkPointSplatItem::operator==(const vtkPointSplatItem& other) const
     this->Factors == other.Factors && this->FactorCount == other.FactorCount &&
     this->FactorVersion == other.FactorVersion && this->Points == other.Points &&
     this->PointLayer == other.PointLayer && this->PointLayerPixels == other.PointLayerPixels;
+}
+
+//------------------------------------------------------------------------------
+glm::dmat4 vtkPointSplatItem::GetMCVC(const vtkPointSplatView& view) const
+{
+  // In double precision: only the product of a far camera and a far cloud is small.
+  const auto& origin = this->Cloud->GetOrigin();
+  glm::dmat4 MCVC = view.WCVC * this->MCWC;
+  MCVC[3] = MCVC * glm::dvec4(origin[0], origin[1], origin[2], 1.0);
+  return MCVC;
+}
+
+//------------------------------------------------------------------------------
+std::vector<glm::dvec4> vtkPointSplatItem::GetClipPlanesVC(const vtkPointSplatView& view) const
+{
+  std::vector<glm::dvec4> planes;
+  const glm::dmat4 VCWCTransposed = glm::transpose(glm::inverse(view.WCVC));
+  for (const glm::dvec4& plane : this->ClipPlanes)
+  {
+    planes.emplace_back(VCWCTransposed * plane);
+  }
+  return planes;
 }
 
 //------------------------------------------------------------------------------
@@ -110,18 +132,10 @@ void vtkPointSplatStages::SetPeel(vtkPointSplatProgram& program, vtkPointSplatUn
 void vtkPointSplatStages::SetItem(vtkPointSplatProgram& program, const vtkPointSplatView& view,
   const vtkPointSplatItem& item, const glm::ivec2& imageSize)
 {
-  const auto& origin = item.Cloud->GetOrigin();
-  glm::dmat4 MCVC = view.WCVC * item.MCWC;
+  const glm::dmat4 MCVC = item.GetMCVC(view);
   const glm::dmat3 normals = glm::transpose(glm::inverse(glm::dmat3(MCVC)));
-  // In double precision up to here: only the product of a far camera and a far
-  // cloud is small.
-  MCVC[3] = MCVC * glm::dvec4(origin[0], origin[1], origin[2], 1.0);
-  std::vector<glm::vec4> planes;
-  const glm::dmat4 VCWCTransposed = glm::transpose(glm::inverse(view.WCVC));
-  for (const glm::dvec4& plane : item.ClipPlanes)
-  {
-    planes.emplace_back(VCWCTransposed * plane);
-  }
+  const std::vector<glm::dvec4> clip = item.GetClipPlanesVC(view);
+  const std::vector<glm::vec4> planes(clip.begin(), clip.end());
   program.Set("MCVC", glm::mat4(MCVC));
   program.Set("NormalMatrix", glm::mat3(normals));
   program.Set("PixelX", view.PixelX);
@@ -152,16 +166,11 @@ void vtkPointSplatStages::SetItem(vtkPointSplatProgram& program, const vtkPointS
 
 //------------------------------------------------------------------------------
 void vtkPointSplatStages::Dispatch(vtkPointSplatProgram& program, vtkPointSplatUnits& units,
-  vtkIdType splats, bool points, vtkPointSplatCloud::Buffers& buffers)
+  vtkIdType splats, vtkPointSplatCloud::Buffers& buffers)
 {
   units.Bind(program, "Splats", GL_TEXTURE_BUFFER, buffers.SplatTexture);
   const GLuint groups = static_cast<GLuint>((splats + GroupSize - 1) / GroupSize);
   program.Set("SplatCount", static_cast<unsigned int>(splats));
-  if (points)
-  {
-    glDispatchCompute(std::min(groups, MostGroups), (groups + MostGroups - 1) / MostGroups, 1);
-    return;
-  }
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, buffers.Large);
   ClearCount(buffers.Large);
   program.Set("ListLarge", true);
@@ -170,6 +179,52 @@ void vtkPointSplatStages::Dispatch(vtkPointSplatProgram& program, vtkPointSplatU
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   program.Set("DrawLarge", true);
   glDispatchCompute(LargeGroups, 1, 1);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatStages::DispatchPoints(vtkPointSplatProgram& program, vtkPointSplatUnits& units,
+  size_t index, const vtkPointSplatItem& item, vtkIdType count, bool listed,
+  vtkPointSplatCloud::Buffers& buffers) const
+{
+  const bool batches = !listed && item.Batches;
+  const vtkIdType invocations = batches
+    ? static_cast<vtkIdType>(item.Batches->size()) * vtkPointSplatBatches::Size
+    : count;
+  if (invocations == 0)
+  {
+    return;
+  }
+  units.Bind(program, "Splats", GL_TEXTURE_BUFFER, buffers.SplatTexture);
+  program.Set("SplatCount", static_cast<unsigned int>(count));
+  program.Set("DrawBatches", batches);
+  program.Set("BatchCount", static_cast<unsigned int>(batches ? item.Batches->size() : 0));
+  if (batches)
+  {
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 7, this->BatchBuffers[index]);
+  }
+  const GLuint groups = static_cast<GLuint>((invocations + GroupSize - 1) / GroupSize);
+  glDispatchCompute(std::min(groups, MostGroups), (groups + MostGroups - 1) / MostGroups, 1);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatStages::UploadBatches(const std::vector<vtkPointSplatItem>& items)
+{
+  this->BatchBuffers.resize(std::max(this->BatchBuffers.size(), items.size()), 0);
+  for (size_t i = 0; i < items.size(); ++i)
+  {
+    if (!items[i].Batches)
+    {
+      continue;
+    }
+    GLuint& buffer = this->BatchBuffers[i];
+    if (!buffer)
+    {
+      glGenBuffers(1, &buffer);
+    }
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
+    glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(4 * items[i].Batches->size()),
+      items[i].Batches->data(), GL_STREAM_DRAW);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -233,12 +288,20 @@ bool vtkPointSplatStages::ReconstructByCompute(vtkOpenGLRenderWindow* window,
         GL_SHADER_STORAGE_BUFFER, 4, lists.Buffers[(peel->Layer + 1) % 2]);
       glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 5, lists.Buffers[peel->Layer % 2]);
     }
-    if (splats > 0)
+    if (items[i].Points)
     {
-      vtkPointSplatStages::Dispatch(
-        *program, units, splats, items[i].Points, items[i].Cloud->Upload(window));
+      this->DispatchPoints(*program, units, i, items[i], splats, peel && peel->Layer > 0,
+        items[i].Cloud->Upload(window));
+    }
+    else if (splats > 0)
+    {
+      vtkPointSplatStages::Dispatch(*program, units, splats, items[i].Cloud->Upload(window));
     }
   };
+  if (!peel || peel->Layer == 0)
+  {
+    this->UploadBatches(items);
+  }
   if (peel)
   {
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -335,11 +398,13 @@ bool vtkPointSplatStages::Identify(vtkOpenGLRenderWindow* window, const vtkPoint
     vtkPointSplatUnits units(window);
     images.ClearIdBuffer({ 0, 0, images.GetSize().x - 1, images.GetSize().y - 1 });
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, images.GetIds());
+    this->UploadBatches(items);
     good = true;
     for (const bool findWeight : { true, false })
     {
-      for (const vtkPointSplatItem& item : items)
+      for (size_t i = 0; i < items.size(); ++i)
       {
+        const vtkPointSplatItem& item = items[i];
         if (vtkPointSplatProgram* program = this->Use(Identification, true, item.Points))
         {
           units.Bind(*program, "Depths", GL_TEXTURE_BUFFER, images.GetDepthTexture());
@@ -351,8 +416,16 @@ bool vtkPointSplatStages::Identify(vtkOpenGLRenderWindow* window, const vtkPoint
           glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, idMap);
           program->Set("DrawListed", false);
           program->Set("ListNext", false);
-          vtkPointSplatStages::Dispatch(*program, units, item.Cloud->GetNumberOfSplats(),
-            item.Points, item.Cloud->Upload(window));
+          const vtkIdType splats = item.Cloud->GetNumberOfSplats();
+          if (item.Points)
+          {
+            this->DispatchPoints(
+              *program, units, i, item, splats, false, item.Cloud->Upload(window));
+          }
+          else
+          {
+            vtkPointSplatStages::Dispatch(*program, units, splats, item.Cloud->Upload(window));
+          }
         }
         else
         {
@@ -401,4 +474,6 @@ void vtkPointSplatStages::Release()
     glDeleteBuffers(2, lists.Buffers);
   }
   this->ItemLists.clear();
+  glDeleteBuffers(static_cast<GLsizei>(this->BatchBuffers.size()), this->BatchBuffers.data());
+  this->BatchBuffers.clear();
 }

@@ -8,6 +8,8 @@
 #include "vtkPointSplatImages.h"
 #include "vtkPointSplatUnits.h"
 
+#include <algorithm>
+
 namespace
 {
 GLsizeiptr Stride(const vtkPointSplatCloud& cloud)
@@ -96,7 +98,33 @@ void vtkPointSplatStages::DrawPoints(
   const vtkPointSplatItem& item, vtkPointSplatCloud::Buffers& buffers, GLuint idMap)
 {
   vtkPointSplatStages::BindQuads(item, buffers, idMap, 0, 0);
-  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(item.Cloud->GetNumberOfSplats()));
+  const vtkIdType count = item.Cloud->GetNumberOfSplats();
+  if (item.Batches)
+  {
+    // Batches that follow each other make one run.
+    std::vector<GLint> firsts;
+    std::vector<GLsizei> counts;
+    for (const uint32_t batch : *item.Batches)
+    {
+      const vtkIdType first = batch * vtkPointSplatBatches::Size;
+      const vtkIdType points = std::min(vtkPointSplatBatches::Size, count - first);
+      if (!firsts.empty() && firsts.back() + counts.back() == first)
+      {
+        counts.back() += static_cast<GLsizei>(points);
+      }
+      else
+      {
+        firsts.push_back(static_cast<GLint>(first));
+        counts.push_back(static_cast<GLsizei>(points));
+      }
+    }
+    glMultiDrawArrays(
+      GL_POINTS, firsts.data(), counts.data(), static_cast<GLsizei>(firsts.size()));
+  }
+  else
+  {
+    glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(count));
+  }
   glBindVertexArray(0);
 }
 
