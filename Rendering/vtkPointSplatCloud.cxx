@@ -311,6 +311,17 @@ vtkMTimeType vtkPointSplatCloud::GetGeometryMTime() const
 }
 
 //------------------------------------------------------------------------------
+const vtkPointSplatBatches& vtkPointSplatCloud::GetBatches()
+{
+  if (this->GetGeometryMTime() > this->BatchTime)
+  {
+    this->Batches.Make(this->Splats, this->GetWordsPerSplat(), this->Count, this->Order);
+    this->BatchTime.Modified();
+  }
+  return this->Batches;
+}
+
+//------------------------------------------------------------------------------
 double vtkPointSplatCloud::GetSpacing()
 {
   if (this->Spacing > 0.0 || this->Count == 0)

@@ -15,6 +15,7 @@
 #ifndef vtkPointSplatCloud_h
 #define vtkPointSplatCloud_h
 
+#include "vtkPointSplatBatches.h"
 #include "vtkPointSplatContext.h"
 #include "vtkPointSplattingOpenGL.h"
 
@@ -125,6 +126,12 @@ public:
    */
   void Release(vtkWindow* window);
 
+  /**
+   * Batches of points in the order of the buffers, made anew only when splats or their order
+   * changed.
+   */
+  const vtkPointSplatBatches& GetBatches();
+
   vtkIdType GetNumberOfSplats() const { return this->Count; }
   vtkIdType GetNumberOfSkippedPoints() const { return this->Skipped; }
   vtkIdType GetNumberOfPoints() const { return this->Points; }
@@ -190,6 +197,8 @@ private:
   bool GroupsGiven = false;
   std::vector<std::vector<Leaf>> Leaves; // of each group
   vtkTimeStamp GroupTime;
+  vtkPointSplatBatches Batches;
+  vtkTimeStamp BatchTime;
   vtkDataObject* Input = nullptr; // compared only
   vtkTimeStamp SplatTime;
   vtkTimeStamp ColourTime;

@@ -64,6 +64,7 @@ struct vtkPointSplatMapper::vtkInternals
   int LayersDrawn = 0;
   int FillSteps = 0;
   double ProjectedSpacing = 0.0;
+  vtkIdType PointsProjected = 0;
   const char* TransparencyUsed = "none";
   int ShadowSamplesUsed = 0;
   unsigned long ShadowUpdates = 0;
@@ -289,6 +290,9 @@ void vtkPointSplatMapper::FillItem(
   const double farthest =
     std::hypot(this->KernelSupport, 0.5 * this->KernelSupport * this->KernelSupport);
   item.Window = view.Cover(item.MCWC, cloud.GetBounds().data(), farthest * largest);
+  item.Batches = item.Points ? cloud.GetBatches().Select(view, item) : nullptr;
+  this->Internals->PointsProjected =
+    item.Points ? cloud.GetBatches().CountPoints(item.Batches.get()) : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -470,6 +474,12 @@ double vtkPointSplatMapper::GetProjectedSpacing()
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkPointSplatMapper::GetNumberOfPointsProjected()
+{
+  return this->Internals->PointsProjected;
+}
+
+//------------------------------------------------------------------------------
 bool vtkPointSplatMapper::MakeGroups()
 {
   return this->Internals->Cloud.MakeGroups(
@@ -593,6 +603,7 @@ void vtkPointSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfFillSteps: " << this->GetNumberOfFillSteps() << "\n";
   os << indent << "AntiAliasing: " << (this->AntiAliasing ? "On" : "Off") << "\n";
   os << indent << "ProjectedSpacing: " << this->GetProjectedSpacing() << "\n";
+  os << indent << "NumberOfPointsProjected: " << this->GetNumberOfPointsProjected() << "\n";
   os << indent << "NumberOfGroups: " << this->GetNumberOfGroups() << "\n";
   os << indent << "Shadows: " << (this->Shadows ? "On" : "Off") << "\n";
   os << indent << "NumberOfShadowSamples: " << this->NumberOfShadowSamples

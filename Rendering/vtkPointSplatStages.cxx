@@ -13,34 +13,9 @@
 
 namespace
 {
-constexpr GLuint GroupSize = 64;      // as in vtkPointSplatSplatsCS.glsl
+constexpr GLuint GroupSize = 64;      // as in vtkPointSplatSplatsCS.glsl and PointsCS
 constexpr GLuint MostGroups = 32768;  // in one dimension; OpenGL promises 65535
 constexpr GLuint LargeGroups = 256;   // share the listed splats of many pixels
-
-/**
- * What the layers before and the scene are to a stage.
- */
-void SetPeel(vtkPointSplatProgram& program, vtkPointSplatUnits& units,
-  const vtkPointSplatView& view, const vtkPointSplatPeel* peel, bool compute)
-{
-  static const char* const names[] = { "Previous0", "Previous1", "Previous2" };
-  if (!peel)
-  {
-    return;
-  }
-  const size_t count = peel->Previous.size();
-  program.Set("PreviousCount", static_cast<int>(count));
-  for (size_t k = 0; k < 3; ++k)
-  {
-    const vtkPointSplatImages* images = count ? peel->Previous[std::min(k, count - 1)] : nullptr;
-    units.Bind(program, names[k], compute ? GL_TEXTURE_BUFFER : GL_TEXTURE_2D,
-      images ? images->GetDepthTexture() : 0);
-  }
-  program.Set("HasSceneDepth", peel->SceneDepth != 0);
-  units.Bind(program, "SceneDepth", GL_TEXTURE_2D, peel->SceneDepth);
-  program.Set("PixelZ", view.PixelZ);
-  program.Set("Gather", peel->Gather);
-}
 
 /// Sets the count at a buffer's beginning to 0.
 void ClearCount(GLuint buffer)
@@ -49,11 +24,6 @@ void ClearCount(GLuint buffer)
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
   glClearBufferSubData(
     GL_SHADER_STORAGE_BUFFER, GL_R32UI, 0, 4, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
-}
-
-GLsizeiptr Stride(const vtkPointSplatCloud& cloud)
-{
-  return cloud.IsCircular() ? 32 : 64;
 }
 }
 
@@ -69,6 +39,28 @@ bool vtkPointSplatItem::operator==(const vtkPointSplatItem& other) const
     this->Factors == other.Factors && this->FactorCount == other.FactorCount &&
     this->FactorVersion == other.FactorVersion && this->Points == other.Points &&
     this->PointLayer == other.PointLayer && this->PointLayerPixels == other.PointLayerPixels;
+}
+
+//------------------------------------------------------------------------------
+glm::dmat4 vtkPointSplatItem::GetMCVC(const vtkPointSplatView& view) const
+{
+  // In double precision: only the product of a far camera and a far cloud is small.
+  const auto& origin = this->Cloud->GetOrigin();
+  glm::dmat4 MCVC = view.WCVC * this->MCWC;
+  MCVC[3] = MCVC * glm::dvec4(origin[0], origin[1], origin[2], 1.0);
+  return MCVC;
+}
+
+//------------------------------------------------------------------------------
+std::vector<glm::dvec4> vtkPointSplatItem::GetClipPlanesVC(const vtkPointSplatView& view) const
+{
+  std::vector<glm::dvec4> planes;
+  const glm::dmat4 VCWCTransposed = glm::transpose(glm::inverse(view.WCVC));
+  for (const glm::dvec4& plane : this->ClipPlanes)
+  {
+    planes.emplace_back(VCWCTransposed * plane);
+  }
+  return planes;
 }
 
 //------------------------------------------------------------------------------
@@ -114,21 +106,36 @@ vtkPointSplatProgram* vtkPointSplatStages::Use(
 }
 
 //------------------------------------------------------------------------------
+void vtkPointSplatStages::SetPeel(vtkPointSplatProgram& program, vtkPointSplatUnits& units,
+  const vtkPointSplatView& view, const vtkPointSplatPeel* peel, bool compute)
+{
+  static const char* const names[] = { "Previous0", "Previous1", "Previous2" };
+  if (!peel)
+  {
+    return;
+  }
+  const size_t count = peel->Previous.size();
+  program.Set("PreviousCount", static_cast<int>(count));
+  for (size_t k = 0; k < 3; ++k)
+  {
+    const vtkPointSplatImages* images = count ? peel->Previous[std::min(k, count - 1)] : nullptr;
+    units.Bind(program, names[k], compute ? GL_TEXTURE_BUFFER : GL_TEXTURE_2D,
+      images ? images->GetDepthTexture() : 0);
+  }
+  program.Set("HasSceneDepth", peel->SceneDepth != 0);
+  units.Bind(program, "SceneDepth", GL_TEXTURE_2D, peel->SceneDepth);
+  program.Set("PixelZ", view.PixelZ);
+  program.Set("Gather", peel->Gather);
+}
+
+//------------------------------------------------------------------------------
 void vtkPointSplatStages::SetItem(vtkPointSplatProgram& program, const vtkPointSplatView& view,
   const vtkPointSplatItem& item, const glm::ivec2& imageSize)
 {
-  const auto& origin = item.Cloud->GetOrigin();
-  glm::dmat4 MCVC = view.WCVC * item.MCWC;
+  const glm::dmat4 MCVC = item.GetMCVC(view);
   const glm::dmat3 normals = glm::transpose(glm::inverse(glm::dmat3(MCVC)));
-  // In double precision up to here: only the product of a far camera and a far
-  // cloud is small.
-  MCVC[3] = MCVC * glm::dvec4(origin[0], origin[1], origin[2], 1.0);
-  std::vector<glm::vec4> planes;
-  const glm::dmat4 VCWCTransposed = glm::transpose(glm::inverse(view.WCVC));
-  for (const glm::dvec4& plane : item.ClipPlanes)
-  {
-    planes.emplace_back(VCWCTransposed * plane);
-  }
+  const std::vector<glm::dvec4> clip = item.GetClipPlanesVC(view);
+  const std::vector<glm::vec4> planes(clip.begin(), clip.end());
   program.Set("MCVC", glm::mat4(MCVC));
   program.Set("NormalMatrix", glm::mat3(normals));
   program.Set("PixelX", view.PixelX);
@@ -159,16 +166,11 @@ void vtkPointSplatStages::SetItem(vtkPointSplatProgram& program, const vtkPointS
 
 //------------------------------------------------------------------------------
 void vtkPointSplatStages::Dispatch(vtkPointSplatProgram& program, vtkPointSplatUnits& units,
-  vtkIdType splats, bool points, vtkPointSplatCloud::Buffers& buffers)
+  vtkIdType splats, vtkPointSplatCloud::Buffers& buffers)
 {
   units.Bind(program, "Splats", GL_TEXTURE_BUFFER, buffers.SplatTexture);
   const GLuint groups = static_cast<GLuint>((splats + GroupSize - 1) / GroupSize);
   program.Set("SplatCount", static_cast<unsigned int>(splats));
-  if (points)
-  {
-    glDispatchCompute(std::min(groups, MostGroups), (groups + MostGroups - 1) / MostGroups, 1);
-    return;
-  }
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, buffers.Large);
   ClearCount(buffers.Large);
   program.Set("ListLarge", true);
@@ -177,6 +179,52 @@ void vtkPointSplatStages::Dispatch(vtkPointSplatProgram& program, vtkPointSplatU
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   program.Set("DrawLarge", true);
   glDispatchCompute(LargeGroups, 1, 1);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatStages::DispatchPoints(vtkPointSplatProgram& program, vtkPointSplatUnits& units,
+  size_t index, const vtkPointSplatItem& item, vtkIdType count, bool listed,
+  vtkPointSplatCloud::Buffers& buffers) const
+{
+  const bool batches = !listed && item.Batches;
+  const vtkIdType invocations = batches
+    ? static_cast<vtkIdType>(item.Batches->size()) * vtkPointSplatBatches::Size
+    : count;
+  if (invocations == 0)
+  {
+    return;
+  }
+  units.Bind(program, "Splats", GL_TEXTURE_BUFFER, buffers.SplatTexture);
+  program.Set("SplatCount", static_cast<unsigned int>(count));
+  program.Set("DrawBatches", batches);
+  program.Set("BatchCount", static_cast<unsigned int>(batches ? item.Batches->size() : 0));
+  if (batches)
+  {
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 7, this->BatchBuffers[index]);
+  }
+  const GLuint groups = static_cast<GLuint>((invocations + GroupSize - 1) / GroupSize);
+  glDispatchCompute(std::min(groups, MostGroups), (groups + MostGroups - 1) / MostGroups, 1);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatStages::UploadBatches(const std::vector<vtkPointSplatItem>& items)
+{
+  this->BatchBuffers.resize(std::max(this->BatchBuffers.size(), items.size()), 0);
+  for (size_t i = 0; i < items.size(); ++i)
+  {
+    if (!items[i].Batches)
+    {
+      continue;
+    }
+    GLuint& buffer = this->BatchBuffers[i];
+    if (!buffer)
+    {
+      glGenBuffers(1, &buffer);
+    }
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
+    glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(4 * items[i].Batches->size()),
+      items[i].Batches->data(), GL_STREAM_DRAW);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -240,12 +288,20 @@ bool vtkPointSplatStages::ReconstructByCompute(vtkOpenGLRenderWindow* window,
         GL_SHADER_STORAGE_BUFFER, 4, lists.Buffers[(peel->Layer + 1) % 2]);
       glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 5, lists.Buffers[peel->Layer % 2]);
     }
-    if (splats > 0)
+    if (items[i].Points)
     {
-      vtkPointSplatStages::Dispatch(
-        *program, units, splats, items[i].Points, items[i].Cloud->Upload(window));
+      this->DispatchPoints(*program, units, i, items[i], splats, peel && peel->Layer > 0,
+        items[i].Cloud->Upload(window));
+    }
+    else if (splats > 0)
+    {
+      vtkPointSplatStages::Dispatch(*program, units, splats, items[i].Cloud->Upload(window));
     }
   };
+  if (!peel || peel->Layer == 0)
+  {
+    this->UploadBatches(items);
+  }
   if (peel)
   {
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -310,253 +366,6 @@ bool vtkPointSplatStages::ReconstructByCompute(vtkOpenGLRenderWindow* window,
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatStages::SetStateForQuads(vtkOpenGLState* state, const glm::ivec2& imageSize)
-{
-  state->vtkglViewport(0, 0, imageSize.x, imageSize.y);
-  state->vtkglDisable(GL_SCISSOR_TEST);
-  state->vtkglDisable(GL_CULL_FACE);
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDepthFunc(GL_LESS);
-  state->vtkglDepthMask(GL_TRUE);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-}
-
-//------------------------------------------------------------------------------
-void vtkPointSplatStages::BindQuads(const vtkPointSplatItem& item,
-  vtkPointSplatCloud::Buffers& buffers, GLuint idMap, vtkIdType first, GLuint divisor)
-{
-  const GLsizei stride = static_cast<GLsizei>(Stride(*item.Cloud));
-  // Without base instances, which OpenGL 3.3 has not: pointers to the first splat.
-  auto at = [first](size_t bytes, GLsizei step) {
-    return reinterpret_cast<const void*>(bytes + static_cast<size_t>(first * step));
-  };
-  glBindVertexArray(buffers.VertexArray);
-  glBindBuffer(GL_ARRAY_BUFFER, buffers.Splats);
-  glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, stride, at(0, stride));
-  glVertexAttribIPointer(1, 3, GL_UNSIGNED_INT, stride, at(16, stride));
-  glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, stride, at(28, stride));
-  const bool axes = !item.Cloud->IsCircular();
-  if (axes)
-  {
-    glVertexAttribPointer(4, 3, GL_FLOAT, GL_FALSE, stride, at(32, stride));
-    glVertexAttribPointer(5, 3, GL_FLOAT, GL_FALSE, stride, at(48, stride));
-  }
-  if (idMap)
-  {
-    glBindBuffer(GL_ARRAY_BUFFER, idMap);
-    glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, 4, at(0, 4));
-  }
-  const bool colours = item.Cloud->HasColours();
-  if (colours)
-  {
-    glBindBuffer(GL_ARRAY_BUFFER, buffers.Colours);
-    glVertexAttribPointer(3, 4, GL_UNSIGNED_BYTE, GL_TRUE, 4, at(0, 4));
-  }
-  if (item.Factors)
-  {
-    glBindBuffer(GL_ARRAY_BUFFER, item.Factors);
-    glVertexAttribPointer(6, 4, GL_UNSIGNED_BYTE, GL_TRUE, 4, at(0, 4));
-  }
-  glBindBuffer(GL_ARRAY_BUFFER, 0);
-  const bool used[] = { true, true, true, colours, axes, axes, item.Factors != 0 };
-  for (GLuint i = 0; i < 7; ++i)
-  {
-    if (used[i])
-    {
-      glEnableVertexAttribArray(i);
-    }
-    else
-    {
-      glDisableVertexAttribArray(i);
-    }
-    glVertexAttribDivisor(i, divisor);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkPointSplatStages::DrawQuads(const vtkPointSplatItem& item,
-  vtkPointSplatCloud::Buffers& buffers, GLuint idMap, vtkIdType first, vtkIdType count)
-{
-  vtkPointSplatStages::BindQuads(item, buffers, idMap, first);
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4,
-    static_cast<GLsizei>(count < 0 ? item.Cloud->GetNumberOfSplats() - first : count));
-  glBindVertexArray(0);
-}
-
-//------------------------------------------------------------------------------
-void vtkPointSplatStages::DrawPoints(
-  const vtkPointSplatItem& item, vtkPointSplatCloud::Buffers& buffers, GLuint idMap)
-{
-  vtkPointSplatStages::BindQuads(item, buffers, idMap, 0, 0);
-  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(item.Cloud->GetNumberOfSplats()));
-  glBindVertexArray(0);
-}
-
-//------------------------------------------------------------------------------
-bool vtkPointSplatStages::ReconstructByQuads(vtkOpenGLRenderWindow* window,
-  const vtkPointSplatView& view, const std::vector<vtkPointSplatItem>& items,
-  vtkPointSplatImages& images, float depthUnit, const vtkPointSplatPeel* peel, bool* empty)
-{
-  vtkOpenGLState* state = window->GetState();
-  vtkPointSplatUnits units(window);
-  vtkPointSplatStages::SetStateForQuads(state, images.GetSize());
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, images.GetFramebuffer());
-
-  // Visibility: the nearest depth of all disks.
-  GLenum all[] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2,
-    GL_COLOR_ATTACHMENT3 };
-  const GLuint none[4] = { 0xffffffffu, 0xffffffffu, 0xffffffffu, 0xffffffffu };
-  const GLfloat zero[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
-  const GLfloat farthest = 1.0f;
-  glFramebufferTexture2D(
-    GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, images.GetDepths(), 0);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, 0, 0);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT2, GL_TEXTURE_2D, 0, 0);
-  glFramebufferTexture2D(
-    GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, images.GetDepthAttachment(), 0);
-  state->vtkglDrawBuffers(1, all);
-  glClearBufferuiv(GL_COLOR, 0, none);
-  glClearBufferfv(GL_DEPTH, 0, &farthest);
-  vtkPointSplatProgram* program = nullptr;
-  GLuint query = 0;
-  if (empty)
-  {
-    glGenQueries(1, &query);
-    glBeginQuery(GL_ANY_SAMPLES_PASSED, query);
-  }
-  bool good = true;
-  auto draw = [&](const vtkPointSplatItem& item) {
-    if (item.Points)
-    {
-      this->DrawPoints(item, item.Cloud->Upload(window), 0);
-    }
-    else
-    {
-      this->DrawQuads(item, item.Cloud->Upload(window), 0);
-    }
-  };
-  for (const vtkPointSplatItem& item : items)
-  {
-    program = this->Use(Visibility, false, item.Points, peel);
-    if (!program)
-    {
-      good = false;
-      break;
-    }
-    SetPeel(*program, units, view, peel, false);
-    this->SetItem(*program, view, item, images.GetSize());
-    program->Set("Reach", DiskReach);
-    program->Set("DiskReach", DiskReach);
-    program->Set("MinimumRadius", CoverageRadius);
-    draw(item);
-  }
-  if (empty)
-  {
-    GLuint any = 0;
-    glEndQuery(GL_ANY_SAMPLES_PASSED);
-    glGetQueryObjectuiv(query, GL_QUERY_RESULT, &any);
-    glDeleteQueries(1, &query);
-    *empty = any == 0;
-    if (*empty)
-    {
-      return good;
-    }
-  }
-  if (!good)
-  {
-    return false;
-  }
-
-  // Accumulation: sums over the splats of that layer.
-  glFramebufferTexture2D(
-    GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, images.GetSums(0), 0);
-  glFramebufferTexture2D(
-    GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, images.GetSums(1), 0);
-  glFramebufferTexture2D(
-    GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT2, GL_TEXTURE_2D, images.GetSums(2), 0);
-  const int targets = images.GetFactorWords() > 0 ? 4 : 3;
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT3, GL_TEXTURE_2D,
-    targets > 3 ? images.GetSums(3) : 0, 0);
-  state->vtkglDrawBuffers(static_cast<unsigned int>(targets), all);
-  for (GLint k = 0; k < targets; ++k)
-  {
-    glClearBufferfv(GL_COLOR, k, zero);
-  }
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDepthMask(GL_FALSE);
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendEquation(GL_FUNC_ADD); // depth peeling takes maxima
-  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
-  for (const vtkPointSplatItem& item : items)
-  {
-    program = this->Use(Accumulation, false, item.Points, peel, targets > 3);
-    if (!program)
-    {
-      return false;
-    }
-    SetPeel(*program, units, view, peel, false);
-    units.Bind(*program, "Depths", GL_TEXTURE_2D, images.GetDepths());
-    this->SetItem(*program, view, item, images.GetSize());
-    program->Set("Reach", static_cast<float>(item.KernelSupport));
-    program->Set("MinimumRadius", PrefilterRadius);
-    program->Set("DepthUnit", depthUnit);
-    if (peel && peel->Gather)
-    {
-      program->Set("ItemColour", item.Colour);
-    }
-    draw(item);
-  }
-  // The other stages know three colour attachments.
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT3, GL_TEXTURE_2D, 0, 0);
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkPointSplatStages::IdentifyByQuads(vtkOpenGLRenderWindow* window,
-  const vtkPointSplatView& view, const std::vector<vtkPointSplatItem>& items,
-  vtkPointSplatImages& images, vtkPointSplatCloud::IdKind kind)
-{
-  vtkOpenGLState* state = window->GetState();
-  vtkPointSplatStages::SetStateForQuads(state, images.GetSize());
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, images.GetFramebuffer());
-  GLenum first[] = { GL_COLOR_ATTACHMENT0 };
-  const GLuint none[4] = { 0xffffffffu, 0xffffffffu, 0xffffffffu, 0xffffffffu };
-  const GLfloat farthest = 1.0f;
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, images.GetIds(), 0);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, 0, 0);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT2, GL_TEXTURE_2D, 0, 0);
-  glFramebufferTexture2D(
-    GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, images.GetDepthAttachment(), 0);
-  state->vtkglDrawBuffers(1, first);
-  glClearBufferuiv(GL_COLOR, 0, none);
-  glClearBufferfv(GL_DEPTH, 0, &farthest);
-  vtkPointSplatUnits units(window);
-  for (const vtkPointSplatItem& item : items)
-  {
-    vtkPointSplatProgram* program = this->Use(Identification, false, item.Points);
-    if (!program)
-    {
-      return false;
-    }
-    units.Bind(*program, "Depths", GL_TEXTURE_2D, images.GetDepths());
-    const GLuint idMap = item.Cloud->UploadIdMap(window, kind);
-    this->SetItem(*program, view, item, images.GetSize());
-    program->Set("Reach", static_cast<float>(item.KernelSupport));
-    program->Set("MinimumRadius", PrefilterRadius);
-    if (item.Points)
-    {
-      this->DrawPoints(item, item.Cloud->Upload(window), idMap);
-    }
-    else
-    {
-      this->DrawQuads(item, item.Cloud->Upload(window), idMap);
-    }
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
 bool vtkPointSplatStages::Reconstruct(vtkOpenGLRenderWindow* window,
   const vtkPointSplatView& view, const std::vector<vtkPointSplatItem>& items,
   vtkPointSplatImages& images, float depthUnit, const vtkPointSplatPeel* peel, bool* empty)
@@ -589,11 +398,13 @@ bool vtkPointSplatStages::Identify(vtkOpenGLRenderWindow* window, const vtkPoint
     vtkPointSplatUnits units(window);
     images.ClearIdBuffer({ 0, 0, images.GetSize().x - 1, images.GetSize().y - 1 });
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, images.GetIds());
+    this->UploadBatches(items);
     good = true;
     for (const bool findWeight : { true, false })
     {
-      for (const vtkPointSplatItem& item : items)
+      for (size_t i = 0; i < items.size(); ++i)
       {
+        const vtkPointSplatItem& item = items[i];
         if (vtkPointSplatProgram* program = this->Use(Identification, true, item.Points))
         {
           units.Bind(*program, "Depths", GL_TEXTURE_BUFFER, images.GetDepthTexture());
@@ -605,8 +416,16 @@ bool vtkPointSplatStages::Identify(vtkOpenGLRenderWindow* window, const vtkPoint
           glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, idMap);
           program->Set("DrawListed", false);
           program->Set("ListNext", false);
-          vtkPointSplatStages::Dispatch(*program, units, item.Cloud->GetNumberOfSplats(),
-            item.Points, item.Cloud->Upload(window));
+          const vtkIdType splats = item.Cloud->GetNumberOfSplats();
+          if (item.Points)
+          {
+            this->DispatchPoints(
+              *program, units, i, item, splats, false, item.Cloud->Upload(window));
+          }
+          else
+          {
+            vtkPointSplatStages::Dispatch(*program, units, splats, item.Cloud->Upload(window));
+          }
         }
         else
         {
@@ -655,4 +474,6 @@ void vtkPointSplatStages::Release()
     glDeleteBuffers(2, lists.Buffers);
   }
   this->ItemLists.clear();
+  glDeleteBuffers(static_cast<GLsizei>(this->BatchBuffers.size()), this->BatchBuffers.data());
+  this->BatchBuffers.clear();
 }

@@ -15,6 +15,7 @@
 #include "vtkPointSplatProgram.h"
 #include "vtkPointSplatView.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -51,9 +52,15 @@ struct vtkPointSplatItem
   double PointLayerPixels = 0.0;      // ... and in pixels; the larger counts
   double Spacing = 0.0;               // of such points, world units
   double SpacingPixels = 0.0;         // the same where they are nearest to the eye, pixels
+  std::shared_ptr<const vtkPointSplatBatches::List> Batches; // of such points in view; null: all
   glm::vec4 Colour{ 1.0f };           // and opacity, where layers of several items are gathered
   bool Refracts = false;              // the environment
 
+  /// From the coordinates in the cloud's buffers to view coordinates.
+  glm::dmat4 GetMCVC(const vtkPointSplatView& view) const;
+  std::vector<glm::dvec4> GetClipPlanesVC(const vtkPointSplatView& view) const;
+
+  /// But for Batches, which follow from the view and the others.
   bool operator==(const vtkPointSplatItem& other) const;
 };
 
@@ -151,8 +158,16 @@ private:
   vtkPointSplatProgram* Use(
     Stage stage, bool compute, bool points, const vtkPointSplatPeel* peel = nullptr,
     bool factors = false);
+  /// What the layers before and the scene are to a stage.
+  static void SetPeel(vtkPointSplatProgram& program, vtkPointSplatUnits& units,
+    const vtkPointSplatView& view, const vtkPointSplatPeel* peel, bool compute);
   static void Dispatch(vtkPointSplatProgram& program, vtkPointSplatUnits& units,
-    vtkIdType splats, bool points, vtkPointSplatCloud::Buffers& buffers);
+    vtkIdType splats, vtkPointSplatCloud::Buffers& buffers);
+  /// Of points: count of them, of those that are listed or else in the item's batches.
+  void DispatchPoints(vtkPointSplatProgram& program, vtkPointSplatUnits& units, size_t index,
+    const vtkPointSplatItem& item, vtkIdType count, bool listed,
+    vtkPointSplatCloud::Buffers& buffers) const;
+  void UploadBatches(const std::vector<vtkPointSplatItem>& items);
   void PrepareLists(const std::vector<vtkPointSplatItem>& items, int layer);
   bool ReconstructByCompute(vtkOpenGLRenderWindow* window, const vtkPointSplatView& view,
     const std::vector<vtkPointSplatItem>& items, vtkPointSplatImages& images, float depthUnit,
@@ -178,6 +193,7 @@ private:
     vtkIdType Count = 0; // of those in this layer
   };
   std::vector<Lists> ItemLists;
+  std::vector<GLuint> BatchBuffers; // of items, the numbers of batches in view
   std::string Error;
 };
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // How compute shaders read points that are projected as single pixels: one
-// invocation a point.
+// invocation a point, two work groups a batch.
 
 #include "vtkPointSplatPoint"
 
@@ -17,6 +17,13 @@ layout(std430, binding = 5) buffer Next { uint nextCount; uint next[]; };
 uniform bool DrawListed;
 #endif
 
+// The batches of points that are in view.
+layout(std430, binding = 7) readonly buffer Batches { uint batches[]; };
+
+const uint BatchSize = 128u; // as in vtkPointSplatBatches
+
+uniform bool DrawBatches;
+uniform uint BatchCount;
 uniform uint SplatCount;
 uniform int ImageWidth;
 
@@ -29,6 +36,15 @@ int pixelIndex(ivec2 pixel)
 bool loadPoint(out uint index, out Splat q, out ivec2 pixel)
 {
   index = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 64u + gl_LocalInvocationID.x;
+  if (DrawBatches)
+  {
+    uint batch = index / BatchSize;
+    if (batch >= BatchCount)
+    {
+      return false;
+    }
+    index = batches[batch] * BatchSize + index % BatchSize;
+  }
   if (index >= SplatCount)
   {
     return false;

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FuzzCase.h"
 #include "FuzzData.h"
+#include "FuzzProperties.h"
 
 #include "vtkActor.h"
 #include "vtkAssembly.h"
 #include "vtkCamera.h"
 #include "vtkCameraPass.h"
-#include "vtkColorTransferFunction.h"
 #include "vtkEGLHeadlessRenderWindow.h"
 #include "vtkFloatArray.h"
 #include "vtkFramebufferPass.h"
@@ -15,7 +15,6 @@
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkLightsPass.h"
-#include "vtkLookupTable.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkOpaquePass.h"
@@ -59,144 +58,17 @@ struct Splats
   vtkSmartPointer<vtkActor> Actor;
 };
 
-/**
- * What one mapper of a renderer wants may decide for all; see the mapper's header.
- */
-void SetShared(FuzzRandom& random, vtkPointSplatMapper* mapper)
-{
-  mapper->SetMethod(random.Below(3));
-  mapper->SetTransparency(random.Below(4));
-  mapper->SetProjection(random.Below(3));
-  mapper->SetMaximumNumberOfLayers(random.Pick({ 32, 32, 1, 2, 5, 0, 1000 }));
-  mapper->SetGatherRemaining(random.Chance(0.2));
-  mapper->SetVoronoiDepth(random.Chance(0.8));
-}
-
-void SetOwn(FuzzRandom& random, vtkPointSplatMapper* mapper)
-{
-  mapper->SetOverlapFactor(random.Property(0, 1));
-  mapper->SetPickOpacityThreshold(random.Chance(0.8) ? 0 : random.Property(0, 1));
-  mapper->SetKernel(random.Below(2));
-  if (random.Chance(0.3))
-  {
-    mapper->SetKernelSigma(random.Property(0, 2));
-    mapper->SetPlateauFalloff(random.Property(0, 20));
-    mapper->SetPlateauExponent(random.Property(0, 20));
-    mapper->SetKernelSupport(random.Property(1, 4));
-  }
-  if (random.Chance(0.3))
-  {
-    mapper->SetRadiusScale(random.Chance(0.8) ? random.Uniform(0.1, 3) : random.Nasty());
-  }
-  if (random.Chance(0.3))
-  {
-    mapper->SetLayerDistance(random.Chance(0.5) ? random.Nasty() : random.Scale(1e-6, 10));
-  }
-  if (random.Chance(0.1))
-  {
-    mapper->SetMaximumImageMemory(random.Pick<vtkIdType>({ 0, 1, 1000, 1 << 20 }));
-  }
-  mapper->RemoveAllClippingPlanes();
-  for (int p = random.Chance(0.8) ? 0 : random.Below(9); p > 0; --p)
-  {
-    vtkNew<vtkPlane> plane;
-    plane->SetOrigin(random.Property(-1, 1), random.Property(-1, 1), random.Property(-1, 1));
-    plane->SetNormal(random.Property(-1, 1), random.Property(-1, 1), random.Property(-1, 1));
-    mapper->AddClippingPlane(plane);
-  }
-}
-
-void SetColouring(FuzzRandom& random, vtkPointSplatMapper* mapper)
-{
-  mapper->SetScalarVisibility(random.Chance(0.8));
-  mapper->SetScalarMode(random.Below(6));
-  mapper->SetColorMode(random.Below(3));
-  mapper->SetInterpolateScalarsBeforeMapping(random.Chance(0.2));
-  mapper->SetScalarRange(random.Property(-1, 0), random.Property(0, 1));
-  mapper->SetUseLookupTableScalarRange(random.Chance(0.3));
-  if (random.Chance(0.4))
-  {
-    mapper->SelectColorArray(random.Pick(
-      { "scalars", "rgba", "Normals", "SplatRadius", "Isovalue", "vtkGhostType", "none" }));
-  }
-  if (random.Chance(0.3))
-  {
-    vtkNew<vtkLookupTable> table;
-    table->SetNumberOfTableValues(random.Pick({ 1, 2, 256 }));
-    table->SetAlphaRange(random.Uniform(), random.Uniform());
-    table->SetTableRange(random.Property(-1, 0), random.Property(0, 1));
-    table->SetScale(random.Below(2));
-    table->SetVectorMode(random.Below(3));
-    table->SetVectorComponent(random.Below(5));
-    table->Build();
-    mapper->SetLookupTable(table);
-  }
-  else if (random.Chance(0.2))
-  {
-    vtkNew<vtkColorTransferFunction> colours;
-    for (int k = random.Below(4); k > 0; --k)
-    {
-      colours->AddRGBPoint(random.Uniform(), random.Uniform(), random.Uniform(), random.Uniform());
-    }
-    mapper->SetLookupTable(colours);
-  }
-  else
-  {
-    mapper->SetLookupTable(nullptr);
-  }
-}
-
-void SetActor(FuzzRandom& random, vtkActor* actor)
-{
-  vtkProperty* property = actor->GetProperty();
-  property->SetOpacity(random.Chance(0.6) ? 1.0 : random.Property(0, 1));
-  property->SetColor(random.Uniform(), random.Uniform(), random.Uniform());
-  property->SetSpecular(random.Property(0, 1));
-  property->SetSpecularPower(random.Property(0, 100));
-  property->SetAmbient(random.Uniform());
-  property->SetInterpolation(random.Below(4));
-  property->SetRepresentation(random.Below(3));
-  property->SetBackfaceCulling(random.Chance(0.2));
-  property->SetFrontfaceCulling(random.Chance(0.1));
-  property->SetLighting(random.Chance(0.9));
-  property->SetEdgeVisibility(random.Chance(0.1));
-  actor->SetForceTranslucent(random.Chance(0.05));
-  actor->SetPickable(random.Chance(0.9));
-  if (random.Chance(0.3))
-  {
-    vtkNew<vtkMatrix4x4> matrix;
-    const bool wild = random.Chance(0.4);
-    const double scale = random.Scale(1e-3, 1e3);
-    for (int row = 0; row < 4; ++row)
-    {
-      for (int column = 0; column < 4; ++column)
-      {
-        matrix->SetElement(row, column,
-          wild && random.Chance(0.15) ? random.Nasty()
-            : row == 3                ? (column == 3 ? 1 : 0)
-            : column == 3             ? random.Uniform(-0.5, 0.5)
-                                      : scale * random.Uniform(-1, 1));
-      }
-    }
-    if (random.Chance(0.1))
-    {
-      matrix->Zero();
-    }
-    actor->SetUserMatrix(matrix);
-  }
-}
-
 Splats MakeSplats(FuzzRandom& random, vtkSmartPointer<vtkDataObject> data)
 {
   Splats splats;
   splats.Data = data;
   splats.Mapper = vtkSmartPointer<vtkPointSplatMapper>::New();
   splats.Mapper->SetInputDataObject(data);
-  SetOwn(random, splats.Mapper);
-  SetColouring(random, splats.Mapper);
+  FuzzProperties::SetOwn(random, splats.Mapper);
+  FuzzProperties::SetColouring(random, splats.Mapper);
   splats.Actor = vtkSmartPointer<vtkActor>::New();
   splats.Actor->SetMapper(splats.Mapper);
-  SetActor(random, splats.Actor);
+  FuzzProperties::SetActor(random, splats.Actor);
   return splats;
 }
 
@@ -233,27 +105,6 @@ std::string Describe(const std::vector<Splats>& all)
     text += Describe(splats);
   }
   return text;
-}
-
-void SetCamera(FuzzRandom& random, vtkRenderer* renderer)
-{
-  vtkCamera* camera = renderer->GetActiveCamera();
-  camera->SetParallelProjection(random.Chance(0.3));
-  if (random.Chance(0.6))
-  {
-    camera->SetPosition(random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(0.5, 4));
-    camera->SetFocalPoint(0, 0, 0);
-    renderer->ResetCamera();
-    camera->Zoom(random.Scale(0.1, 20));
-    return;
-  }
-  camera->SetPosition(random.Property(-1, 1), random.Property(-1, 1), random.Property(-1, 1));
-  camera->SetFocalPoint(random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1));
-  camera->SetViewUp(random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1));
-  camera->SetViewAngle(random.Chance(0.2) ? random.Uniform(0, 200) : 30);
-  camera->SetParallelScale(random.Property(0, 2));
-  const double near = random.Scale(1e-6, 10);
-  camera->SetClippingRange(near, near * random.Scale(1.001, 1e9));
 }
 
 vtkSmartPointer<vtkActor> MakeMesh(FuzzRandom& random)
@@ -459,17 +310,17 @@ void FuzzScenes::Implementation::ChangeSomething(
       FuzzData::Change(random, splats.Data);
       break;
     case 2:
-      SetOwn(random, splats.Mapper);
-      SetShared(random, splats.Mapper);
+      FuzzProperties::SetOwn(random, splats.Mapper);
+      FuzzProperties::SetShared(random, splats.Mapper);
       break;
     case 3:
-      SetColouring(random, splats.Mapper);
+      FuzzProperties::SetColouring(random, splats.Mapper);
       break;
     case 4:
-      SetActor(random, splats.Actor);
+      FuzzProperties::SetActor(random, splats.Actor);
       break;
     case 5:
-      SetCamera(random, renderer);
+      FuzzProperties::SetCamera(random, renderer);
       break;
     case 6:
       if (renderer->HasViewProp(splats.Actor))
@@ -509,7 +360,7 @@ void FuzzScenes::Implementation::RunAny(FuzzRandom& random)
   for (int a = random.Below(3); a >= 0; --a)
   {
     all.push_back(MakeSplats(random, FuzzData::MakeAny(random)));
-    SetShared(random, all.back().Mapper);
+    FuzzProperties::SetShared(random, all.back().Mapper);
     vtkRenderer* renderer =
       renderers[static_cast<size_t>(random.Below(static_cast<int>(renderers.size())))];
     if (random.Chance(0.1))
@@ -533,7 +384,9 @@ void FuzzScenes::Implementation::RunAny(FuzzRandom& random)
   }
   for (vtkRenderer* renderer : renderers)
   {
-    SetCamera(random, renderer);
+    FuzzProperties::SetCamera(random, renderer);
+    FuzzProperties::SetLights(random, renderer, true);
+    FuzzProperties::SetEnvironment(random, renderer, true);
   }
 
   for (int frame = random.Below(3); frame >= 0; --frame)
@@ -649,7 +502,7 @@ void FuzzScenes::Implementation::RunFloats(FuzzRandom& random)
   for (int a = random.Below(2); a >= 0; --a)
   {
     all.push_back(MakeSplats(random, FuzzData::MakeAny(random)));
-    SetShared(random, all.back().Mapper);
+    FuzzProperties::SetShared(random, all.back().Mapper);
     // Infinite light is VTK's affair.
     vtkProperty* property = all.back().Actor->GetProperty();
     property->SetOpacity(random.Uniform());
@@ -657,7 +510,9 @@ void FuzzScenes::Implementation::RunFloats(FuzzRandom& random)
     property->SetSpecularPower(random.Uniform(0, 128));
     renderer->AddActor(all.back().Actor);
   }
-  SetCamera(random, renderer);
+  FuzzProperties::SetCamera(random, renderer);
+  FuzzProperties::SetLights(random, renderer, false);
+  FuzzProperties::SetEnvironment(random, renderer, false);
   this->Draw("after a frame of floats");
   vtkTextureObject* texture = pass->GetColorTexture();
   auto buffer = vtkSmartPointer<vtkPixelBufferObject>::Take(texture->Download());
