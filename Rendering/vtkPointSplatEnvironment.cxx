@@ -2,19 +2,80 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatEnvironment.h"
 
+#include "vtkAlgorithm.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
 #include "vtkOpenGLTexture.h"
+#include "vtkPointData.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include <algorithm>
+
+namespace
+{
+/**
+ * Whether VTK can load a cube map's faces. It reads all of them by the first one's size and type,
+ * and scalars that it has to map to colours when it has freed them.
+ */
+bool IsLoadable(vtkTexture* texture)
+{
+  if (!texture->GetCubeMap())
+  {
+    return true;
+  }
+  vtkDataArray* first = nullptr;
+  int size[3] = { 0, 0, 0 };
+  for (int face = 0; face < 6; ++face)
+  {
+    if (texture->GetNumberOfInputConnections(face) == 0)
+    {
+      return face == 0; // a texture object of the application's own
+    }
+    texture->GetInputAlgorithm(face, 0)->Update();
+    auto image = vtkImageData::SafeDownCast(texture->GetInputDataObject(face, 0));
+    vtkDataArray* scalars = image ? image->GetPointData()->GetScalars() : nullptr;
+    if (image && !scalars)
+    {
+      scalars = image->GetCellData()->GetScalars();
+    }
+    if (!scalars || scalars->GetNumberOfComponents() < 3)
+    {
+      return false;
+    }
+    const int type = scalars->GetDataType();
+    const bool direct = texture->GetColorMode() == VTK_COLOR_MODE_DIRECT_SCALARS;
+    if (!(type == VTK_UNSIGNED_CHAR && texture->GetColorMode() != VTK_COLOR_MODE_MAP_SCALARS) &&
+      !(direct && (type == VTK_UNSIGNED_SHORT || type == VTK_FLOAT)))
+    {
+      return false;
+    }
+    if (face == 0)
+    {
+      first = scalars;
+      image->GetDimensions(size);
+    }
+    else if (type != first->GetDataType() ||
+      scalars->GetNumberOfComponents() != first->GetNumberOfComponents() ||
+      !std::equal(size, size + 3, image->GetDimensions()))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+}
+
 //------------------------------------------------------------------------------
 bool vtkPointSplatEnvironment::Prepare(vtkRenderer* renderer)
 {
   this->Texture = nullptr;
   auto texture = vtkOpenGLTexture::SafeDownCast(renderer->GetEnvironmentTexture());
-  if (!texture)
+  if (!texture || !IsLoadable(texture))
   {
     return false;
   }

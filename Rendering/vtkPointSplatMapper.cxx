@@ -211,7 +211,10 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   if (noEnvironment && !this->Internals->WarnedOfEnvironment)
   {
     vtkWarningMacro("Nothing is refracted: the renderer has no environment texture, or one without "
-                    "a picture. Call vtkRenderer::SetEnvironmentTexture().");
+                    "a picture, or a cube map whose six faces are not of one size and type, of 3 "
+                    "or 4 components of unsigned char (or of float, with "
+                    "vtkTexture::SetColorModeToDirectScalars()). Call "
+                    "vtkRenderer::SetEnvironmentTexture().");
   }
   this->Internals->WarnedOfEnvironment =
     noEnvironment || (this->Internals->WarnedOfEnvironment && renderer->GetSelector());

@@ -219,8 +219,9 @@ public:
   /**
    * Whether the surface reflects and refracts the renderer's environment texture
    * (vtkRenderer::SetEnvironmentTexture(); UseImageBasedLighting is not needed), as the boundary of
-   * a dielectric does; stages 6 to 8 above. Off by default. Without an environment texture it
-   * stays off, with a warning.
+   * a dielectric does; stages 6 to 8 above. Off by default. Without an environment texture,
+   * or with a cube map whose faces differ in size or type or must be mapped to colours first
+   * (VTK loads no such ones), it stays off, with a warning.
    */
   vtkSetMacro(Refraction, bool);
   vtkGetMacro(Refraction, bool);
