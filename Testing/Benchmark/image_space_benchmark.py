@@ -167,7 +167,7 @@ def read(name):
             normals = vtkPolyDataNormals()
             normals.SplittingOff()
         else:
-            normals = pointsplatting.vtkPointSplatNormals()
+            normals = pointsplatting.vtkPointSplatEstimation()
         normals.SetInputData(data)
         normals.Update()
         data = normals.GetOutput()
