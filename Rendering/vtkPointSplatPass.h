@@ -44,11 +44,12 @@ public:
    * Properties of vtkPointSplatMapper, imposed on the mappers of all actors that this pass draws;
    * they keep them. -1, the default: each mapper's own.
    */
-  vtkSetClampMacro(Method, int, -1, 2);
+  vtkSetClampMacro(Method, int, -1, 3);
   vtkGetMacro(Method, int);
   void SetMethodToAutomatic() { this->SetMethod(0); }
   void SetMethodToTwoPass() { this->SetMethod(1); }
   void SetMethodToDeferred() { this->SetMethod(2); }
+  void SetMethodToImageSpace() { this->SetMethod(3); }
   vtkSetClampMacro(Transparency, int, -1, 3);
   vtkGetMacro(Transparency, int);
   void SetTransparencyToAutomatic() { this->SetTransparency(0); }
