@@ -36,6 +36,16 @@
  * overlap among themselves go to an image each, and compositing these images does both
  * (Zhang, Pajarola 2006, section 3.2, Algorithm 1); see vtkPointSplatGrouping.
  *
+ * With Method ImageSpace (Dobrev, Rosenthal, Linsen 2010, section 3), stage 2 projects points as
+ * single pixels, whatever their size, and stage 3 sums up those within the least layer distance of
+ * each pixel's nearest one; batches of 128 points that are out of view are left out. Then holes
+ * are filled in the image by the eight masks, from coarser levels where points are farther apart
+ * than pixels, and attributes are smoothed by the alleviated Gaussian; silhouettes, which the
+ * Laplacian of the depth finds, are blended with what is beyond. No sizes are estimated. The least
+ * layer distance is the points' spacing then, or three pixels where these are wider. Such actors
+ * and splatted ones share layers. Filled layers are one image each: RGBA32UI, see
+ * vtkPointSplatTexel.glsl, and one of R32UI where lights cast shadows.
+ *
  * All opaque splat actors of a renderer share stages 2 and 3. All translucent ones share theirs,
  * which are repeated for one layer after the other: what lies within the least layer distance of
  * a layer, measured along the normal, belongs to it, and what is behind makes the next one
@@ -148,8 +158,9 @@ public:
 
   ///@{
   /**
-   * How surfaces are reconstructed from splats: by two passes over them, or by deferred blending
-   * in one. Automatic, the default, takes two passes by compute shaders, which were faster
+   * How surfaces are reconstructed: from splats, by two passes over them or by deferred blending
+   * in one; or in image space from points without a size, for points that are denser than pixels
+   * or change every frame. Automatic, the default, takes two passes by compute shaders, which were faster
    * wherever both were measured (see the README); where there are only quads and three splats or
    * more to four pixels, it takes deferred blending. GetMethodUsed() tells what the last frame
    * took, and GetMethodReason() why, where that is not what was asked for. One splat mapper of a
