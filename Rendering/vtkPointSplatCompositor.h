@@ -98,6 +98,7 @@ private:
   };
   class FrameObserver;
 
+  static std::vector<vtkProp*> VisibleProps(vtkRenderer* renderer);
   /// A splat actor that draws nothing, and so is in nobody's way.
   static bool IsWithoutSplats(vtkProp* prop);
   static std::vector<Entry> Collect(vtkRenderer* renderer, bool translucent);

@@ -5,25 +5,10 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkPointSplatImages.h"
 #include "vtkPointSplatSavedState.h"
 #include "vtkPointSplatUnits.h"
 #include "vtkRenderer.h"
-
-namespace
-{
-GLuint MakeTexture(const glm::ivec2& size, GLenum internal, GLenum format)
-{
-  GLuint texture = 0;
-  glGenTextures(1, &texture);
-  glBindTexture(GL_TEXTURE_2D, texture);
-  glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal), size.x, size.y, 0, format,
-    GL_FLOAT, nullptr);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-  return texture;
-}
-}
 
 //------------------------------------------------------------------------------
 void vtkPointSplatFlat::Allocate(vtkOpenGLRenderWindow* window, const glm::ivec2& size)
@@ -37,9 +22,8 @@ void vtkPointSplatFlat::Allocate(vtkOpenGLRenderWindow* window, const glm::ivec2
   vtkOpenGLState::ScopedglActiveTexture active(window->GetState());
   const int unit = window->GetTextureUnitManager()->Allocate();
   window->GetState()->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned>(unit));
-  this->Colour = MakeTexture(size, GL_RGBA16F, GL_RGBA);
-  this->Depth = MakeTexture(size, GL_R32F, GL_RED);
-  glBindTexture(GL_TEXTURE_2D, 0);
+  this->Colour = vtkPointSplatImages::MakeTexture(size, GL_RGBA16F, GL_RGBA, GL_FLOAT);
+  this->Depth = vtkPointSplatImages::MakeTexture(size, GL_R32F, GL_RED, GL_FLOAT);
   window->GetTextureUnitManager()->Free(unit);
   glGenFramebuffers(1, &this->Framebuffer);
 }
@@ -52,7 +36,7 @@ void vtkPointSplatFlat::ClearLayerCount(vtkOpenGLRenderWindow* window)
     vtkOpenGLState::ScopedglActiveTexture active(window->GetState());
     const int unit = window->GetTextureUnitManager()->Allocate();
     window->GetState()->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned>(unit));
-    this->LayerCount = MakeTexture(this->Size, GL_RG16F, GL_RG);
+    this->LayerCount = vtkPointSplatImages::MakeTexture(this->Size, GL_RG16F, GL_RG, GL_FLOAT);
     glBindTexture(GL_TEXTURE_2D, 0);
     window->GetTextureUnitManager()->Free(unit);
   }

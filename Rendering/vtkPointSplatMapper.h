@@ -307,11 +307,13 @@ public:
   ///@{
   /**
    * Of Method ImageSpace: how often holes are filled in a frame at most, each time by a pixel from
-   * their rims. Default: 32. How often it was done in the last frame is GetNumberOfFillSteps().
+   * their rims, and no oftener than something changes. Default: 2; more close wider holes, and fill
+   * creases. Points twice as dense as pixels take one step. How often it was done in the last
+   * frame is GetNumberOfFillSteps().
    * GetProjectedSpacing() is how far apart, in pixels, points were at the nearest corner of their
    * bounding box: holes may stay where it is more than 8.
    */
-  vtkSetClampMacro(MaximumNumberOfFillSteps, int, 1, 1024);
+  vtkSetClampMacro(MaximumNumberOfFillSteps, int, 1, 64);
   vtkGetMacro(MaximumNumberOfFillSteps, int);
   int GetNumberOfFillSteps();
   double GetProjectedSpacing();
@@ -541,7 +543,7 @@ private:
   double OverlapFactor = 0.8;
   bool VoronoiDepth = true;
   vtkIdType MaximumImageMemory = vtkIdType(1) << 30;
-  int MaximumNumberOfFillSteps = 32;
+  int MaximumNumberOfFillSteps = 2;
   bool AntiAliasing = true;
   bool Shadows = false;
   int NumberOfShadowSamples = 16;

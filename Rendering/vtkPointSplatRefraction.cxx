@@ -5,6 +5,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkPointSplatImages.h"
 #include "vtkPointSplatMapper.h"
 #include "vtkPointSplatResolve.h"
 #include "vtkPointSplatSavedState.h"
@@ -39,20 +40,6 @@ struct Box
   }
   float Diagonal() const { return static_cast<float>(glm::length(this->High - this->Low)); }
 };
-
-GLuint MakeImage(const glm::ivec2& size, GLenum internal, GLenum format)
-{
-  GLuint texture = 0;
-  glGenTextures(1, &texture);
-  glBindTexture(GL_TEXTURE_2D, texture);
-  glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal), size.x, size.y, 0, format,
-    GL_FLOAT, nullptr);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-  glBindTexture(GL_TEXTURE_2D, 0);
-  return texture;
-}
 
 void SetStateForImages(vtkOpenGLState* state, const glm::ivec2& size)
 {
@@ -274,8 +261,8 @@ bool vtkPointSplatRefraction::DrawImages(vtkRenderer* renderer,
     vtkOpenGLState::ScopedglActiveTexture active(state);
     const int unit = window->GetTextureUnitManager()->Allocate();
     state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned>(unit));
-    this->Colour = MakeImage(size, GL_RGBA16F, GL_RGBA);
-    this->Depth = MakeImage(size, GL_R32F, GL_RED);
+    this->Colour = vtkPointSplatImages::MakeTexture(size, GL_RGBA16F, GL_RGBA, GL_FLOAT);
+    this->Depth = vtkPointSplatImages::MakeTexture(size, GL_R32F, GL_RED, GL_FLOAT);
     window->GetTextureUnitManager()->Free(unit);
     glFramebufferTexture2D(
       GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Colour, 0);

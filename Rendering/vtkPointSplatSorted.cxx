@@ -6,6 +6,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkPointSplatImages.h"
 #include "vtkPointSplatSavedState.h"
 #include "vtkPointSplatUnits.h"
 #include "vtkRenderer.h"
@@ -47,15 +48,9 @@ void vtkPointSplatSorted::Allocate(vtkOpenGLRenderWindow* window, const glm::ive
     { &this->LayerCount, GL_R16F, GL_RED } };
   for (const auto& image : images)
   {
-    glGenTextures(1, image.Texture);
-    glBindTexture(GL_TEXTURE_2D, *image.Texture);
-    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(image.Internal), size.x, size.y, 0,
-      image.Format, GL_FLOAT, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    *image.Texture =
+      vtkPointSplatImages::MakeTexture(size, image.Internal, image.Format, GL_FLOAT);
   }
-  glBindTexture(GL_TEXTURE_2D, 0);
   window->GetTextureUnitManager()->Free(unit);
   glGenFramebuffers(1, &this->Framebuffer);
   glGenVertexArrays(1, &this->VertexArray);

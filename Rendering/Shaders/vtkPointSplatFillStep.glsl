@@ -25,12 +25,12 @@ int fillFrom(uint own, uint codes[8])
     return -1;
   }
   float layer = layerOf(nearest);
-  float limit = layer < 0.0 ? -1.0 : own == NoDepth ? 3e38 : depthOf(own) - layer;
+  float limit = layer < 0.0 ? -1.0 : own == NoDepth ? 3e38 : decodeDepth(own) - layer;
   uint white = 0u;
   for (int k = 0; k < 8; ++k)
   {
     // Background, which is no number as a depth, is before nothing.
-    white |= depthOf(codes[k]) < limit ? 0u : 1u << k;
+    white |= decodeDepth(codes[k]) < limit ? 0u : 1u << k;
   }
   return masksMatch(white) ? -1 : from;
 }

@@ -6,6 +6,8 @@
 // projected attributes are meant. The first step starts from the projected depths (FIRST_FILL,
 // which needs vtkPointSplatFetch), each pixel its own.
 
+#include "vtkPointSplatDepthCode"
+
 #ifndef FIRST_FILL
 #ifdef COMPUTE_IMAGES
 uniform usamplerBuffer Filled;
@@ -20,9 +22,6 @@ uniform ivec4 FilledWindow;   // pixels that hold something: first x, y, last x,
 uniform float SlotLayers[64];
 uniform float SlotLayerPixels[64];
 uniform vec2 PixelSize;       // world units: at depth 0, and its growth with the depth
-
-const uint TagMask = 127u;
-const uint NoDepth = 0xffffffffu;
 
 bool isOutside(ivec2 pixel)
 {
@@ -57,14 +56,9 @@ ivec2 sourcePixel(uint source)
   return ivec2(source & 0xffffu, source >> 16);
 }
 
-float depthOf(uint code)
-{
-  return uintBitsToFloat(code & ~TagMask);
-}
-
 float layerOf(uint code)
 {
-  int slot = int((code & TagMask) >> 1);
-  float pixel = PixelSize.x + PixelSize.y * depthOf(code);
+  int slot = slotOf(code);
+  float pixel = PixelSize.x + PixelSize.y * decodeDepth(code);
   return SlotLayers[slot] < 0.0 ? -1.0 : max(SlotLayers[slot], SlotLayerPixels[slot] * pixel);
 }

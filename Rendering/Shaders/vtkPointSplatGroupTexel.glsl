@@ -11,19 +11,10 @@
 // Where lights cast shadows, a second image (R32UI) has their factors, 8 bits each.
 // Halves hold up to 65504: layer distances are in units of DepthUnit.
 
-uniform float DepthUnit; // world units
+#include "vtkPointSplatOctahedron"
+#include "vtkPointSplatColourCode"
 
-uint encodeNormal(vec3 n)
-{
-  n /= abs(n.x) + abs(n.y) + abs(n.z);
-  vec2 f = n.xy;
-  if (n.z < 0.0)
-  {
-    f = (1.0 - abs(n.yx)) * vec2(n.x >= 0.0 ? 1.0 : -1.0, n.y >= 0.0 ? 1.0 : -1.0);
-  }
-  ivec2 i = ivec2(round(f * 32767.0));
-  return (uint(i.x) & 0xffffu) | (uint(i.y) << 16);
-}
+uniform float DepthUnit; // world units
 
 // Two positive floats as halves, 16 bits of which the uppermost is a flag. What
 // packHalf2x16 does from GLSL 4.2 on: here for 3.3, rounded down.
@@ -37,15 +28,4 @@ uint encodeHalf(float value, bool flag)
 float decodeHalf(uint h)
 {
   return uintBitsToFloat((((h >> 10) & 31u) + 112u) << 23 | (h & 0x3ffu) << 13);
-}
-
-uint packColour(vec4 colour)
-{
-  uvec4 c = uvec4(round(clamp(colour, 0.0, 1.0) * 255.0));
-  return c.r | c.g << 8 | c.b << 16 | c.a << 24;
-}
-
-vec4 unpackColour(uint code)
-{
-  return vec4(uvec4(code, code >> 8, code >> 16, code >> 24) & 255u) / 255.0;
 }

@@ -19,6 +19,7 @@
 // So single precision suffices however far the window's corner is. Nothing in
 // this needs a perspective: in parallel projection all w are 1.
 
+#include "vtkPointSplatDepthCode"
 #include "vtkPointSplatOctahedron"
 
 uniform mat4 MCVC;           // cloud's local coordinates to view coordinates
@@ -38,11 +39,6 @@ uniform float LayerDistance; // world units; of negative values the magnitude
 uniform int ClipPlaneCount;
 uniform vec4 ClipPlanes[6];  // view coordinates; what is negative is cut away
 uniform float KernelSupport; // kernels reach this many radii
-
-// The low bits of a depth name the cloud and the side that was hit.
-const uint TagBits = 7u;
-const uint TagMask = 127u;
-const uint NoDepth = 0xffffffffu;
 
 // Splats seen at a flatter angle than this count as seen at this one when depths
 // along the ray are turned to distances along the normal.
@@ -324,17 +320,6 @@ bool intersect(Splat q, vec2 pixel, float reach, out Hit hit)
 vec3 normalAt(Splat q, vec2 uv)
 {
   return normalize(q.normal + uv.x * q.turnS + uv.y * q.turnT);
-}
-
-// Depths as integers of the same order, the tag in their lowest bits.
-uint encodeDepth(float depth, uint tag)
-{
-  return (floatBitsToUint(depth) & ~TagMask) | tag;
-}
-
-float decodeDepth(uint code)
-{
-  return uintBitsToFloat(code & ~TagMask);
 }
 
 // Whether a splat's fragment belongs to the surface layer whose nearest depth is

@@ -78,16 +78,16 @@ uvec2 pushPixel(ivec2 pixel, vec2 centre)
     return best;
   }
   float layer = layerOf(nearest);
-  float spacing = SlotSpacings[int((nearest & TagMask) >> 1)];
-  if (layer < 0.0 || spacing < PixelsNeeded * (PixelSize.x + PixelSize.y * depthOf(nearest)))
+  float spacing = SlotSpacings[slotOf(nearest)];
+  if (layer < 0.0 || spacing < PixelsNeeded * (PixelSize.x + PixelSize.y * decodeDepth(nearest)))
   {
     return best;
   }
-  float limit = own == NoDepth ? 3e38 : depthOf(own) - layer;
+  float limit = own == NoDepth ? 3e38 : decodeDepth(own) - layer;
   int weights = 0;
   for (int k = 0; k < 4; ++k)
   {
-    weights += depthOf(codes[k]) < limit ? (k == 0 ? 9 : k == 3 ? 1 : 3) : 0;
+    weights += decodeDepth(codes[k]) < limit ? (k == 0 ? 9 : k == 3 ? 1 : 3) : 0;
   }
   if (weights < 12)
   {
@@ -96,7 +96,7 @@ uvec2 pushPixel(ivec2 pixel, vec2 centre)
   float least = 3e38;
   for (int k = 0; k < 4; ++k)
   {
-    if (depthOf(codes[k]) < limit)
+    if (decodeDepth(codes[k]) < limit)
     {
       uint source = fetchCoarseSource(parent + ivec2(k & 1, k >> 1) * side);
       vec2 away = vec2(sourcePixel(source)) + 0.5 - centre;

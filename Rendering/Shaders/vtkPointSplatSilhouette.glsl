@@ -19,7 +19,7 @@ float depthBeside(ivec2 at, float own)
     return own; // nothing is known of what is beyond the window
   }
   uint code = fetchDepth(at);
-  return code == NoDepth ? Farthest : uintBitsToFloat(code & ~TagMask);
+  return code == NoDepth ? Farthest : decodeDepth(code);
 }
 
 vec4 smoothSilhouette(ivec2 at, uint code, vec4 shaded)
@@ -29,7 +29,7 @@ vec4 smoothSilhouette(ivec2 at, uint code, vec4 shaded)
     return shaded;
   }
   const ivec2 beside[4] = ivec2[4](ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1));
-  float farthest = uintBitsToFloat(code & ~TagMask);
+  float farthest = decodeDepth(code);
   ivec2 beyond = at;
   for (int k = 0; k < 4; ++k)
   {

@@ -74,10 +74,11 @@ void main()
       addNeighbour(mean, mean.code, below.right, 1.0, range);
       // Of what is beyond the window nothing is known.
       texel = texelOf(mean,
-        isSilhouette(mean.code, right ? row.right.code : mean.code,
-          pixel.y < FilledWindow.w ? above.middle.code : mean.code,
-          left ? row.left.code : mean.code,
-          pixel.y > FilledWindow.y ? below.middle.code : mean.code));
+        isSilhouette(mean.code,
+          uint[4](right ? row.right.code : mean.code,
+            pixel.y < FilledWindow.w ? above.middle.code : mean.code,
+            left ? row.left.code : mean.code,
+            pixel.y > FilledWindow.y ? below.middle.code : mean.code)));
     }
     result[pixelIndex(pixel)] = texel;
 #ifdef FACTORS

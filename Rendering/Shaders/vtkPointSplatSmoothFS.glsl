@@ -43,7 +43,7 @@ void main()
       addNeighbour(mean, mean.code, sum, (k & 1) == 0 ? 2.0 : 1.0, range);
     }
   }
-  texel = texelOf(mean, isSilhouette(mean.code, codes[0], codes[2], codes[4], codes[6]));
+  texel = texelOf(mean, isSilhouette(mean.code, uint[4](codes[0], codes[2], codes[4], codes[6])));
 #ifdef FACTORS
   factorTexel = factorTexelOf(mean);
 #endif

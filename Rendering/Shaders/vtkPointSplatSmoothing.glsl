@@ -61,7 +61,7 @@ float smoothingRange(Sum own, ivec2 pixel)
 
 void addNeighbour(inout Sum mean, uint own, Sum other, float kernel, float range)
 {
-  float behind = depthOf(other.code) - depthOf(own);
+  float behind = decodeDepth(other.code) - decodeDepth(own);
   if (((own ^ other.code) & TagMask) == 0u && abs(behind) <= range && other.weight > 0.0)
   {
     mean.weight += kernel * other.weight;
@@ -90,13 +90,16 @@ void scaleSum(inout Sum s, float factor)
 
 // Silhouettes (section 3.5) are where the Laplacian of the linear depth, which vanishes on any
 // plane, is large. codes: beside the pixel; NoDepth: background.
-bool isSilhouette(uint own, uint right, uint above, uint left, uint below)
+bool isSilhouette(uint own, uint codes[4])
 {
-  float depth = depthOf(own);
-  vec4 codes = vec4(right == NoDepth ? 3e37 : depthOf(right), above == NoDepth ? 3e37 : depthOf(above),
-    left == NoDepth ? 3e37 : depthOf(left), below == NoDepth ? 3e37 : depthOf(below));
+  float depth = decodeDepth(own);
+  float laplacian = 0.0;
+  for (int k = 0; k < 4; ++k)
+  {
+    laplacian += (codes[k] == NoDepth ? 3e37 : decodeDepth(codes[k])) - depth;
+  }
   // DepthUnit is five times the least layer distance.
-  return dot(codes - depth, vec4(1.0)) > DepthUnit;
+  return laplacian > DepthUnit;
 }
 
 uvec4 texelOf(Sum mean, bool silhouette)

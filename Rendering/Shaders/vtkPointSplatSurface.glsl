@@ -4,6 +4,7 @@
 // Where a reconstructed surface layer lies and how: the point at a pixel in view
 // coordinates, and what was summed up there.
 
+#include "vtkPointSplatDepthCode"
 #include "vtkPointSplatFetch"
 
 uniform float NearDistance;
@@ -12,15 +13,6 @@ uniform vec4 PixelY;
 uniform vec4 PixelW;
 uniform vec4 PixelZ;         // view coordinates to z w, as OpenGL clips it
 uniform bool Parallel;
-
-// The coded depth's low bits, as in vtkPointSplatProjection.
-const uint TagMask = 127u;
-const uint NoDepth = 0xffffffffu;
-
-int slotOf(uint code)
-{
-  return int((code & TagMask) >> 1);
-}
 
 // The point at this z in view coordinates on the ray through the middle of a pixel.
 vec4 pointOfPixel(ivec2 at, float z)
@@ -46,7 +38,7 @@ void fetchSurface(ivec2 at, uint code, out vec4 positionVC, out vec3 normalVC, o
   float behind;
   bool summed = fetchSums(at, normalVC, behind, colour);
   behind = summed ? behind : 0.0;
-  positionVC = pointOfPixel(at, -(NearDistance + uintBitsToFloat(code & ~TagMask) + behind));
+  positionVC = pointOfPixel(at, -(NearDistance + decodeDepth(code) + behind));
 
   // Where so many splats share a pixel that their sum is lost, the nearest disks
   // still tell how the surface lies.

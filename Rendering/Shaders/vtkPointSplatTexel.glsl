@@ -10,38 +10,8 @@
 // Where lights cast shadows, a second image (R32UI) has the factors of up to four lights, 8 bits
 // each, packed as a colour.
 
-uint encodeNormal(vec3 n)
-{
-  n /= abs(n.x) + abs(n.y) + abs(n.z);
-  vec2 f = n.xy;
-  if (n.z < 0.0)
-  {
-    f = (1.0 - abs(n.yx)) * vec2(n.x >= 0.0 ? 1.0 : -1.0, n.y >= 0.0 ? 1.0 : -1.0);
-  }
-  ivec2 i = ivec2(round(f * 32767.0));
-  return (uint(i.x) & 0xffffu) | (uint(i.y) << 16);
-}
-
-vec3 decodeNormal(uint code)
-{
-  vec2 f = vec2(ivec2(int(code << 16) >> 16, int(code) >> 16)) / 32767.0;
-  vec3 n = vec3(f, 1.0 - abs(f.x) - abs(f.y));
-  float fold = max(-n.z, 0.0);
-  n.x += n.x >= 0.0 ? -fold : fold;
-  n.y += n.y >= 0.0 ? -fold : fold;
-  return normalize(n);
-}
-
-uint packColour(vec4 colour)
-{
-  uvec4 c = uvec4(round(clamp(colour, 0.0, 1.0) * 255.0));
-  return c.r | c.g << 8 | c.b << 16 | c.a << 24;
-}
-
-vec4 unpackColour(uint code)
-{
-  return vec4(uvec4(code, code >> 8, code >> 16, code >> 24) & 255u) / 255.0;
-}
+#include "vtkPointSplatOctahedron"
+#include "vtkPointSplatColourCode"
 
 // behind: in units of DepthUnit, -1 to 1.
 uvec4 packTexel(uint code, vec3 normal, float behind, vec4 colour, bool silhouette)

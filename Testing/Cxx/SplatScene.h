@@ -234,6 +234,36 @@ inline vtkSmartPointer<vtkPolyData> RandomSphere(int count)
 }
 
 /**
+ * About z, of major radius 1.
+ */
+inline vtkSmartPointer<vtkPolyData> RandomTorus(int count, double minor = 0.4)
+{
+  return RandomCloud(count, [minor](double u, double v, double* p, double* n) {
+    const double a = 2.0 * M_PI * u;
+    const double b = 2.0 * M_PI * v;
+    n[0] = std::cos(b) * std::cos(a);
+    n[1] = std::cos(b) * std::sin(a);
+    n[2] = std::sin(b);
+    p[0] = std::cos(a) + minor * n[0];
+    p[1] = std::sin(a) + minor * n[1];
+    p[2] = minor * n[2];
+  });
+}
+
+/**
+ * A square of side 4 in z = 0.
+ */
+inline vtkSmartPointer<vtkPolyData> RandomSquare(int count)
+{
+  return RandomCloud(count, [](double u, double v, double* p, double* n) {
+    p[0] = 4.0 * u - 2.0;
+    p[1] = 4.0 * v - 2.0;
+    p[2] = n[0] = n[1] = 0.0;
+    n[2] = 1.0;
+  });
+}
+
+/**
  * Collects what is not as it should be.
  */
 struct Checks

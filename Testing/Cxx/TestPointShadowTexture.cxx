@@ -114,13 +114,7 @@ void TestHard(Checks& checks)
   // A mesh casts on the plane's points.
   Spheres one(10);
   one.Balls = { { { 0.0, 0.0, 0.9 }, 0.5 } };
-  const auto plane =
-    SplatScene::RandomCloud(40000, [](double u, double v, double* p, double* n) {
-      p[0] = 4.0 * u - 2.0;
-      p[1] = 4.0 * v - 2.0;
-      p[2] = n[0] = n[1] = 0.0;
-      n[2] = 1.0;
-    });
+  const auto plane = SplatScene::RandomSquare(40000);
   vtkNew<vtkSphereSource> mesh;
   mesh->SetCenter(0.0, 0.0, 0.9);
   mesh->SetRadius(0.5);

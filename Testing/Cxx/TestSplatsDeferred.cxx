@@ -17,20 +17,6 @@ namespace
 {
 using namespace SplatScene;
 
-vtkSmartPointer<vtkPolyData> RandomTorus(int count)
-{
-  return RandomCloud(count, [](double u, double v, double* p, double* n) {
-    const double a = 2.0 * M_PI * u;
-    const double b = 2.0 * M_PI * v;
-    n[0] = std::cos(b) * std::cos(a);
-    n[1] = std::cos(b) * std::sin(a);
-    n[2] = std::sin(b);
-    p[0] = std::cos(a) + 0.4 * n[0];
-    p[1] = std::sin(a) + 0.4 * n[1];
-    p[2] = 0.4 * n[2];
-  });
-}
-
 /**
  * The vertices of a torus' mesh: regular, as scanned meshes' are.
  */

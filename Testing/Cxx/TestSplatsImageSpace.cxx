@@ -233,26 +233,12 @@ void TestFillings(Checks& checks, bool raster, int windows)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> Torus(int count)
-{
-  return RandomCloud(count, [](double u, double v, double* p, double* n) {
-    const double a = 2.0 * M_PI * u;
-    const double b = 2.0 * M_PI * v;
-    n[0] = std::cos(b) * std::cos(a);
-    n[1] = std::cos(b) * std::sin(a);
-    n[2] = std::sin(b);
-    p[0] = std::cos(a) + 0.4 * n[0];
-    p[1] = std::sin(a) + 0.4 * n[1];
-    p[2] = 0.4 * n[2];
-  });
-}
-
 void TestProjections(Checks& checks)
 {
   // Opaque, coloured and translucent: the same picture from compute shaders and the rasteriser.
   for (int kind = 0; kind < 3; ++kind)
   {
-    vtkSmartPointer<vtkPolyData> cloud = Torus(60000);
+    vtkSmartPointer<vtkPolyData> cloud = RandomTorus(60000);
     if (kind == 1)
     {
       vtkNew<vtkFloatArray> scalars;

@@ -250,13 +250,7 @@ void TestTranslucent(Checks& checks)
 {
   Spheres scene(10);
   scene.Balls = { { { 0.0, 0.0, 1.2 }, 0.6 } };
-  const auto plane =
-    SplatScene::RandomCloud(40000, [](double u, double v, double* p, double* n) {
-      p[0] = 4.0 * u - 2.0;
-      p[1] = 4.0 * v - 2.0;
-      p[2] = n[0] = n[1] = 0.0;
-      n[2] = 1.0;
-    });
+  const auto plane = SplatScene::RandomSquare(40000);
   vtkNew<vtkSphereSource> ball;
   ball->SetRadius(0.6);
   ball->SetThetaResolution(100);

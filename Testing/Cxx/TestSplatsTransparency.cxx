@@ -34,23 +34,6 @@ const std::vector<Shell> Nested = { { 1.0, { 0.2, 0.4, 0.9 }, 0.3 }, { 0.7, { 0.
   { 0.4, { 0.9, 0.6, 0.2 }, 1.0 } };
 const Colour Background = { 0.1, 0.2, 0.4 };
 
-/**
- * A torus around z, or a sphere: shape(u, v) with the minor radius scaled.
- */
-vtkSmartPointer<vtkPolyData> Torus(double minor)
-{
-  return RandomCloud(30000, [minor](double u, double v, double* p, double* n) {
-    const double a = 2.0 * M_PI * u;
-    const double b = 2.0 * M_PI * v;
-    n[0] = std::cos(b) * std::cos(a);
-    n[1] = std::cos(b) * std::sin(a);
-    n[2] = std::sin(b);
-    p[0] = std::cos(a) + minor * n[0];
-    p[1] = std::sin(a) + minor * n[1];
-    p[2] = minor * n[2];
-  });
-}
-
 void Unlit(vtkActor* actor, const Colour& rgb, double opacity)
 {
   vtkProperty* property = actor->GetProperty();
@@ -155,7 +138,7 @@ void TestExact(Checks& checks, bool torus, bool parallel, bool inside, bool peel
   for (const Shell& shell : Nested)
   {
     auto mapper = vtkSmartPointer<vtkPointSplatMapper>::New();
-    mapper->SetInputData(torus ? Torus(0.5 * shell.Radius) : RandomSphere(20000));
+    mapper->SetInputData(torus ? RandomTorus(30000, 0.5 * shell.Radius) : RandomSphere(20000));
     if (quads)
     {
       mapper->SetProjectionToQuads();
@@ -473,7 +456,7 @@ void TestSorted(Checks& checks)
     for (const Shell& shell : Nested)
     {
       auto mapper = vtkSmartPointer<vtkPointSplatMapper>::New();
-      mapper->SetInputData(Torus(0.5 * shell.Radius));
+      mapper->SetInputData(RandomTorus(30000, 0.5 * shell.Radius));
       mapper->SetProjection(quads ? vtkPointSplatMapper::QUADS : 0);
       vtkActor* actor = window.Add(mapper);
       actor->GetProperty()->SetColor(shell.Rgb[0], shell.Rgb[1], shell.Rgb[2]);

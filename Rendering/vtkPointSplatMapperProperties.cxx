@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Of the mapper: what goes through all of its properties.
+#include "vtkPointSplatMapper.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+//------------------------------------------------------------------------------
+void vtkPointSplatMapper::ShallowCopy(vtkAbstractMapper* mapper)
+{
+  if (auto other = vtkPointSplatMapper::SafeDownCast(mapper))
+  {
+    this->SetMethod(other->Method);
+    this->SetTransparency(other->Transparency);
+    this->SetMaximumNumberOfLayers(other->MaximumNumberOfLayers);
+    this->SetGatherRemaining(other->GatherRemaining);
+    this->SetPickOpacityThreshold(other->PickOpacityThreshold);
+    this->SetRefraction(other->Refraction);
+    this->SetRefractiveIndex(other->RefractiveIndex);
+    this->SetDispersion(other->Dispersion);
+    this->SetAbsorption(other->Absorption);
+    this->SetOverlapFactor(other->OverlapFactor);
+    this->SetVoronoiDepth(other->VoronoiDepth);
+    this->SetMaximumImageMemory(other->MaximumImageMemory);
+    this->SetMaximumNumberOfFillSteps(other->MaximumNumberOfFillSteps);
+    this->SetAntiAliasing(other->AntiAliasing);
+    this->SetShadows(other->Shadows);
+    this->SetNumberOfShadowSamples(other->NumberOfShadowSamples);
+    this->SetNumberOfInteractiveShadowSamples(other->NumberOfInteractiveShadowSamples);
+    this->SetShadowLightRadius(other->ShadowLightRadius);
+    this->SetShadowSeed(other->ShadowSeed);
+    this->SetShadowLayerDistance(other->ShadowLayerDistance);
+    this->SetShadowResolution(other->ShadowResolution);
+    this->SetProjection(other->Projection);
+    this->SetKernel(other->Kernel);
+    this->SetKernelSigma(other->KernelSigma);
+    this->SetPlateauFalloff(other->PlateauFalloff);
+    this->SetPlateauExponent(other->PlateauExponent);
+    this->SetKernelSupport(other->KernelSupport);
+    this->SetRadiusScale(other->RadiusScale);
+    this->SetLayerDistance(other->LayerDistance);
+  }
+  this->Superclass::ShallowCopy(mapper);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << this->Method << " (used: " << this->GetMethodUsed() << ")\n";
+  os << indent << "MethodReason: " << this->GetMethodReason() << "\n";
+  os << indent << "Transparency: " << this->Transparency
+     << " (used: " << this->GetTransparencyUsed() << ")\n";
+  os << indent << "MaximumNumberOfLayers: " << this->MaximumNumberOfLayers << "\n";
+  os << indent << "NumberOfLayersDrawn: " << this->GetNumberOfLayersDrawn() << "\n";
+  os << indent << "GatherRemaining: " << (this->GatherRemaining ? "On" : "Off") << "\n";
+  os << indent << "PickOpacityThreshold: " << this->PickOpacityThreshold << "\n";
+  os << indent << "Refraction: " << (this->Refraction ? "On" : "Off") << "\n";
+  os << indent << "RefractiveIndex: " << this->RefractiveIndex << "\n";
+  os << indent << "Dispersion: " << this->Dispersion << "\n";
+  os << indent << "Absorption: " << this->Absorption[0] << ", " << this->Absorption[1] << ", "
+     << this->Absorption[2] << "\n";
+  os << indent << "OverlapFactor: " << this->OverlapFactor << "\n";
+  os << indent << "VoronoiDepth: " << (this->VoronoiDepth ? "On" : "Off") << "\n";
+  os << indent << "MaximumImageMemory: " << this->MaximumImageMemory << "\n";
+  os << indent << "MaximumNumberOfFillSteps: " << this->MaximumNumberOfFillSteps << "\n";
+  os << indent << "NumberOfFillSteps: " << this->GetNumberOfFillSteps() << "\n";
+  os << indent << "AntiAliasing: " << (this->AntiAliasing ? "On" : "Off") << "\n";
+  os << indent << "ProjectedSpacing: " << this->GetProjectedSpacing() << "\n";
+  os << indent << "NumberOfPointsProjected: " << this->GetNumberOfPointsProjected() << "\n";
+  os << indent << "NumberOfGroups: " << this->GetNumberOfGroups() << "\n";
+  os << indent << "Shadows: " << (this->Shadows ? "On" : "Off") << "\n";
+  os << indent << "NumberOfShadowSamples: " << this->NumberOfShadowSamples
+     << " (used: " << this->GetNumberOfShadowSamplesUsed() << ")\n";
+  os << indent << "NumberOfInteractiveShadowSamples: " << this->NumberOfInteractiveShadowSamples
+     << "\n";
+  os << indent << "NumberOfShadowUpdates: " << this->GetNumberOfShadowUpdates() << "\n";
+  os << indent << "ShadowLightRadius: " << this->ShadowLightRadius << "\n";
+  os << indent << "ShadowSeed: " << this->ShadowSeed << "\n";
+  os << indent << "ShadowLayerDistance: " << this->ShadowLayerDistance << "\n";
+  os << indent << "ShadowResolution: " << this->ShadowResolution << "\n";
+  os << indent << "Projection: " << this->Projection << " (used: " << this->GetProjectionUsed()
+     << ")\n";
+  os << indent << "Kernel: " << (this->Kernel == GAUSSIAN ? "Gaussian" : "plateau") << "\n";
+  os << indent << "KernelSigma: " << this->KernelSigma << "\n";
+  os << indent << "PlateauFalloff: " << this->PlateauFalloff << "\n";
+  os << indent << "PlateauExponent: " << this->PlateauExponent << "\n";
+  os << indent << "KernelSupport: " << this->KernelSupport << "\n";
+  os << indent << "RadiusScale: " << this->RadiusScale << "\n";
+  os << indent << "LayerDistance: " << this->LayerDistance
+     << " (used: " << this->GetLayerDistanceUsed() << ")\n";
+  os << indent << "NumberOfSplats: " << this->GetNumberOfSplats() << "\n";
+  os << indent << "NumberOfSkippedPoints: " << this->GetNumberOfSkippedPoints() << "\n";
+  os << indent << "ImageMemorySize: " << this->GetImageMemorySize() << "\n";
+}
+VTK_ABI_NAMESPACE_END
