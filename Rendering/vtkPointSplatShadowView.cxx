@@ -69,6 +69,10 @@ void Lay(vtkPointSplatShadowView& view, const glm::dvec2& low, const glm::dvec2&
   const double most = std::max(resolution > 0 ? std::min(resolution, maximum) : maximum, 16);
   const double finest = longest / (most - 2.0 * Guard - 1.0);
   view.PixelSize = resolution > 0 && finest > 0.0 ? finest : std::max(pixel, finest);
+  if (!std::isfinite(longest) || !std::isnormal(view.PixelSize))
+  {
+    return;
+  }
   view.Scale = glm::dvec2(1.0 / view.PixelSize);
   view.Offset = Guard - low * view.Scale;
   view.Size = glm::ivec2(glm::ceil((high - low) * view.Scale + 2.0 * Guard));

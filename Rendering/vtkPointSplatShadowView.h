@@ -60,7 +60,8 @@ struct vtkPointSplatShadowView
   /**
    * corners: of boxes about the points; spacing: how large a pixel should be there, world units.
    * resolution: pixels along the map's longer side, or 0: as the spacing wants it. maximum: what
-   * that may reach.
+   * that may reach. Where corners are not finite, or all are one and the spacing is 0, no map can
+   * be laid: its size is 0.
    */
   static vtkPointSplatShadowView Fit(const vtkPointSplatShadowLight& light,
     const std::vector<glm::dvec3>& corners, double spacing, int resolution, int maximum);

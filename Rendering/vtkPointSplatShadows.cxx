@@ -427,6 +427,16 @@ bool vtkPointSplatShadows::Cast(vtkOpenGLRenderWindow* window,
   GLint largest = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
   largest = std::min(largest, settings.Resolution > 0 ? largest : LargestMap);
+  std::vector<vtkPointSplatShadowView> views;
+  for (const vtkPointSplatShadowLight& sample : light.Sample(settings.Samples, settings.Seed))
+  {
+    views.push_back(vtkPointSplatShadowView::Fit(
+      sample, corners, PixelFraction * radius, settings.Resolution, static_cast<int>(largest)));
+    if (views.back().Size.x < 1)
+    {
+      return true; // by an actor's matrix the points are nowhere: all are lit
+    }
+  }
 
   window->GetShaderCache()->ReleaseCurrentShader();
   vtkOpenGLState* state = window->GetState();
@@ -434,13 +444,9 @@ bool vtkPointSplatShadows::Cast(vtkOpenGLRenderWindow* window,
   this->Triangles.Upload(meshes);
   this->BeginCounting(clouds);
 
-  const std::vector<vtkPointSplatShadowLight> samples =
-    light.Sample(settings.Samples, settings.Seed);
   bool good = true;
-  for (const vtkPointSplatShadowLight& sample : samples)
+  for (const vtkPointSplatShadowView& view : views)
   {
-    const vtkPointSplatShadowView view = vtkPointSplatShadowView::Fit(
-      sample, corners, PixelFraction * radius, settings.Resolution, static_cast<int>(largest));
     this->Allocate(window, view.Size);
     state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
     GLenum target = GL_COLOR_ATTACHMENT0;
@@ -465,7 +471,7 @@ bool vtkPointSplatShadows::Cast(vtkOpenGLRenderWindow* window,
       std::max(face.LayerDistance, face.LayerPixels * view.PixelSize * view.Distance);
     this->ResolutionUsed = std::max(view.Size.x, view.Size.y);
   }
-  this->SamplesUsed = static_cast<int>(samples.size());
+  this->SamplesUsed = static_cast<int>(views.size());
 
   if (settings.Compute)
   {
@@ -483,7 +489,7 @@ bool vtkPointSplatShadows::Cast(vtkOpenGLRenderWindow* window,
     glGetBufferSubData(
       GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(4 * counts.size()), counts.data());
     factors[i].resize(counts.size());
-    const float share = 1.0f / static_cast<float>(samples.size());
+    const float share = 1.0f / static_cast<float>(views.size());
     vtkSMPTools::For(0, static_cast<vtkIdType>(counts.size()), [&](vtkIdType first, vtkIdType last) {
       for (size_t k = static_cast<size_t>(first); k < static_cast<size_t>(last); ++k)
       {
