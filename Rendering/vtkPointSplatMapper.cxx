@@ -74,7 +74,8 @@ struct vtkPointSplatMapper::vtkInternals
       [renderer](const Told& told) { return told.Renderer == renderer; });
     if (found == this->AllTold.end())
     {
-      found = this->AllTold.insert(found, Told{ renderer });
+      found = this->AllTold.emplace(found);
+      found->Renderer = renderer;
     }
     return *found;
   }
