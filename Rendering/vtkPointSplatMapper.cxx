@@ -22,9 +22,12 @@
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkPointSplatMapper);
@@ -53,11 +56,34 @@ constexpr double PointLayerPixels = 3.0;
 
 struct vtkPointSplatMapper::vtkInternals
 {
+  /// What the user has been told of drawing in a renderer: once, not at every frame.
+  struct Told
+  {
+    vtkWeakPointer<vtkRenderer> Renderer;
+    std::string Error;
+    std::string MethodReason;
+    bool NoEnvironment = false; // and still there is none
+  };
+  /// A mapper may be drawn by several renderers in turn, of which each has reasons of its own.
+  Told& ToldOf(vtkRenderer* renderer)
+  {
+    this->AllTold.erase(std::remove_if(this->AllTold.begin(), this->AllTold.end(),
+                          [](const Told& told) { return !told.Renderer; }),
+      this->AllTold.end());
+    auto found = std::find_if(this->AllTold.begin(), this->AllTold.end(),
+      [renderer](const Told& told) { return told.Renderer == renderer; });
+    if (found == this->AllTold.end())
+    {
+      found = this->AllTold.emplace(found);
+      found->Renderer = renderer;
+    }
+    return *found;
+  }
+
+  std::vector<Told> AllTold;
   vtkPointSplatCloud Cloud;
   std::shared_ptr<vtkPointSplatCompositor> Compositor; // that drew last
   bool WarnedOfClipPlanes = false;
-  bool WarnedOfEnvironment = false; // and still there is none
-  std::string LastError;
   const char* ProjectionUsed = "none"; // by the last frame
   const char* MethodUsed = "none";
   std::string MethodReason;
@@ -179,14 +205,11 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   }
   this->Internals->Compositor = compositor;
   this->TimeToDraw = 0.0;
-  if (!compositor->Present(renderer, actor, this))
+  vtkInternals::Told& told = this->Internals->ToldOf(renderer);
+  if (!compositor->Present(renderer, actor, this) && told.Error != compositor->GetError())
   {
-    // Once, not at every frame.
-    if (this->Internals->LastError != compositor->GetError())
-    {
-      this->Internals->LastError = compositor->GetError();
-      vtkErrorMacro("OpenGL cannot draw the splats: " << this->Internals->LastError);
-    }
+    told.Error = compositor->GetError();
+    vtkErrorMacro("OpenGL cannot draw the splats: " << told.Error);
   }
   this->Internals->ProjectionUsed = compositor->IsCompute() ? "compute" : "quads";
   this->Internals->MethodUsed = compositor->IsDeferred() ? "deferred"
@@ -198,17 +221,18 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   this->Internals->ShadowSamplesUsed =
     this->Shadows ? compositor->GetShadows().GetSamplesUsed() : 0;
   this->Internals->ShadowUpdates = compositor->GetShadows().GetNumberOfUpdates();
-  if (this->Internals->MethodReason != compositor->GetMethodReason())
+  this->Internals->MethodReason = compositor->GetMethodReason();
+  if (told.MethodReason != this->Internals->MethodReason)
   {
-    this->Internals->MethodReason = compositor->GetMethodReason();
-    if (this->Method == DEFERRED)
+    told.MethodReason = this->Internals->MethodReason;
+    if (this->Method == DEFERRED && !told.MethodReason.empty())
     {
-      vtkWarningMacro("Two passes instead of deferred blending: " << this->Internals->MethodReason);
+      vtkWarningMacro("Two passes instead of deferred blending: " << told.MethodReason);
     }
   }
   const bool noEnvironment =
     this->Refraction && !renderer->GetSelector() && !compositor->HasEnvironment();
-  if (noEnvironment && !this->Internals->WarnedOfEnvironment)
+  if (noEnvironment && !told.NoEnvironment)
   {
     vtkWarningMacro("Nothing is refracted: the renderer has no environment texture, or one without "
                     "a picture, or a cube map whose six faces are not of one size and type, of 3 "
@@ -216,8 +240,7 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
                     "vtkTexture::SetColorModeToDirectScalars()). Call "
                     "vtkRenderer::SetEnvironmentTexture().");
   }
-  this->Internals->WarnedOfEnvironment =
-    noEnvironment || (this->Internals->WarnedOfEnvironment && renderer->GetSelector());
+  told.NoEnvironment = noEnvironment || (told.NoEnvironment && renderer->GetSelector());
   this->UpdateProgress(1.0);
 }
 

@@ -561,6 +561,27 @@ void TestOff(Checks& checks)
     }
   }
 }
+
+/**
+ * A mapper in two renderers, of which one has no environment, warns of that once, not with
+ * every frame again.
+ */
+void TestTwoRenderers(Checks& checks)
+{
+  Scene scene(RandomSphere(2000), Equirectangular(White), 1.5);
+  vtkNew<vtkRenderer> other;
+  other->AddActor(scene.Actor);
+  other->SetViewport(0.8, 0.8, 1.0, 1.0);
+  scene.Win->AddRenderer(other);
+  other->ResetCamera();
+  vtkNew<Counter> counter;
+  scene.Mapper->AddObserver(vtkCommand::WarningEvent, counter);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    scene.Draw();
+  }
+  checks.Expect(counter->Count == 1, "one of two renderers without an environment: one warning");
+}
 }
 
 int TestSplatsRefraction(int, char*[])
@@ -570,5 +591,6 @@ int TestSplatsRefraction(int, char*[])
   TestPlanes(checks);
   TestScenes(checks);
   TestOff(checks);
+  TestTwoRenderers(checks);
   return checks.Result();
 }

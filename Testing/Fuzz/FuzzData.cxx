@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FuzzData.h"
+#include "FuzzRoundTrip.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
@@ -17,15 +18,11 @@
 #include "vtkPartitionedDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkPolyDataReader.h"
-#include "vtkPolyDataWriter.h"
 #include "vtkSOADataArrayTemplate.h"
 #include "vtkStringArray.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
-#include "vtkXMLPolyDataReader.h"
-#include "vtkXMLPolyDataWriter.h"
 
 #include <algorithm>
 #include <cstring>
@@ -277,42 +274,6 @@ vtkSmartPointer<vtkCellArray> MakeCells(FuzzRandom& random, vtkIdType n, int lea
   return cells;
 }
 
-/**
- * The same through a file in memory.
- */
-vtkSmartPointer<vtkPolyData> RoundTrip(FuzzRandom& random, vtkPolyData* data)
-{
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  if (random.Chance(0.5))
-  {
-    vtkNew<vtkXMLPolyDataWriter> writer;
-    writer->WriteToOutputStringOn();
-    writer->SetDataMode(random.Below(3));
-    writer->SetInputData(data);
-    writer->Write();
-    vtkNew<vtkXMLPolyDataReader> reader;
-    reader->ReadFromInputStringOn();
-    reader->SetInputString(writer->GetOutputString());
-    reader->Update();
-    result->ShallowCopy(reader->GetOutput());
-  }
-  else
-  {
-    vtkNew<vtkPolyDataWriter> writer;
-    writer->WriteToOutputStringOn();
-    writer->SetFileTypeToBinary();
-    writer->SetInputData(data);
-    writer->Write();
-    vtkNew<vtkPolyDataReader> reader;
-    reader->ReadFromInputStringOn();
-    reader->SetBinaryInputString(
-      writer->GetOutputString(), static_cast<int>(writer->GetOutputStringLength()));
-    reader->Update();
-    result->ShallowCopy(reader->GetOutput());
-  }
-  return result;
-}
-
 class Hash
 {
 public:
@@ -411,7 +372,7 @@ vtkSmartPointer<vtkPointSet> MakePoints(FuzzRandom& random)
   AddArrays(random, data, wrongness);
   if (file)
   {
-    return RoundTrip(random, vtkPolyData::SafeDownCast(data));
+    return FuzzRoundTrip(random, vtkPolyData::SafeDownCast(data));
   }
   return data;
 }

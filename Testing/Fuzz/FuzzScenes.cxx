@@ -128,7 +128,7 @@ vtkSmartPointer<vtkRenderPass> MakeChain(FuzzRandom& random)
   if (random.Chance(0.5))
   {
     vtkNew<vtkPointSplatPass> splats;
-    splats->SetMethod(random.Below(5) - 2);
+    splats->SetMethod(random.Below(6) - 2);
     splats->SetTransparency(random.Below(6) - 2);
     splats->SetMaximumNumberOfLayers(random.Pick({ -1, 0, 1, 3, 1000 }));
     splats->SetLayerDistance(random.Chance(0.5) ? -1 : random.Property(0, 1));
