@@ -27,18 +27,24 @@ constexpr double OneStepPixels = 0.5;
 constexpr double RoughOneStepPixels = 4.0;
 constexpr double RoughFill = 1.0 / 64.0;
 
-// One pass over groups by quads beats two of them where there are this many splats a pixel of the
-// viewport; compute shaders beat both (Testing/Benchmark/deferred_benchmark.py).
-constexpr double LeastSplatsPerPixel = 0.75;
-// Deferred blending against two passes, down to so many pixels between splats; below, the error
-// grows with the power of the density.
-constexpr double DeferredErrorAtMost = 0.0033;
+// One pass over groups by quads beats two of them, by up to a fifth, where there are this many
+// splats a pixel of the viewport; compute shaders beat both (Testing/Benchmark/deferred_benchmark.py).
+constexpr double LeastSplatsPerPixel = 0.5;
+// Deferred blending against two passes, where splats are this many pixels apart, or more: 0.003 on
+// grids, this on points at random. Denser, the error grows with the power of the density.
+constexpr double DeferredErrorAtMost = 0.008;
 constexpr double DeferredSpacing = 1.2;
 constexpr double DeferredPower = 2.5;
 
-// Sorted transparency against peeling, on orbitals and nested spheres: upper ends of what was seen.
+// Sorted transparency against peeling: orbitals and nested spheres have up to 0.018 and 0.012, scans
+// of surfaces that nearly touch more.
 constexpr double SortedError = 0.05;
-constexpr double NearestExactError = 0.03;
+constexpr double NearestExactError = 0.02;
+// Sorting takes less time than peeling from so many surfaces behind one another on, ...
+constexpr double LeastDepthToSort = 1.5;
+constexpr double LeastDepthForNearestExact = 3.5;
+// ... and less than peeling in image space where a splat costs less than so many pixels of a layer.
+constexpr double PixelsPerSortedSplat = 16.0;
 // Peeling draws more than this even where time is short.
 constexpr double MostContribution = 1.0 / 8.0;
 
@@ -132,6 +138,19 @@ bool CanDefer(const vtkPointSplatSceneFacts& facts, std::string& why)
 }
 
 //------------------------------------------------------------------------------
+/// Whether sorting splats is allowed and takes less time than peeling points in image space, whose
+/// silhouettes make some four layers more.
+bool PrefersSorting(const vtkPointSplatSceneFacts& facts, double tolerance)
+{
+  // Grouping takes about as long as ten frames.
+  const bool affordable = facts.Grouped || facts.Tolerance == 0.0;
+  return facts.Translucent && facts.Sortable && affordable && tolerance >= SortedError &&
+    facts.Transparency == vtkPointSplatMapper::AUTOMATIC_TRANSPARENCY &&
+    facts.Depth >= LeastDepthToSort &&
+    PixelsPerSortedSplat * facts.Splats < facts.Pixels * (2.0 * facts.Depth + 4.0);
+}
+
+//------------------------------------------------------------------------------
 void ChooseMethod(
   const vtkPointSplatSceneFacts& facts, double tolerance, vtkPointSplatChoice& choice)
 {
@@ -150,6 +169,11 @@ void ChooseMethod(
     why = why.empty() ? "it was asked for" : why;
     return;
   }
+  if (PrefersSorting(facts, tolerance))
+  {
+    why = "splats can be sorted";
+    return;
+  }
   const double slack = facts.HadPoints ? Hysteresis : 1.0;
   const double error = vtkPointSplatChoices::PointError(facts);
   const bool known = facts.SpacingPixels > 0.0;
@@ -164,8 +188,8 @@ void ChooseMethod(
     vtkPointSplatChoices::DeferredError(facts) <= tolerance && CanDefer(facts, why))
   {
     choice.Method = vtkPointSplatMapper::DEFERRED;
-    why = "by quads one pass over groups takes less time than two, from three splats to four "
-          "pixels on";
+    why = "by quads one pass over groups takes less time than two, from a splat to two pixels "
+          "on";
     return;
   }
   why += why.empty() ? "" : "; ";
@@ -213,18 +237,25 @@ void ChooseLayers(const vtkPointSplatSceneFacts& facts, double tolerance,
     choice.Transparency = facts.Transparency;
     choice.TransparencyReason = "it was asked for";
   }
-  else if (tolerance < NearestExactError)
+  else if (tolerance >= SortedError && facts.Depth >= LeastDepthToSort)
   {
-    choice.TransparencyReason = "sorted layers have an error of " + Number(SortedError) +
-      ", those behind an exact nearest one of " + Number(NearestExactError);
+    choice.Transparency = vtkPointSplatMapper::SORTED;
+    choice.TransparencyReason = "about " + Number(facts.Depth) +
+      " surfaces lie behind one another; sorted they have an error of " + Number(SortedError);
+  }
+  else if (tolerance >= NearestExactError && facts.Depth >= LeastDepthForNearestExact)
+  {
+    choice.Transparency = vtkPointSplatMapper::NEAREST_EXACT;
+    choice.TransparencyReason = "about " + Number(facts.Depth) +
+      " surfaces lie behind one another; with the nearest exact and the others sorted they have an "
+      "error of " + Number(NearestExactError);
   }
   else
   {
-    choice.Transparency = tolerance < SortedError ? vtkPointSplatMapper::NEAREST_EXACT
-                                                  : vtkPointSplatMapper::SORTED;
-    choice.TransparencyReason = "an error of " +
-      Number(tolerance < SortedError ? NearestExactError : SortedError) + " is within " +
-      vtkPointSplatChoices::Text(tolerance);
+    choice.TransparencyReason = tolerance < NearestExactError
+      ? "sorted layers have an error of " + Number(SortedError) +
+        ", those behind an exact nearest one of " + Number(NearestExactError)
+      : "too few surfaces lie behind one another to be worth sorting";
   }
   if (choice.Transparency != vtkPointSplatMapper::PEELING)
   {

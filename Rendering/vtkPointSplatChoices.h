@@ -44,6 +44,8 @@ struct vtkPointSplatSceneFacts
   double Pixels = 0.0;        // of the viewport
   double Covered = 0.0;       // of these, what the splats' bounding boxes cover
   double SpacingPixels = 0.0; // of the sparsest points at their nearest; 0: not known
+  double Depth = 0.0;         // surfaces behind one another, a covered pixel; 0: not known
+  bool Grouped = false;       // groups for sorting are made
   int Groups = -1;            // for deferred blending; -1: not made yet, 0: cannot be made
   bool GroupsFit = true;      // their images fit the hardware and MaximumImageMemory
   ///@}

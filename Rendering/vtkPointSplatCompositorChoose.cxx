@@ -86,6 +86,8 @@ vtkPointSplatSceneFacts vtkPointSplatCompositor::Describe(vtkRenderer* renderer,
     facts.TargetError = std::min(facts.TargetError, mapper->GetTargetError());
     facts.Refracts =
       facts.Refracts || (mapper->GetRefraction() && this->Resolve.GetEnvironment());
+    facts.Grouped = (&entry == &entries.front() || facts.Grouped) &&
+      mapper->GetNumberOfGroups() > 0;
     facts.Splats += static_cast<double>(mapper->GetNumberOfSplats());
     const glm::ivec4 own =
       view.Cover(entry.Item.MCWC, mapper->GetCloud()->GetBounds().data(), 0.0);
@@ -105,8 +107,11 @@ vtkPointSplatSceneFacts vtkPointSplatCompositor::Describe(vtkRenderer* renderer,
         (hurried || facts.TargetError > vtkPointSplatChoices::FullQuality || facts.AsksQuads ||
           !facts.Compute)))
     {
-      facts.SpacingPixels = std::max(
-        facts.SpacingPixels, entry.Mapper->FindSpacing(view, entry.Item).Pixels);
+      const double pixels = entry.Mapper->FindSpacing(view, entry.Item).Pixels;
+      facts.SpacingPixels = std::max(facts.SpacingPixels, pixels);
+      // On average a surface is seen at half its area.
+      facts.Depth += 0.5 * static_cast<double>(entry.Mapper->GetNumberOfSplats()) * pixels *
+        pixels / std::max(facts.Covered, 1.0);
     }
   }
   return facts;
