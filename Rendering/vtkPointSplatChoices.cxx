@@ -144,7 +144,7 @@ bool PrefersSorting(const vtkPointSplatSceneFacts& facts, double tolerance)
 {
   // Grouping takes about as long as ten frames.
   const bool affordable = facts.Grouped || facts.Tolerance == 0.0;
-  return facts.Translucent && facts.Sortable && affordable && tolerance >= SortedError &&
+  return facts.Translucent && facts.Sortable && !facts.Refracts && affordable && tolerance >= SortedError &&
     facts.Transparency == vtkPointSplatMapper::AUTOMATIC_TRANSPARENCY &&
     facts.Depth >= LeastDepthToSort &&
     PixelsPerSortedSplat * facts.Splats < facts.Pixels * (2.0 * facts.Depth + 4.0);
@@ -176,7 +176,7 @@ void ChooseMethod(
   }
   const double slack = facts.HadPoints ? Hysteresis : 1.0;
   const double error = vtkPointSplatChoices::PointError(facts);
-  const bool known = facts.SpacingPixels > 0.0;
+  const bool known = facts.SpacingPixels > 0.0 && !facts.Refracts;
   if (known && error <= slack * tolerance && facts.SpacingPixels <= slack * MostSpacing)
   {
     choice.Method = vtkPointSplatMapper::IMAGE_SPACE;
@@ -236,6 +236,10 @@ void ChooseLayers(const vtkPointSplatSceneFacts& facts, double tolerance,
   {
     choice.Transparency = facts.Transparency;
     choice.TransparencyReason = "it was asked for";
+  }
+  else if (facts.Refracts)
+  {
+    choice.TransparencyReason = "refraction magnifies errors of layers";
   }
   else if (tolerance >= SortedError && facts.Depth >= LeastDepthToSort)
   {

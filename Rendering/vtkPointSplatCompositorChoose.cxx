@@ -83,7 +83,9 @@ vtkPointSplatSceneFacts vtkPointSplatCompositor::Describe(vtkRenderer* renderer,
     facts.MaximumLayers = std::max(facts.MaximumLayers, mapper->GetMaximumNumberOfLayers());
     facts.MaximumFillSteps =
       std::max(facts.MaximumFillSteps, mapper->GetMaximumNumberOfFillSteps());
-    facts.TargetError = std::min(facts.TargetError, mapper->GetTargetError());
+    const double error = mapper->GetTargetError();
+    facts.TargetError = std::min(
+      facts.TargetError, error >= 0.0 ? error : vtkPointSplatChoices::FullQuality); // of NaN
     facts.Refracts =
       facts.Refracts || (mapper->GetRefraction() && this->Resolve.GetEnvironment());
     facts.Grouped = (&entry == &entries.front() || facts.Grouped) &&
@@ -103,9 +105,7 @@ vtkPointSplatSceneFacts vtkPointSplatCompositor::Describe(vtkRenderer* renderer,
   {
     // To find it takes a pass over the points, once: only where it can matter.
     if (entry.Mapper->GetMethod() == vtkPointSplatMapper::IMAGE_SPACE ||
-      (facts.AllAutomatic &&
-        (hurried || facts.TargetError > vtkPointSplatChoices::FullQuality || facts.AsksQuads ||
-          !facts.Compute)))
+      (facts.AllAutomatic && (hurried || facts.TargetError > vtkPointSplatChoices::FullQuality)))
     {
       const double pixels = entry.Mapper->FindSpacing(view, entry.Item).Pixels;
       facts.SpacingPixels = std::max(facts.SpacingPixels, pixels);
@@ -142,7 +142,9 @@ void vtkPointSplatCompositor::Choose(vtkRenderer* renderer, const vtkPointSplatV
   }
   if (renderer->GetSelector())
   {
-    this->Choice = vtkPointSplatChoices::Make(facts); // as at rest, and of no account to the drag
+    // As at rest, and of no account to a drag.
+    this->Choice = vtkPointSplatChoices::Make(facts);
+    this->Choice.BudgetReason = "selections take as long as they need";
     return;
   }
   std::vector<vtkPointSplatChoice> ladder = seconds > 0.0

@@ -186,9 +186,16 @@ void TestTable(Checks& checks)
       with(Translucent(640000, 3, 1.2, Rough), [](Facts&) {}), image, peel, 32, 1, true },
     { "translucent, many layers of few splats, 1/16",
       with(Translucent(80000, 6, 4.5, Rough), [](Facts&) {}), two, sort, 0, 0, true },
-    { "the same, refracting: the nearest layer is needed",
-      with(Translucent(80000, 6, 4.5, Rough), [](Facts& f) { f.Refracts = true; }), two, sort, 1, 0,
+    { "the same, refracting, which magnifies errors",
+      with(Translucent(80000, 6, 1.0, Rough), [](Facts& f) { f.Refracts = true; }), two, peel, 32, 0,
       true },
+    { "the same, refracting, sorted by hand: the nearest layer is needed",
+      with(Translucent(80000, 6, 4.5, Rough),
+        [](Facts& f) {
+          f.Refracts = true;
+          f.Transparency = Mapper::SORTED;
+        }),
+      two, sort, 1, 0, true },
     { "the same, 1/32: the nearest layer exact",
       with(Translucent(80000, 6, 4.5, 1.0 / 32.0), [](Facts&) {}), two, exact, 1, 0, true },
     { "the same, 1/16, among other translucent props",

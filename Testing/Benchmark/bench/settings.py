@@ -125,7 +125,7 @@ def shadowed(counts, radius):
     """Of a light of some radius; one sample is a point light, with hard shadows."""
     return ([splats("splats, no shadows", "shadows", (TWO_PASS,))] +
             [splats(f"shadows, {plural(n, 'sample')}", "shadows", ("SetShadows", True),
-                    ("SetNumberOfShadowSamples", n), ("SetLightRadius", radius if n > 1 else 0.0),
+                    ("SetNumberOfShadowSamples", n), ("SetShadowLightRadius", radius if n > 1 else 0.0),
                     samples=n, family="shadows, n samples") for n in counts] +
             [Setting("stock mesh, no shadows", "shadows", "mesh"),
              Setting("stock mesh, shadow map", "shadows", "mesh", shadow_map=True)])
