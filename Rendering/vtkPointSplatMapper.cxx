@@ -270,6 +270,7 @@ void vtkPointSplatMapper::FillItem(vtkActor* actor, const vtkPointSplatView& vie
     item.LargestLayer = std::max(item.PointLayer, item.PointLayerPixels * spacing.LargestPixel);
     item.Spacing = spacing.World;
     item.SpacingPixels = spacing.Pixels;
+    item.Silhouettes = this->AntiAliasing;
     this->Internals->ProjectedSpacing = item.SpacingPixels;
   }
   const double* colour = property->GetColor();
