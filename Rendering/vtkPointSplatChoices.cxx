@@ -52,8 +52,6 @@ constexpr double MostContribution = 1.0 / 8.0;
 // (TestPointShadowTexture).
 constexpr double ShadowSampleError = 0.045;
 
-const char* const MethodNames[] = { "automatic", "two-pass", "deferred", "image-space" };
-
 std::string Number(double value)
 {
   std::ostringstream text;
