@@ -21,8 +21,12 @@ constexpr int StripWidth = 2;
 
 // Points this far apart, in pixels, or closer leave only holes that one step closes.
 constexpr double DensePixels = 0.7;
-// Beyond this, rims of holes are not closed, and coarser levels are needed.
+// Beyond this, rims of holes are not closed, and coarser levels are needed: up to that on which
+// points are twice DensePixels apart ...
 constexpr double SparsePixels = 1.2;
+// ... and beyond this, one more. Each costs silhouettes some of their sharpness, but in close-ups
+// gaps of random samplings are larger than that.
+constexpr double CloseUpPixels = 4.0;
 constexpr int MostLevels = 7;
 }
 
@@ -124,6 +128,7 @@ bool vtkPointSplatFill::Draw(vtkOpenGLRenderWindow* window, Stage stage, size_t 
   vtkPointSplatUnits units(window);
   const GLenum kind = this->Compute ? GL_TEXTURE_BUFFER : GL_TEXTURE_2D;
   program->Set("FilledWindow", level.Window);
+  program->Set("LastPixel", level.Size - 1);
   program->Set("SlotLayers", this->Given.Layers);
   program->Set("SlotLayerPixels", this->Given.LayerPixels);
   program->Set("SlotSpacings", this->Given.Spacings);
@@ -152,6 +157,7 @@ bool vtkPointSplatFill::Draw(vtkOpenGLRenderWindow* window, Stage stage, size_t 
     const Level& coarse = this->Levels[index + 1];
     units.Bind(*program, "Coarse", kind, coarse.Textures[coarse.Now]);
     program->Set("CoarseWindow", coarse.Window);
+    program->Set("CoarseLastPixel", coarse.Size - 1);
     program->Set("CoarseWidth", coarse.Size.x);
   }
   program->Set("ImageWidth", level.Size.x);
@@ -227,6 +233,7 @@ int vtkPointSplatFill::LevelsFor(double spacing)
   {
     ++levels;
   }
+  levels += spacing > CloseUpPixels && levels < MostLevels ? 1 : 0;
   return spacing > SparsePixels ? levels : 1;
 }
 

@@ -17,6 +17,7 @@ uniform usampler2D Filled;
 #endif
 
 uniform ivec4 FilledWindow;   // pixels that hold something: first x, y, last x, y
+uniform ivec2 LastPixel;      // of the image
 // Of the items by their slots, the least layer distance, world units, and in pixels: the larger
 // counts. Negative: their splats have an extent, and fill no holes.
 uniform float SlotLayers[64];
@@ -40,13 +41,14 @@ uvec2 fetchInside(ivec2 pixel)
 #endif
 }
 
-// The same of any pixel: outside there is nothing. CPUs skip no branch, so that a fetch
-// costs less than a condition.
+// The same of any pixel. Beyond the image, of which nothing is known, goes on what is at its
+// border. CPUs skip no branch, so that a fetch costs less than a condition.
 uvec2 fetchFilled(ivec2 pixel)
 {
-  ivec2 inside = clamp(pixel, FilledWindow.xy, FilledWindow.zw);
+  ivec2 known = clamp(pixel, ivec2(0), LastPixel);
+  ivec2 inside = clamp(known, FilledWindow.xy, FilledWindow.zw);
   uvec2 filled = fetchInside(inside);
-  return inside == pixel ? filled : uvec2(NoDepth, 0u);
+  return inside == known ? filled : uvec2(NoDepth, 0u);
 }
 
 ivec2 sourcePixel(uint source)

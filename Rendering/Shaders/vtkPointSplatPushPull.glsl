@@ -20,6 +20,7 @@ uvec2 pullPixel(ivec2 pixel)
 
 #ifdef PUSH
 uniform ivec4 CoarseWindow;
+uniform ivec2 CoarseLastPixel;
 uniform int CoarseWidth;
 // Of the items by their slots: the points' spacing, world units.
 uniform float SlotSpacings[64];
@@ -30,16 +31,17 @@ uniform usamplerBuffer Coarse;
 uniform usampler2D Coarse;
 #endif
 
-// Coded depth and source; outside there is nothing.
+// As fetchFilled.
 uvec2 fetchCoarse(ivec2 pixel)
 {
-  ivec2 inside = clamp(pixel, CoarseWindow.xy, CoarseWindow.zw);
+  ivec2 known = clamp(pixel, ivec2(0), CoarseLastPixel);
+  ivec2 inside = clamp(known, CoarseWindow.xy, CoarseWindow.zw);
 #ifdef COMPUTE_IMAGES
   uvec2 coarse = texelFetch(Coarse, inside.y * CoarseWidth + inside.x).xy;
 #else
   uvec2 coarse = texelFetch(Coarse, inside, 0).xy;
 #endif
-  return inside == pixel ? coarse : uvec2(NoDepth, 0u);
+  return inside == known ? coarse : uvec2(NoDepth, 0u);
 }
 
 // coarse: the four pixels about this one, its own, that at the side, that above or below, that

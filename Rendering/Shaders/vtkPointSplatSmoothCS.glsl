@@ -9,7 +9,6 @@
 #include "vtkPointSplatFetch"
 #include "vtkPointSplatStripsCS"
 #include "vtkPointSplatFilled"
-#include "vtkPointSplatMasks"
 #include "vtkPointSplatSmoothing"
 
 layout(std430, binding = 0) writeonly buffer Result { uvec4 result[]; };
@@ -45,7 +44,7 @@ void smoothInto(ivec2 pixel, Sum mean, Sum ring[8])
   }
   uvec4 texel;
   uint factors;
-  smoothPixel(pixel, ray, mean, Sum[4](ring[0], ring[2], ring[4], ring[6]), texel, factors);
+  smoothPixel(ray, mean, Sum[4](ring[0], ring[2], ring[4], ring[6]), texel, factors);
   if (pixel.x <= FilledWindow.z)
   {
     result[pixelIndex(pixel)] = texel;

@@ -32,7 +32,7 @@ void main()
     addNeighbour(mean, own, fetchSum(pixel + Ring[2 * k + 1]), 1.0, range);
   }
   uint factors;
-  smoothPixel(pixel, ray, mean, beside, texel, factors);
+  smoothPixel(ray, mean, beside, texel, factors);
 #ifdef FACTORS
   factorTexel = factors;
 #endif

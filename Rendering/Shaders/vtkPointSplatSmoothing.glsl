@@ -100,16 +100,14 @@ void scaleSum(inout Sum s, float factor)
 }
 
 // Silhouettes are where the Laplacian of the linear depth, which vanishes on any plane, is large.
-// Of what is beyond the window nothing is known.
-bool isSilhouette(uint own, Sum beside[4], ivec2 pixel)
+bool isSilhouette(uint own, Sum beside[4])
 {
   float depth = decodeDepth(own);
   float laplacian = 0.0;
   for (int k = 0; k < 4; ++k)
   {
     uint code = beside[k].code;
-    float beyond = code == NoDepth ? 3e37 : decodeDepth(code);
-    laplacian += isOutside(pixel + Ring[2 * k]) ? 0.0 : beyond - depth;
+    laplacian += (code == NoDepth ? 3e37 : decodeDepth(code)) - depth;
   }
   uint slot = uint(slotOf(own));
   // DepthUnit is five times the least layer distance.
@@ -125,8 +123,8 @@ vec3 seenNormal(Sum s, vec3 ray)
   return n * (dot(n, ray) > 0.0 ? -bright : bright);
 }
 
-// own: the pixel's sum as it was; mean: smoothed; beside: the sums of Ring[0, 2, 4, 6].
-void smoothPixel(ivec2 pixel, vec3 ray, Sum mean, Sum beside[4], out uvec4 texel, out uint factors)
+// mean: smoothed; beside: the sums of Ring[0, 2, 4, 6].
+void smoothPixel(vec3 ray, Sum mean, Sum beside[4], out uvec4 texel, out uint factors)
 {
   bool empty = !(mean.weight > 0.0);
   vec4 n = empty ? vec4(0.0, 0.0, 1.0, 0.0) : mean.normalAndBehind / mean.weight;
@@ -138,11 +136,11 @@ void smoothPixel(ivec2 pixel, vec3 ray, Sum mean, Sum beside[4], out uvec4 texel
 #ifdef FACTORS
   vec4 lit = empty ? vec4(1.0) : mean.factors / mean.weight;
 #endif
-  bool silhouette = isSilhouette(mean.code, beside, pixel);
+  bool silhouette = isSilhouette(mean.code, beside);
   Sum beyond = mean;
   for (int k = 0; k < 4; ++k)
   {
-    if (beside[k].code > beyond.code && !isOutside(pixel + Ring[2 * k]))
+    if (beside[k].code > beyond.code)
     {
       beyond = beside[k];
     }

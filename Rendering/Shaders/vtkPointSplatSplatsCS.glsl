@@ -127,12 +127,13 @@ void drawSplats(float reach, float least)
     }
     return;
   }
-  for (int y = q.box.y; y <= q.box.w; ++y)
+  // One loop, not two: invocations that go in lockstep would wait for the widest box in
+  // each row of the highest.
+  for (ivec2 pixel = q.box.xy; pixel.y <= q.box.w;)
   {
-    for (int x = q.box.x; x <= q.box.z; ++x)
-    {
-      drawPixel(q, index, ivec2(x, y));
-    }
+    drawPixel(q, index, pixel);
+    bool last = pixel.x == q.box.z;
+    pixel = last ? ivec2(q.box.x, pixel.y + 1) : pixel + ivec2(1, 0);
   }
 #ifdef PEELING
   if (ListNext && isLeft)

@@ -363,6 +363,38 @@ void TestHoles(Checks& checks)
   }
 }
 
+void TestHolesAtBorder(Checks& checks)
+{
+  // Close up, the surface fills the window: no pixel may show the background, not even in its
+  // corners, five of whose eight neighbours lie outside.
+  for (const double zoom : { 2.5, 3.5, 5.0 })
+  {
+    for (const int projection : { vtkPointSplatMapper::COMPUTE, vtkPointSplatMapper::QUADS })
+    {
+      Window window;
+      vtkNew<vtkPointSplatMapper> mapper;
+      mapper->SetMethodToImageSpace();
+      mapper->SetProjection(projection);
+      mapper->SetInputData(RandomSphere(40000));
+      window.Add(mapper);
+      window.Renderer->ResetCamera();
+      window.Renderer->GetActiveCamera()->Zoom(zoom);
+      const Picture picture = window.Draw();
+      int holes = 0;
+      for (int y = 0; y < Size; ++y)
+      {
+        for (int x = 0; x < Size; ++x)
+        {
+          holes += picture.IsBackground(x, y);
+        }
+      }
+      checks.AtMost(holes, 0,
+        "holes at the window's border, points " + std::to_string(mapper->GetProjectedSpacing()) +
+          " pixels apart");
+    }
+  }
+}
+
 //------------------------------------------------------------------------------
 void TestLayers(Checks& checks)
 {
@@ -492,6 +524,7 @@ int TestSplatsImageSpace(int, char*[])
   TestProjections(checks);
   TestLikeMesh(checks);
   TestHoles(checks);
+  TestHolesAtBorder(checks);
   TestLayers(checks);
   TestNothingEstimated(checks);
   return checks.Result();
