@@ -66,10 +66,15 @@ size_t vtkPointSplatBudget::Choose(
   else
   {
     this->Rung = static_cast<size_t>(last - this->Rungs.begin());
-    const int step = frame == this->Frame                                 ? 0
-      : this->TooLong >= 2 && this->Rung + 1 < ladder.size() ? 1
-      : this->Promising >= Patience && this->Rung > 0                     ? -1
-                                                                          : 0;
+    int step = 0;
+    if (frame != this->Frame && this->TooLong >= 2 && this->Rung + 1 < ladder.size())
+    {
+      step = 1;
+    }
+    else if (frame != this->Frame && this->Promising >= Patience && this->Rung > 0)
+    {
+      step = -1;
+    }
     if (step > 0)
     {
       this->All[this->Rungs[this->Rung]].Reference = 0.0;
@@ -88,8 +93,7 @@ size_t vtkPointSplatBudget::Choose(
   this->Dragging = true;
   const double best = this->All[this->Rungs[0]].Seconds;
   ladder[this->Rung].BudgetReason = "a frame may take " + Milliseconds(seconds) +
-    (this->Rung > 0 ? ", full quality took " + Milliseconds(best)
-                    : ", which full quality keeps to, as far as is known");
+    (best > 0.0 ? ", full quality took " + Milliseconds(best) : "");
   return this->Rung;
 }
 

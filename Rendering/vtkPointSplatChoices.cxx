@@ -142,7 +142,8 @@ bool PrefersSorting(const vtkPointSplatSceneFacts& facts, double tolerance)
 {
   // Grouping takes about as long as ten frames.
   const bool affordable = facts.Grouped || facts.Tolerance == 0.0;
-  return facts.Translucent && facts.Sortable && !facts.Refracts && affordable && tolerance >= SortedError &&
+  return facts.Translucent && facts.Sortable && !facts.Refracts && affordable &&
+    tolerance >= SortedError &&
     facts.Transparency == vtkPointSplatMapper::AUTOMATIC_TRANSPARENCY &&
     facts.Depth >= LeastDepthToSort &&
     PixelsPerSortedSplat * facts.Splats < facts.Pixels * (2.0 * facts.Depth + 4.0);
@@ -192,8 +193,8 @@ void ChooseMethod(
   }
   why += why.empty() ? "" : "; ";
   why += known && tolerance > vtkPointSplatChoices::FullQuality
-    ? "in image space points " + Number(facts.SpacingPixels) + " pixels apart would have an error of " +
-      Number(error) + ", and the target is " + vtkPointSplatChoices::Text(tolerance)
+    ? "in image space points " + Number(facts.SpacingPixels) +
+      " pixels apart would have an error of " + Number(error) + ", and the target is " + vtkPointSplatChoices::Text(tolerance)
     : "no faster one has an error within " + vtkPointSplatChoices::Text(tolerance);
 }
 

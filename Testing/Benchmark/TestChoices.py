@@ -30,7 +30,7 @@ class TestChoices(unittest.TestCase):
 
     def test_opaque(self):
         """Image space takes a fifth of the time of two passes here."""
-        rows = self.chosen(torus_scene(), 160000, 256, choosing.OPAQUE[:1], runs=5)
+        rows = self.chosen(torus_scene(), 160000, 256, choosing.OPAQUE[:1], runs=3)
         best, full, _, rough = rows
         self.assertEqual([row["did"][0] for row in (full, rough)], ["two-pass", "image-space"])
         self.assertLess(rough["ms"], 0.67 * best["ms"])
@@ -41,12 +41,12 @@ class TestChoices(unittest.TestCase):
 
     def test_translucent(self):
         """Sorting takes a quarter of the time of peeling 15 layers."""
-        rows = self.chosen(spheres_scene(8, 0.2), 20000, 256, choosing.TRANSLUCENT[:1], runs=3)
+        rows = self.chosen(spheres_scene(8, 0.2), 16000, 192, choosing.TRANSLUCENT[:1], runs=3)
         best, full, fair, rough = rows
         self.assertEqual([row["did"][2] for row in (full, fair, rough)],
                          ["peeling", "peeling", "sorted"])
         self.assertLess(rough["ms"], 0.67 * best["ms"])
-        self.chosen(orbital_scene((0.3, 0.5, 1.0), "orbital"), 40000, 128,
+        self.chosen(orbital_scene((0.3, 0.5, 1.0), "orbital"), 20000, 128,
                     choosing.TRANSLUCENT[:1])
 
     def test_shadows(self):
