@@ -309,7 +309,13 @@ std::vector<vtkPointSplatChoice> vtkPointSplatChoices::Ladder(vtkPointSplatScene
   {
     facts.Tolerance = error;
     vtkPointSplatChoice looser = vtkPointSplatChoices::Make(facts);
-    if (error > facts.TargetError && !looser.IsLike(ladder.back()))
+    // Where peeling ends alone saves little: that is left to the last rung.
+    vtkPointSplatChoice compared = looser;
+    if (error < 1.0)
+    {
+      compared.LeastContribution = ladder.back().LeastContribution;
+    }
+    if (error > facts.TargetError && !compared.IsLike(ladder.back()))
     {
       ladder.push_back(std::move(looser));
     }

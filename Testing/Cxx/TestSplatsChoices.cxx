@@ -302,6 +302,17 @@ void TestBudget(Checks& checks)
     checks.Expect(!ladder[i].IsLike(ladder[i - 1]) && ladder[i].Tolerance > ladder[i - 1].Tolerance,
       "each rung does other work, for a greater error");
   }
+  const std::vector<vtkPointSplatChoice> peeled =
+    vtkPointSplatChoices::Ladder(Translucent(80000, 6, 4.5, 1.0 / 256.0));
+  for (size_t i = 1; i + 1 < peeled.size(); ++i)
+  {
+    checks.Expect(peeled[i].Method != peeled[i - 1].Method ||
+        peeled[i].Transparency != peeled[i - 1].Transparency ||
+        peeled[i].FillSteps != peeled[i - 1].FillSteps,
+      "no rung but the last only for where peeling ends");
+  }
+  checks.Expect(peeled.size() >= 2, "a ladder from peeling");
+
   const auto by = [](double two, double image) {
     return [=](const vtkPointSplatChoice& choice, int) {
       return choice.Method == Mapper::TWO_PASS ? two : image;
