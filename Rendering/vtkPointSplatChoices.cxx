@@ -43,14 +43,17 @@ constexpr double NearestExactError = 0.02;
 // Sorting takes less time than peeling from so many surfaces behind one another on, ...
 constexpr double LeastDepthToSort = 1.5;
 constexpr double LeastDepthForNearestExact = 3.5;
-// ... and less than peeling in image space where a splat costs less than so many pixels of a layer.
+// ... and less than peeling in image space from so many on, where a splat costs less than so many
+// pixels of a layer.
+constexpr double LeastDepthToSortRather = 4.0;
 constexpr double PixelsPerSortedSplat = 16.0;
 // Peeling draws more than this even where time is short.
 constexpr double MostContribution = 1.0 / 8.0;
 
-// Of shadow factors by one jittered sample, against many; n samples have it over the root of n
-// (TestPointShadowTexture).
-constexpr double ShadowSampleError = 0.045;
+// Of one jittered sample of an area light, against many; n samples have it over the root of n. It is
+// half the mean error of shadow factors (TestPointShadowTexture), and twice that of the
+// benchmark's picture.
+constexpr double ShadowSampleError = 0.02;
 
 std::string Number(double value)
 {
@@ -145,7 +148,7 @@ bool PrefersSorting(const vtkPointSplatSceneFacts& facts, double tolerance)
   return facts.Translucent && facts.Sortable && !facts.Refracts && affordable &&
     tolerance >= SortedError &&
     facts.Transparency == vtkPointSplatMapper::AUTOMATIC_TRANSPARENCY &&
-    facts.Depth >= LeastDepthToSort &&
+    facts.Depth >= LeastDepthToSortRather &&
     PixelsPerSortedSplat * facts.Splats < facts.Pixels * (2.0 * facts.Depth + 4.0);
 }
 
@@ -194,7 +197,8 @@ void ChooseMethod(
   why += why.empty() ? "" : "; ";
   why += known && tolerance > vtkPointSplatChoices::FullQuality
     ? "in image space points " + Number(facts.SpacingPixels) +
-      " pixels apart would have an error of " + Number(error) + ", and the target is " + vtkPointSplatChoices::Text(tolerance)
+      " pixels apart would have an error of " + Number(error) + ", and the target is " +
+      vtkPointSplatChoices::Text(tolerance)
     : "no faster one has an error within " + vtkPointSplatChoices::Text(tolerance);
 }
 

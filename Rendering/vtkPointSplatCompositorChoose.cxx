@@ -105,7 +105,8 @@ vtkPointSplatSceneFacts vtkPointSplatCompositor::Describe(vtkRenderer* renderer,
   {
     // To find it takes a pass over the points, once: only where it can matter.
     if (entry.Mapper->GetMethod() == vtkPointSplatMapper::IMAGE_SPACE ||
-      (facts.AllAutomatic && (hurried || facts.TargetError > vtkPointSplatChoices::FullQuality)))
+      ((facts.AllAutomatic || translucent) &&
+        (hurried || facts.TargetError > vtkPointSplatChoices::FullQuality)))
     {
       const double pixels = entry.Mapper->FindSpacing(view, entry.Item).Pixels;
       facts.SpacingPixels = std::max(facts.SpacingPixels, pixels);

@@ -52,7 +52,7 @@ class TestChoices(unittest.TestCase):
     def test_shadows(self):
         rows = self.chosen(shadow_scene(), 4000, 128, choosing.SHADED[:1],
                            choosing.shadows(choosing.SAMPLES))
-        self.assertEqual([row["did"][4] for row in rows], [16, 16, 9, 1])
+        self.assertEqual([row["did"][4] for row in rows], [16, 16, 2, 1])
 
     def test_verdict(self):
         """The fastest that keeps to the target counts; doing the same is no miss."""

@@ -256,8 +256,9 @@ void TestShadowSamples(Checks& checks)
     return vtkPointSplatChoices::ShadowSamples(wanted, 1, interacting, error, reason);
   };
   checks.Expect(samples(1000, false, 1.0 / 256.0) == 1000, "full quality takes all samples");
-  checks.Expect(samples(16, false, 1.0 / 64.0) == 9, "samples for 1/64");
-  checks.Expect(samples(4, false, 1.0 / 64.0) == 4, "no more than were asked for");
+  checks.Expect(samples(16, false, 1.0 / 64.0) == 2, "samples for 1/64");
+  checks.Expect(samples(16, false, 1.0 / 128.0) == 7, "samples for 1/128");
+  checks.Expect(samples(4, false, 1.0 / 128.0) == 4, "no more than were asked for");
   checks.Expect(samples(16, false, 1.0 / 16.0) == 1, "samples for 1/16");
   checks.Expect(samples(16, true, 1.0 / 256.0) == 1, "samples while dragging");
 }

@@ -97,7 +97,8 @@ def did(drawing):
     """What the mapper says it did."""
     mapper = drawing.mappers[0]
     return (mapper.GetMethodUsed(), mapper.GetProjectionUsed(), mapper.GetTransparencyUsed(),
-            mapper.GetNumberOfFillSteps(), mapper.GetNumberOfShadowSamplesUsed())
+            mapper.GetNumberOfFillSteps(), mapper.GetNumberOfShadowSamplesUsed(),
+            mapper.GetNumberOfLayersDrawn())
 
 
 def measured(scene, cloud, size, settings, runs, on_processor=True):
@@ -168,7 +169,7 @@ def main(folder, only=None, runs=5):
         for verdict in verdicts:
             fastest, chosen = verdict["fastest"], verdict["chosen"]
             note = ("miss" if verdict["miss"] else "") + ("" if verdict["kept"] else " error")
-            what = ", ".join(str(one) for one in chosen["did"] if one not in (0, "none"))
+            what = ", ".join(str(one) for one in chosen["did"][:-1] if one not in (0, "none"))
             lines.append(
                 f"| {scene.name} | {cloud.points} | {size} | 1/{round(1 / verdict['target'])} "
                 f"| {fastest['setting']} | {fastest['ms']:.0f} | {what} | {chosen['ms']:.0f} "
