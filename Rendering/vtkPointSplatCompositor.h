@@ -18,6 +18,7 @@
 #ifndef vtkPointSplatCompositor_h
 #define vtkPointSplatCompositor_h
 
+#include "vtkPointSplatChoices.h"
 #include "vtkPointSplatContext.h"
 #include "vtkPointSplatEnvironment.h"
 #include "vtkPointSplatFlat.h"
@@ -78,8 +79,11 @@ public:
   int GetNumberOfLayers() const { return this->Last ? this->Last->GetNumberOfLayers() : 0; }
   ///@}
 
-  /// Why two passes were taken where deferred blending was asked for; else empty.
-  const std::string& GetMethodReason() const { return this->MethodReason; }
+  /// What the last call of Present() did, and why.
+  const vtkPointSplatChoice& GetChoice() const { return this->Choice; }
+
+  /// Whether the user drags: the window wants frames faster than at rest.
+  static bool IsInteracting(vtkRenderer* renderer);
 
   /// Whether there is something to refract, where a mapper of the last call of Present() wanted it.
   bool HasEnvironment() const { return this->HasPreparedEnvironment; }
@@ -102,16 +106,22 @@ private:
   /// A splat actor that draws nothing, and so is in nobody's way.
   static bool IsWithoutSplats(vtkProp* prop);
   static std::vector<Entry> Collect(vtkRenderer* renderer, bool translucent);
-  bool WantsCompute(vtkOpenGLRenderWindow* window, const std::vector<Entry>& entries,
-    const glm::ivec2& size) const;
-  bool WantsDeferred(
-    const std::vector<Entry>& entries, const glm::ivec2& size, bool compute);
+  /// Seconds that VTK allots to these actors together; 0 at rest.
+  static double AllocatedSeconds(vtkRenderer* renderer, const std::vector<Entry>& entries);
+  /// hurried: time may be short, so that all is to be known.
+  vtkPointSplatSceneFacts Describe(vtkRenderer* renderer, const vtkPointSplatView& view,
+    const std::vector<Entry>& entries, bool translucent, bool flat, bool hurried) const;
+  void Choose(vtkRenderer* renderer, const vtkPointSplatView& view,
+    const std::vector<Entry>& entries, bool translucent, bool flat, vtkPointSplatLayers& layers);
   void PrepareEnvironment(vtkRenderer* renderer, const std::vector<Entry>& entries);
   GLuint CaptureScene(vtkRenderer* renderer, const vtkPointSplatView& view, bool& failed);
   bool MakeFactors(vtkRenderer* renderer, std::vector<Entry>& entries);
   bool Build(vtkRenderer* renderer, const vtkPointSplatView& view, std::vector<Entry>& entries,
     bool translucent, vtkPointSplatLayers& layers, bool& flat,
     vtkPointSplatFlat::SortedLayers& sorted);
+  bool BuildAndPresent(vtkRenderer* renderer, vtkActor* actor, vtkPointSplatMapper* mapper,
+    const vtkPointSplatView& view, std::vector<Entry>& entries, size_t own, bool joint, bool flat,
+    bool& isSorted, vtkPointSplatLayers& layers);
   bool PresentTranslucent(vtkRenderer* renderer, vtkActor* actor, vtkPointSplatMapper* mapper,
     const vtkPointSplatView& view, const std::vector<Entry>& entries, bool joint, bool flat,
     vtkPointSplatFlat::SortedLayers sorted, vtkPointSplatLayers& layers);
@@ -139,7 +149,7 @@ private:
   vtkWeakPointer<vtkWindow> Window; // whose context the resources belong to
   vtkPointSplatContext Context;     // and that context
   std::string Error;
-  std::string MethodReason;
+  vtkPointSplatChoice Choice;
 
   // Frames are counted as the renderer starts them: what depends on the whole scene, its depth
   // and its lights, is made once in each.

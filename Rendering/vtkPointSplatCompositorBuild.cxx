@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Of the compositor: which actors make layers, by what method, and what is asked of the stages.
+// Of the compositor: which actors make layers, and what is asked of the stages.
 #include "vtkPointSplatCompositor.h"
 
 #include "vtkActor.h"
@@ -13,16 +13,6 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
-
-namespace
-{
-// One pass by quads beats two of them where there are this many splats a pixel of the
-// viewport; compute shaders beat both (Testing/Benchmark/deferred_benchmark.py).
-constexpr double LeastSplatsPerPixel = 0.75;
-
-// Points at most this far apart, in pixels, leave holes of single pixels only.
-constexpr double OneStepPixels = 0.5;
-}
 
 //------------------------------------------------------------------------------
 std::vector<vtkPointSplatCompositor::Entry> vtkPointSplatCompositor::Collect(
@@ -52,60 +42,6 @@ std::vector<vtkPointSplatCompositor::Entry> vtkPointSplatCompositor::Collect(
     entries.push_back(entry);
   }
   return entries;
-}
-
-//------------------------------------------------------------------------------
-bool vtkPointSplatCompositor::WantsCompute(vtkOpenGLRenderWindow* window,
-  const std::vector<Entry>& entries, const glm::ivec2& size) const
-{
-  // All items share the images, so that one mapper's wish for quads decides.
-  for (const Entry& entry : entries)
-  {
-    if (entry.Mapper->GetProjection() == vtkPointSplatMapper::QUADS)
-    {
-      return false;
-    }
-  }
-  return vtkPointSplatStages::ComputeSupported(window) && vtkPointSplatImages::FitCompute(size);
-}
-
-//------------------------------------------------------------------------------
-bool vtkPointSplatCompositor::WantsDeferred(
-  const std::vector<Entry>& entries, const glm::ivec2& size, bool compute)
-{
-  this->MethodReason.clear();
-  bool wanted = false;
-  bool automatic = true;
-  vtkIdType bytes = 0;
-  vtkIdType splats = 0;
-  for (const Entry& entry : entries)
-  {
-    wanted = wanted || entry.Mapper->GetMethod() == vtkPointSplatMapper::DEFERRED;
-    automatic = automatic && entry.Mapper->GetMethod() == vtkPointSplatMapper::AUTOMATIC_METHOD;
-    bytes = std::max(bytes, entry.Mapper->GetMaximumImageMemory());
-    splats += entry.Mapper->GetNumberOfSplats();
-  }
-  wanted = wanted ||
-    (automatic && !compute &&
-      splats > LeastSplatsPerPixel * size.x * static_cast<double>(size.y));
-  int groups = 0;
-  for (const Entry& entry : entries)
-  {
-    if (wanted && !entry.Mapper->MakeGroups())
-    {
-      this->MethodReason = "the splats cannot be grouped.";
-      return false;
-    }
-    groups = std::max(groups, entry.Mapper->GetNumberOfGroups());
-  }
-  if (wanted && !vtkPointSplatDeferred::Fits(size, groups, bytes))
-  {
-    this->MethodReason = "images for " + std::to_string(groups) + " groups of " +
-      std::to_string(size.x) + " x " + std::to_string(size.y) +
-      " pixels are more than MaximumImageMemory or the hardware allows; lower OverlapFactor.";
-    return false;
-  }
-  return wanted;
 }
 
 //------------------------------------------------------------------------------
@@ -177,7 +113,8 @@ bool vtkPointSplatCompositor::MakeFactors(vtkRenderer* renderer, std::vector<Ent
   {
     computed = computed || entry.Mapper->GetShadows();
   }
-  if (computed && !this->Shadows.Update(renderer))
+  if (computed &&
+    !this->Shadows.Update(renderer, vtkPointSplatCompositor::IsInteracting(renderer)))
   {
     this->Error = this->Shadows.GetError();
     return false;
@@ -211,65 +148,42 @@ bool vtkPointSplatCompositor::Build(vtkRenderer* renderer, const vtkPointSplatVi
   auto window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkPointSplatLayersRequest request;
   request.View = view;
-  request.Compute = this->WantsCompute(window, entries, view.Size);
   bool voronoi = true;
-  bool refracts = false;
   double layer = 0.0;
   int slot = 0;
   if (translucent)
   {
-    request.MaximumLayers = 1;
-    request.LeastOpacity = 1.0;
-  }
-  sorted = vtkPointSplatFlat::None;
-  bool points = false;
-  for (const Entry& entry : entries)
-  {
-    points = points || entry.Mapper->GetMethod() == vtkPointSplatMapper::IMAGE_SPACE;
-  }
-  for (const Entry& entry : entries)
-  {
-    const int wanted = entry.Mapper->GetTransparency();
-    if (translucent && flat && sorted == vtkPointSplatFlat::None)
-    {
-      sorted = wanted == vtkPointSplatMapper::SORTED ? vtkPointSplatFlat::All
-        : wanted == vtkPointSplatMapper::NEAREST_EXACT ? vtkPointSplatFlat::AllButNearest
-                                                       : vtkPointSplatFlat::None;
-    }
-  }
-  bool failed = false;
-  if (translucent)
-  {
+    bool failed = false;
     request.SceneDepth = this->CaptureScene(renderer, view, failed);
     request.Frame = this->Frame;
+    request.LeastOpacity = 1.0;
     flat = flat && !failed;
-    // Points that are projected as single pixels have no extent to be sorted with.
-    sorted = flat && !points ? sorted : vtkPointSplatFlat::None;
   }
-  const bool deferred =
-    !translucent && !points && this->WantsDeferred(entries, view.Size, request.Compute);
-  request.Compute = request.Compute && !deferred;
+  this->Choose(renderer, view, entries, translucent, flat, layers);
+  const vtkPointSplatChoice& choice = this->Choice;
+  sorted = !translucent || choice.Transparency == vtkPointSplatMapper::PEELING
+    ? vtkPointSplatFlat::None
+    : choice.Transparency == vtkPointSplatMapper::SORTED ? vtkPointSplatFlat::All
+                                                         : vtkPointSplatFlat::AllButNearest;
+  const bool deferred = choice.Method == vtkPointSplatMapper::DEFERRED;
+  request.Compute = choice.Compute;
+  request.MaximumLayers = choice.MaximumLayers;
+  request.LeastContribution = choice.LeastContribution;
+  request.FillSteps = choice.FillSteps;
   for (Entry& entry : entries)
   {
     vtkPointSplatMapper* mapper = entry.Mapper;
     entry.Item.Slot = slot++;
-    const double scale =
-      sorted != vtkPointSplatFlat::None ? mapper->MakeCoveringGroups() : 1.0;
-    mapper->FillItem(entry.Actor, view, entry.Item);
+    entry.Item.CoveringScale =
+      sorted != vtkPointSplatFlat::None ? mapper->MakeCoveringGroups(choice) : 1.0;
+    mapper->FillItem(entry.Actor, view, choice, entry.Item);
     entry.Item.Refracts = mapper->GetRefraction() && this->Resolve.GetEnvironment();
-    refracts = refracts || entry.Item.Refracts;
-    entry.Item.CoveringScale = scale;
     layer = std::max(layer, entry.Item.LargestLayer);
     voronoi = voronoi && mapper->GetVoronoiDepth();
-    if (entry.Item.Points)
-    {
-      request.FillSteps = std::max(request.FillSteps,
-        entry.Item.SpacingPixels > OneStepPixels ? mapper->GetMaximumNumberOfFillSteps() : 1);
-    }
     if (translucent)
     {
-      request.MaximumLayers = std::max(request.MaximumLayers, mapper->GetMaximumNumberOfLayers());
-      request.Gather = request.Gather || mapper->GetGatherRemaining();
+      request.Gather =
+        request.Gather || (sorted == vtkPointSplatFlat::None && mapper->GetGatherRemaining());
       request.MaximumMemory = std::max(request.MaximumMemory, mapper->GetMaximumImageMemory());
       // Points with opacities of their own may let all light through.
       request.LeastOpacity = std::min(request.LeastOpacity,
@@ -288,12 +202,6 @@ bool vtkPointSplatCompositor::Build(vtkRenderer* renderer, const vtkPointSplatVi
   }
   layer = std::min(layer, view.Far - view.Near);
   request.VoronoiScale = !deferred ? -1.0f : voronoi ? static_cast<float>(layer) : 0.0f;
-  if (sorted != vtkPointSplatFlat::None)
-  {
-    // What the nearest layer reflects and refracts needs it, sorted or not.
-    request.MaximumLayers = sorted == vtkPointSplatFlat::All && !refracts ? 0 : 1;
-    request.Gather = false;
-  }
   this->Last = &layers;
   if (!layers.Build(window, std::move(request), this->Stages))
   {

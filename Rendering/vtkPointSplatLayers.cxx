@@ -7,19 +7,14 @@
 #include <algorithm>
 #include <cmath>
 
-namespace
-{
-// What changes no pixel of 8 bits.
-constexpr double LeastContribution = 1.0 / 256.0;
-}
-
 //------------------------------------------------------------------------------
 bool vtkPointSplatLayersRequest::operator==(const vtkPointSplatLayersRequest& other) const
 {
   return this->View == other.View && this->Items == other.Items &&
     this->CloudTimes == other.CloudTimes && this->Compute == other.Compute &&
-    this->VoronoiScale == other.VoronoiScale && this->FillSteps == other.FillSteps && this->MaximumLayers == other.MaximumLayers &&
-    this->Gather == other.Gather && this->LeastOpacity == other.LeastOpacity &&
+    this->VoronoiScale == other.VoronoiScale && this->FillSteps == other.FillSteps &&
+    this->MaximumLayers == other.MaximumLayers &&
+    this->LeastContribution == other.LeastContribution && this->Gather == other.Gather && this->LeastOpacity == other.LeastOpacity &&
     this->MaximumMemory == other.MaximumMemory && this->SceneDepth == other.SceneDepth &&
     (this->SceneDepth == 0 || this->Frame == other.Frame);
 }
@@ -53,7 +48,7 @@ bool vtkPointSplatLayers::Build(vtkOpenGLRenderWindow* window,
 
   double remaining = 1.0; // of the light behind the layers so far, at most
   bool empty = false;
-  while (this->Count < this->Request.MaximumLayers && remaining >= LeastContribution)
+  while (this->Count < this->Request.MaximumLayers && remaining >= this->Request.LeastContribution)
   {
     if (this->Count > 0 && this->Request.MaximumMemory > 0 &&
       this->GetMemorySize() / this->Count * (this->Count + 1) > this->Request.MaximumMemory)

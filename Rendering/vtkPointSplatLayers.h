@@ -6,11 +6,12 @@
 // Opaque items have one layer. Translucent ones are peeled (Guennebaud, Barthe, Paulin 2006,
 // section 6; Dobrev, Rosenthal, Linsen 2010, sections 4 and 5): each layer is reconstructed in
 // full quality before the next begins, of what lies behind it and does not belong to it. It
-// ends when a layer is empty, when what is left could change no pixel by 1/256, or at the
-// most layers that are wanted; of these the last may gather all that is left.
+// ends when a layer is empty, when what is left could change no pixel by more than is wanted, or at
+// the most layers that are wanted; of these the last may gather all that is left.
 #ifndef vtkPointSplatLayers_h
 #define vtkPointSplatLayers_h
 
+#include "vtkPointSplatBudget.h"
 #include "vtkPointSplatDeferred.h"
 #include "vtkPointSplatFill.h"
 #include "vtkPointSplatImages.h"
@@ -29,6 +30,7 @@ struct vtkPointSplatLayersRequest
   bool Compute = true;
   float VoronoiScale = -1.0f;  // of deferred blending, world units; negative: two passes
   int MaximumLayers = 1;
+  double LeastContribution = 1.0 / 256.0; // peeling ends where less of the light is left
   bool Gather = false;         // the last layer takes all that is left
   int FillSteps = 0;           // most steps of filling; 0: no item is projected as points
   double LeastOpacity = 1.0;   // of any item
@@ -68,6 +70,8 @@ public:
   {
     return this->Request.Gather && layer == this->Request.MaximumLayers - 1;
   }
+  /// What these layers take by which choice.
+  vtkPointSplatBudget& GetBudget() { return this->Budget; }
   /// Counts how often layers were made: what is derived from them is right while this stays.
   unsigned long GetGeneration() const { return this->Generation; }
   /// Steps that the last layer's filling took.
@@ -82,6 +86,7 @@ public:
 private:
   bool BuildLayer(vtkOpenGLRenderWindow* window, vtkPointSplatStages& stages, bool& empty);
 
+  vtkPointSplatBudget Budget;
   vtkPointSplatDeferred Deferred;
   vtkPointSplatImages Projected; // before it is filled
   vtkPointSplatFill Fill;

@@ -26,6 +26,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -34,24 +35,20 @@ vtkStandardNewMacro(vtkPointSplatMapper);
 
 namespace
 {
-// The automatic layer distance, as a fraction of each splat's radius. Disks that
-// cover a smooth surface stay much nearer to it than this; on rough ones they do not,
-// and a narrower distance leaves neighbours out of the mean.
-constexpr double LayerFraction = 1.0;
-
-// Groups for sorted transparency: four, as Zhang and Pajarola 2006 found enough (section 6.2),
-// whose splats grow by about this much until each group covers the surface, as
-// vtkPointSplatGrouping's equation 9 finds it on scans and tori (1.9 to 2.2).
-constexpr int CoveringGroups = 4;
-constexpr double CoveringScale = 2.0;
-
 // As many as the shaders take; VTK's own mappers take six.
 constexpr int MaximumClipPlanes = 6;
 
-// The automatic layer distance of points that are projected as single pixels, if it is more than
-// their spacing: within a pixel points of one surface lie up to 1.4 pixels' width apart along the
-// normal, and as much again where the pixel was filled from a neighbour's depth.
-constexpr double PointLayerPixels = 3.0;
+/// How much a matrix stretches, at most.
+double Stretch(const glm::dmat4& matrix)
+{
+  const glm::dmat3 linear(matrix);
+  double sum = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    sum += glm::dot(linear[k], linear[k]);
+  }
+  return std::sqrt(sum);
+}
 }
 
 struct vtkPointSplatMapper::vtkInternals
@@ -61,7 +58,7 @@ struct vtkPointSplatMapper::vtkInternals
   {
     vtkWeakPointer<vtkRenderer> Renderer;
     std::string Error;
-    std::string MethodReason;
+    bool Refused = false;       // deferred blending, and still so
     bool NoEnvironment = false; // and still there is none
   };
   /// A mapper may be drawn by several renderers in turn, of which each has reasons of its own.
@@ -86,13 +83,16 @@ struct vtkPointSplatMapper::vtkInternals
   bool WarnedOfClipPlanes = false;
   const char* ProjectionUsed = "none"; // by the last frame
   const char* MethodUsed = "none";
-  std::string MethodReason;
+  vtkPointSplatChoice Choice;
+  std::string Choices;
+  bool Points = false; // drawn in image space
   int LayersDrawn = 0;
   int FillSteps = 0;
   double ProjectedSpacing = 0.0;
   vtkIdType PointsProjected = 0;
   const char* TransparencyUsed = "none";
   int ShadowSamplesUsed = 0;
+  std::string ShadowReason;
   unsigned long ShadowUpdates = 0;
 };
 
@@ -212,24 +212,23 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
     vtkErrorMacro("OpenGL cannot draw the splats: " << told.Error);
   }
   this->Internals->ProjectionUsed = compositor->IsCompute() ? "compute" : "quads";
+  this->Internals->Choice = compositor->GetChoice();
   this->Internals->MethodUsed = compositor->IsDeferred() ? "deferred"
-    : this->Method == IMAGE_SPACE                             ? "image-space"
-                                                              : "two-pass";
+    : this->Internals->Points                             ? "image-space"
+                                                          : "two-pass";
   this->Internals->FillSteps = compositor->GetNumberOfFillSteps();
   this->Internals->LayersDrawn = compositor->GetNumberOfLayers();
   this->Internals->TransparencyUsed = compositor->GetTransparencyUsed();
   this->Internals->ShadowSamplesUsed =
     this->Shadows ? compositor->GetShadows().GetSamplesUsed() : 0;
+  this->Internals->ShadowReason = compositor->GetShadows().GetSamplesReason();
   this->Internals->ShadowUpdates = compositor->GetShadows().GetNumberOfUpdates();
-  this->Internals->MethodReason = compositor->GetMethodReason();
-  if (told.MethodReason != this->Internals->MethodReason)
+  const bool refused = this->Method == DEFERRED && this->Internals->Choice.Refused;
+  if (refused && !told.Refused)
   {
-    told.MethodReason = this->Internals->MethodReason;
-    if (this->Method == DEFERRED && !told.MethodReason.empty())
-    {
-      vtkWarningMacro("Two passes instead of deferred blending: " << told.MethodReason);
-    }
+    vtkWarningMacro("Two passes instead of deferred blending: " << this->GetMethodReason() << ".");
   }
+  told.Refused = refused;
   const bool noEnvironment =
     this->Refraction && !renderer->GetSelector() && !compositor->HasEnvironment();
   if (noEnvironment && !told.NoEnvironment)
@@ -245,8 +244,21 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatMapper::FillItem(
-  vtkActor* actor, const vtkPointSplatView& view, vtkPointSplatItem& item)
+vtkPointSplatSpacing vtkPointSplatMapper::FindSpacing(
+  const vtkPointSplatView& view, const vtkPointSplatItem& item)
+{
+  vtkPointSplatCloud& cloud = this->Internals->Cloud;
+  const glm::dvec2 pixels = view.PixelSizes(item.MCWC, cloud.GetBounds().data());
+  vtkPointSplatSpacing spacing;
+  spacing.World = Stretch(item.MCWC) / std::sqrt(3.0) * cloud.GetSpacing();
+  spacing.Pixels = spacing.World / pixels.x;
+  spacing.LargestPixel = pixels.y;
+  return spacing;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatMapper::FillItem(vtkActor* actor, const vtkPointSplatView& view,
+  const vtkPointSplatChoice& choice, vtkPointSplatItem& item)
 {
   vtkPointSplatCloud& cloud = this->Internals->Cloud;
   item.Cloud = &cloud;
@@ -254,36 +266,31 @@ void vtkPointSplatMapper::FillItem(
   item.Culling =
     (property->GetBackfaceCulling() ? 1 : 0) | (property->GetFrontfaceCulling() ? 2 : 0);
   item.RadiusScale = this->RadiusScale;
-  // How much the actor's matrix stretches, at most.
-  const glm::dmat3 linear(item.MCWC);
-  double stretch = 0.0;
-  for (int k = 0; k < 3; ++k)
-  {
-    stretch += glm::dot(linear[k], linear[k]);
-  }
-  stretch = std::sqrt(stretch);
+  const double stretch = Stretch(item.MCWC);
   const double largest = stretch * this->RadiusScale * cloud.GetMaximumRadius();
-  item.LayerDistance = this->LayerDistance > 0.0 ? this->LayerDistance : -LayerFraction;
+  item.LayerDistance = this->LayerDistance > 0.0 ? this->LayerDistance : -choice.LayerRadii;
   // The unit of depths in the sums; a few splats that are much larger than the
   // others must not coarsen it for all.
   const double common =
     std::min(largest, 1.5 * stretch * this->RadiusScale * cloud.GetMedianRadius());
-  item.LargestLayer = this->LayerDistance > 0.0 ? this->LayerDistance : LayerFraction * common;
+  item.LargestLayer = this->LayerDistance > 0.0 ? this->LayerDistance : choice.LayerRadii * common;
   item.KernelType = this->Kernel;
   item.KernelShape = this->Kernel == GAUSSIAN
     ? glm::vec2(0.5 / (this->KernelSigma * this->KernelSigma), 0.0)
     : glm::vec2(this->PlateauFalloff, this->PlateauExponent);
   item.KernelSupport = this->KernelSupport;
-  if (this->Method == IMAGE_SPACE)
+  item.Points = this->Method == IMAGE_SPACE ||
+    (this->Method == AUTOMATIC_METHOD && choice.Method == IMAGE_SPACE);
+  this->Internals->Points = item.Points;
+  if (item.Points)
   {
-    item.Points = true;
-    const double spacing = stretch / std::sqrt(3.0) * cloud.GetSpacing();
-    const glm::dvec2 pixels = view.PixelSizes(item.MCWC, cloud.GetBounds().data());
-    item.PointLayer = this->LayerDistance > 0.0 ? this->LayerDistance : spacing;
-    item.PointLayerPixels = this->LayerDistance > 0.0 ? 0.0 : PointLayerPixels;
-    item.LargestLayer = std::max(item.PointLayer, item.PointLayerPixels * pixels.y);
-    item.Spacing = spacing;
-    item.SpacingPixels = spacing / pixels.x;
+    const vtkPointSplatSpacing spacing = this->FindSpacing(view, item);
+    item.PointLayer =
+      this->LayerDistance > 0.0 ? this->LayerDistance : choice.LayerSpacings * spacing.World;
+    item.PointLayerPixels = this->LayerDistance > 0.0 ? 0.0 : choice.LayerPixels;
+    item.LargestLayer = std::max(item.PointLayer, item.PointLayerPixels * spacing.LargestPixel);
+    item.Spacing = spacing.World;
+    item.SpacingPixels = spacing.Pixels;
     item.Silhouettes = this->AntiAliasing;
     this->Internals->ProjectedSpacing = item.SpacingPixels;
   }
@@ -485,7 +492,29 @@ unsigned long vtkPointSplatMapper::GetNumberOfShadowUpdates()
 //------------------------------------------------------------------------------
 const char* vtkPointSplatMapper::GetMethodReason()
 {
-  return this->Internals->MethodReason.c_str();
+  return this->Internals->Choice.MethodReason.c_str();
+}
+
+//------------------------------------------------------------------------------
+const char* vtkPointSplatMapper::GetChoices()
+{
+  const vtkInternals& is = *this->Internals;
+  std::ostringstream text;
+  text << "method: " << is.MethodUsed << ", " << is.Choice.MethodReason
+       << "\nprojection: " << is.ProjectionUsed << ", " << is.Choice.ProjectionReason
+       << "\ntransparency: " << is.TransparencyUsed << ", " << is.Choice.TransparencyReason
+       << "\nlayers: " << is.LayersDrawn << ", " << is.Choice.LayersReason
+       << "\nlayer distance: " << this->GetLayerDistanceUsed() << ", "
+       << (this->LayerDistance > 0.0 ? "it was asked for"
+              : is.Points            ? "the spacing of points, and at least three pixels"
+                                     : "the radius of each splat; this is the median")
+       << "\nfill steps: " << is.FillSteps << ", " << is.Choice.FillReason
+       << "\nshadow samples: " << is.ShadowSamplesUsed << ", "
+       << (this->Shadows ? is.ShadowReason : "shadows are off")
+       << "\nerror allowed: " << vtkPointSplatChoices::Text(is.Choice.Tolerance) << ", "
+       << is.Choice.BudgetReason;
+  this->Internals->Choices = text.str();
+  return this->Internals->Choices.c_str();
 }
 
 //------------------------------------------------------------------------------
@@ -514,10 +543,10 @@ bool vtkPointSplatMapper::MakeGroups()
 }
 
 //------------------------------------------------------------------------------
-double vtkPointSplatMapper::MakeCoveringGroups()
+double vtkPointSplatMapper::MakeCoveringGroups(const vtkPointSplatChoice& choice)
 {
-  this->Internals->Cloud.MakeGroups(1.0, this->RadiusScale, CoveringGroups);
-  return this->Internals->Cloud.HasGivenGroups() ? 1.0 : CoveringScale;
+  this->Internals->Cloud.MakeGroups(1.0, this->RadiusScale, choice.CoveringGroups);
+  return this->Internals->Cloud.HasGivenGroups() ? 1.0 : choice.CoveringScale;
 }
 
 //------------------------------------------------------------------------------
@@ -541,13 +570,12 @@ const char* vtkPointSplatMapper::GetProjectionUsed()
 //------------------------------------------------------------------------------
 double vtkPointSplatMapper::GetLayerDistanceUsed()
 {
-  if (this->Method == IMAGE_SPACE && !(this->LayerDistance > 0.0))
-  {
-    return this->Internals->Cloud.GetSpacing();
-  }
-  return this->LayerDistance > 0.0
-    ? this->LayerDistance
-    : LayerFraction * this->RadiusScale * this->Internals->Cloud.GetMedianRadius();
+  const vtkPointSplatChoice& choice = this->Internals->Choice;
+  vtkPointSplatCloud& cloud = this->Internals->Cloud;
+  return this->LayerDistance > 0.0 ? this->LayerDistance
+    : this->Internals->Points || this->Method == IMAGE_SPACE
+    ? choice.LayerSpacings * cloud.GetSpacing()
+    : choice.LayerRadii * this->RadiusScale * cloud.GetMedianRadius();
 }
 
 //------------------------------------------------------------------------------

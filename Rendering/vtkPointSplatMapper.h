@@ -114,7 +114,9 @@
 
 #include <memory> // For std::unique_ptr
 
+struct vtkPointSplatChoice;
 struct vtkPointSplatItem;
+struct vtkPointSplatSpacing;
 struct vtkPointSplatView;
 class vtkPointSplatCloud;
 class vtkPointSplatCompositor;
@@ -158,13 +160,29 @@ public:
 
   ///@{
   /**
+   * The largest error, as rms difference of colour (of 1) over the covered pixels, that leaving
+   * work out may make against this module's best picture of the scene: two passes, all layers
+   * peeled, all that NumberOfShadowSamples allows. What is automatic takes the fastest setting that
+   * is expected to keep to it; of all splat mappers of a renderer the least holds. 1/256, the
+   * default, is full quality; 1/64 takes image space where points are denser than pixels, 1/16 also
+   * where they are up to some 8 pixels apart, and sorts layers.
+   * While the user drags (the window's desired update rate is higher than the interactor's still
+   * one) and frames take longer than the actors' AllocatedRenderTime, greater errors are allowed
+   * step by step, as far as that makes frames fit; at rest all is drawn in full quality.
+   * GetChoices() tells what the last frame chose and why, a line each: `method: two-pass, ...`.
+   */
+  vtkSetClampMacro(TargetError, double, 0.0, 1.0);
+  vtkGetMacro(TargetError, double);
+  const char* GetChoices();
+  ///@}
+
+  ///@{
+  /**
    * How surfaces are reconstructed: from splats, by two passes over them or by deferred blending
    * in one; or in image space from points without a size, for points that are denser than pixels
-   * or change every frame. Automatic, the default, takes two passes by compute shaders, which were faster
-   * wherever both were measured (see the README); where there are only quads and three splats or
-   * more to four pixels, it takes deferred blending. GetMethodUsed() tells what the last frame
-   * took, and GetMethodReason() why, where that is not what was asked for. One splat mapper of a
-   * renderer that wants deferred blending decides for all.
+   * or change every frame. Automatic, the default, takes the fastest that keeps to TargetError.
+   * GetMethodUsed() tells what the last frame took, and GetMethodReason() why. One splat mapper of
+   * a renderer that wants deferred blending decides for all.
    */
   vtkSetClampMacro(Method, int, AUTOMATIC_METHOD, IMAGE_SPACE);
   vtkGetMacro(Method, int);
@@ -182,7 +200,7 @@ public:
    * sorted, by one pass over groups of splats, averaged (Zhang, Pajarola 2006, Algorithm 2); or
    * with the nearest layer exact and the others sorted (Algorithm 3). Sorted layers cannot be
    * interleaved with other translucent props: where there are some, layers are peeled. Automatic,
-   * the default, peels; GetTransparencyUsed() tells what was done. One mapper of a renderer that
+   * the default, peels unless TargetError allows more; GetTransparencyUsed() tells what was done. One mapper of a renderer that
    * wants another way than automatic decides for all.
    */
   vtkSetClampMacro(Transparency, int, AUTOMATIC_TRANSPARENCY, NEAREST_EXACT);
@@ -198,7 +216,7 @@ public:
   /**
    * The most layers that are peeled; the largest of all translucent splat actors' of a renderer
    * holds. Peeling ends sooner where nothing is left, or where what is left could change no
-   * pixel by 1/256. Default: 32. GetNumberOfLayersDrawn() tells how many layers
+   * pixel by TargetError. Default: 32. GetNumberOfLayersDrawn() tells how many layers
    * the last frame had.
    */
   vtkSetClampMacro(MaximumNumberOfLayers, int, 1, 256);
@@ -308,7 +326,8 @@ public:
   /**
    * Of Method ImageSpace: how often holes are filled in a frame at most, each time by a pixel from
    * their rims, and no oftener than something changes. Default: 2; more close wider holes, and fill
-   * creases. Points twice as dense as pixels take one step. How often it was done in the last
+   * creases. Points twice as dense as pixels take one step, and with a TargetError of 1/64 those up
+   * to 4 pixels apart. How often it was done in the last
    * frame is GetNumberOfFillSteps().
    * GetProjectedSpacing() is how far apart, in pixels, points were at the nearest corner of their
    * bounding box: holes may stay where it is more than 8.
@@ -366,8 +385,7 @@ public:
   ///@{
   /**
    * Of area lights: how many samples are taken of each, 16 by default, and how many while the
-   * user interacts, 1 by default, which is while the window's desired update rate is higher
-   * than the interactor's still one. Shadows that were computed with more stay as long as they
+   * user drags, 1 by default; fewer if they keep to TargetError. Shadows that were computed with more stay as long as they
    * are right. The largest numbers of all mappers in the renderer hold.
    * GetNumberOfShadowSamplesUsed() tells what the last frame had, GetNumberOfShadowUpdates() how
    * often shadows were computed.
@@ -519,7 +537,12 @@ private:
   bool UpdateCloud();
   vtkPointSplatCloud* GetCloud();
   void UpdateInput();
-  void FillItem(vtkActor* actor, const vtkPointSplatView& view, vtkPointSplatItem& item);
+  void FillItem(vtkActor* actor, const vtkPointSplatView& view,
+    const vtkPointSplatChoice& choice, vtkPointSplatItem& item);
+  /**
+   * How far apart points are in that view, with the actor's matrix (world from data coordinates).
+   */
+  vtkPointSplatSpacing FindSpacing(const vtkPointSplatView& view, const vtkPointSplatItem& item);
   vtkSmartPointer<vtkUnsignedCharArray> MapPointColours(vtkDataSet* data, int& cellFlag);
 
   /**
@@ -529,8 +552,9 @@ private:
   /**
    * Groups the splats for sorted transparency; how much larger they are drawn then.
    */
-  double MakeCoveringGroups();
+  double MakeCoveringGroups(const vtkPointSplatChoice& choice);
 
+  double TargetError = 1.0 / 256.0;
   int Method = AUTOMATIC_METHOD;
   int Transparency = AUTOMATIC_TRANSPARENCY;
   int MaximumNumberOfLayers = 32;

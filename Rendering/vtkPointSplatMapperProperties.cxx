@@ -4,12 +4,15 @@
 // Of the mapper: what goes through all of its properties.
 #include "vtkPointSplatMapper.h"
 
+#include <sstream>
+
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 void vtkPointSplatMapper::ShallowCopy(vtkAbstractMapper* mapper)
 {
   if (auto other = vtkPointSplatMapper::SafeDownCast(mapper))
   {
+    this->SetTargetError(other->TargetError);
     this->SetMethod(other->Method);
     this->SetTransparency(other->Transparency);
     this->SetMaximumNumberOfLayers(other->MaximumNumberOfLayers);
@@ -47,6 +50,13 @@ void vtkPointSplatMapper::ShallowCopy(vtkAbstractMapper* mapper)
 void vtkPointSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "TargetError: " << this->TargetError << "\n";
+  os << indent << "Choices:\n";
+  std::istringstream choices(this->GetChoices());
+  for (std::string line; std::getline(choices, line);)
+  {
+    os << indent.GetNextIndent() << line << "\n";
+  }
   os << indent << "Method: " << this->Method << " (used: " << this->GetMethodUsed() << ")\n";
   os << indent << "MethodReason: " << this->GetMethodReason() << "\n";
   os << indent << "Transparency: " << this->Transparency

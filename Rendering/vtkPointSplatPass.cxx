@@ -47,6 +47,10 @@ void vtkPointSplatPass::Render(const vtkRenderState* s)
     {
       mapper->SetLayerDistance(this->LayerDistance);
     }
+    if (this->TargetError >= 0.0)
+    {
+      mapper->SetTargetError(this->TargetError);
+    }
   }
   for (vtkActor* actor : actors)
   {
@@ -73,6 +77,7 @@ void vtkPointSplatPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Transparency: " << this->Transparency << "\n";
   os << indent << "MaximumNumberOfLayers: " << this->MaximumNumberOfLayers << "\n";
   os << indent << "LayerDistance: " << this->LayerDistance << "\n";
+  os << indent << "TargetError: " << this->TargetError << "\n";
   os << indent << "NumberOfLayersDrawn: " << this->NumberOfLayersDrawn << "\n";
 }
 VTK_ABI_NAMESPACE_END

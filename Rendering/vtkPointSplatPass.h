@@ -60,6 +60,8 @@ public:
   vtkGetMacro(MaximumNumberOfLayers, int);
   vtkSetClampMacro(LayerDistance, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(LayerDistance, double);
+  vtkSetClampMacro(TargetError, double, -1.0, 1.0);
+  vtkGetMacro(TargetError, double);
   ///@}
 
   /**
@@ -81,6 +83,7 @@ private:
   int Transparency = -1;
   int MaximumNumberOfLayers = -1;
   double LayerDistance = -1.0;
+  double TargetError = -1.0;
   int NumberOfLayersDrawn = 0;
 };
 

@@ -17,6 +17,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
+#include "vtkPointSplatChoices.h"
 #include "vtkPointSplatMapper.h"
 #include "vtkPointSplatStages.h"
 #include "vtkPointSplatView.h"
@@ -24,7 +25,6 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
-#include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
 
@@ -35,8 +35,6 @@ namespace
 {
 // As many as the shaders take.
 constexpr size_t MaximumClipPlanes = 6;
-// What vtkRenderWindow wants of frames at rest, where there is no interactor to ask.
-constexpr double StillUpdateRate = 0.0001;
 
 std::vector<glm::dvec4> ClipPlanesOf(vtkMapper* mapper)
 {
@@ -189,9 +187,14 @@ vtkPointSplatShadowCache::Scene vtkPointSplatShadowCache::Gather(
   scene.Settings.Compute = vtkPointSplatStages::ComputeSupported(window);
   for (vtkPointSplatMapper* mapper : receivers)
   {
-    const int all = mapper->GetNumberOfShadowSamples();
-    scene.Settings.Samples = std::max(scene.Settings.Samples,
-      interacting ? std::min(mapper->GetNumberOfInteractiveShadowSamples(), all) : all);
+    std::string reason;
+    const int samples = vtkPointSplatChoices::ShadowSamples(mapper->GetNumberOfShadowSamples(),
+      mapper->GetNumberOfInteractiveShadowSamples(), interacting, mapper->GetTargetError(), reason);
+    if (samples >= scene.Settings.Samples)
+    {
+      scene.Settings.Samples = samples;
+      this->SamplesReason = reason;
+    }
     scene.Settings.Compute =
       scene.Settings.Compute && mapper->GetProjection() != vtkPointSplatMapper::QUADS;
   }
@@ -222,13 +225,8 @@ vtkPointSplatShadowCache::Scene vtkPointSplatShadowCache::Gather(
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatShadowCache::Update(vtkRenderer* renderer)
+bool vtkPointSplatShadowCache::Update(vtkRenderer* renderer, bool interacting)
 {
-  vtkRenderWindow* window = renderer->GetRenderWindow();
-  vtkRenderWindowInteractor* interactor = window->GetInteractor();
-  const double still =
-    std::max(interactor ? interactor->GetStillUpdateRate() : 0.0, StillUpdateRate);
-  const bool interacting = window->GetDesiredUpdateRate() > still;
   Scene scene = this->Gather(renderer, interacting);
   const int had = this->Now.Settings.Samples;
   const int wanted = scene.Settings.Samples;

@@ -36,9 +36,10 @@ public:
   static bool Casts(vtkLight* light);
 
   /**
-   * Computes what is not right any more. False, with GetError(), where OpenGL refuses.
+   * Computes what is not right any more; interacting: whether the user drags. False, with
+   * GetError(), where OpenGL refuses.
    */
-  bool Update(vtkRenderer* renderer);
+  bool Update(vtkRenderer* renderer, bool interacting);
 
   /**
    * The factors of a cloud at a place, as vtkPointSplatItem has them; or 0.
@@ -47,6 +48,8 @@ public:
 
   int GetNumberOfLights() const { return static_cast<int>(this->Now.Lights.size()); }
   int GetSamplesUsed() const { return this->SamplesUsed; }
+  /// Why so many.
+  const std::string& GetSamplesReason() const { return this->SamplesReason; }
   unsigned long GetNumberOfUpdates() const { return this->Updates; }
   const std::string& GetError() const { return this->Error; }
 
@@ -79,6 +82,7 @@ private:
   bool Warned = false;
   std::vector<GLuint> Buffers; // of the clouds that receive; 0 for others
   int SamplesUsed = 0;
+  std::string SamplesReason;
   unsigned long Updates = 0;
   std::string Error;
 };

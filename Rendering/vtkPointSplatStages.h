@@ -28,6 +28,16 @@ class vtkPointSplatImages;
 class vtkPointSplatUnits;
 
 /**
+ * How far apart points are in a view.
+ */
+struct vtkPointSplatSpacing
+{
+  double World = 0.0;        // world units
+  double Pixels = 0.0;       // where they are nearest to the eye
+  double LargestPixel = 0.0; // of their bounding box, world units
+};
+
+/**
  * One cloud to draw, with all that its projection depends on.
  */
 struct vtkPointSplatItem

@@ -194,6 +194,14 @@ Options Options::Parse(int argc, char* argv[])
     { "--camera", [&o](auto& n, auto& v) { o.Camera = CameraNumbers(n, v); } },
     { "--background", [&o](auto& n, auto& v) { o.Background = Colour(n, v); } },
     { "--array", [&o](auto&, auto& v) { o.Array = v; } },
+    { "--target-error",
+      [&o](auto& n, auto& v) {
+        o.TargetError = Number(n, v);
+        if (o.TargetError < 0.0 || o.TargetError > 1.0)
+        {
+          throw UserError(n + ": '" + v + "' is not from 0 to 1");
+        }
+      } },
     { "--method",
       [&o](auto& n, auto& v) {
         o.Method = OneOf(n, v, { "automatic", "two-pass", "deferred", "image-space" });
@@ -313,6 +321,8 @@ How it looks
                        soft ones by so many samples (1 to 1024)
 
 How it is drawn
+  --target-error X     how much the picture may differ from the best one, 0 to 1, if that saves
+                       time (default 0.0039: 1/256)
   --method M           automatic (default), two-pass, deferred, image-space
   --transparency T     automatic (default), peeling, sorted, nearest-exact
   --layers N           the most layers that are peeled (32)

@@ -29,6 +29,7 @@ struct Options
   std::vector<double> Camera;
   std::array<double, 3> Background{ { 0.1, 0.2, 0.4 } };
   std::string Array;
+  double TargetError = 1.0 / 256.0;
   std::string Method = "automatic";
   std::string Transparency = "automatic";
   int Layers = 32;

@@ -51,6 +51,25 @@ std::string List(const double* begin, const double* end)
 }
 
 /**
+ * Of lines `name: value`.
+ */
+std::string Object(const std::string& text)
+{
+  std::string out = "{";
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+  {
+    const size_t colon = line.find(": ");
+    if (colon != std::string::npos)
+    {
+      out += (out.size() > 1 ? ", " : "") + Quoted(line.substr(0, colon)) + ": " +
+        Quoted(line.substr(colon + 2));
+    }
+  }
+  return out + "}";
+}
+
+/**
  * The value of one line of vtkRenderWindow::ReportCapabilities().
  */
 std::string Capability(vtkRenderWindow* window, const std::string& name)
@@ -106,6 +125,7 @@ void WriteReport(const std::string& file, const Scene& scene, vtkRenderWindow* w
         << ", \"shadow_samples\": " << mapper->GetNumberOfShadowSamplesUsed()
         << ", \"projection\": " << Quoted(mapper->GetProjectionUsed())
         << ", \"layer_distance\": " << Number(mapper->GetLayerDistanceUsed())
+        << ", \"choices\": " << Object(mapper->GetChoices())
         << ", \"normals\": " << Quoted(surface.Normals)
         << ", \"coloured_by\": " << Quoted(surface.Colours) << ", \"color\": "
         << List(colour, colour + 3)

@@ -62,6 +62,7 @@ Surface& AddSurface(
   surface.Mapper->SetInputDataObject(data);
   surface.Mapper->ScalarVisibilityOff();
   surface.Mapper->SetRadiusScale(options.RadiusScale);
+  surface.Mapper->SetTargetError(options.TargetError);
   if (options.Method == "two-pass")
   {
     surface.Mapper->SetMethodToTwoPass();

@@ -6,6 +6,7 @@ scenes whose truth is known, numbers of points and sizes of window.
 
   splatbench.py [--quick | --full | --smoke] [--output FOLDER] [--mesh FILE ...] [--only WORD]
                 [--pictures]
+  splatbench.py --choices [--output FOLDER] [--only WORD]
 
 --quick (the default) takes some minutes, --full about an hour, --smoke seconds.
 --mesh FILE.ply or .vtp adds a scanned mesh, whose truth Embree tells (Debian's libembree3-3).
@@ -13,6 +14,10 @@ scenes whose truth is known, numbers of points and sizes of window.
 FOLDER (default: splatbench) gets splatbench.csv, splatbench.json, the report splatbench.md, and
 charts as PNG and SVG: error over frame time with the Pareto front for each scene, and cost over
 points, pixels, layers and shadow samples.
+
+--choices holds what the mapper chooses by itself for target errors of 1/256, 1/64 and 1/16 against every
+setting that it could have chosen: choices.md and choices.json list the fastest that keeps to the
+target, what was chosen instead, and where that takes more than 15 % longer.
 
 Frames of all settings are taken in turn; times are medians with quartiles, with read-back. Errors
 are against Testing/Accuracy/reference, supersampled 3 x 3.
@@ -29,6 +34,7 @@ try:
 except ImportError:  # where run.sh and test.sh build it
     sys.path.append(os.path.join(HERE, "..", "..", "build", "lib", "python3", "dist-packages"))
 
+from bench import choosing  # noqa: E402
 from bench.cells import Predictor, Truths, measure  # noqa: E402
 from bench.cloud import Cloud  # noqa: E402
 from bench.plans import PLANS  # noqa: E402
@@ -45,6 +51,7 @@ def parsed():
     plan = parser.add_mutually_exclusive_group()
     for name in PLANS:
         plan.add_argument(f"--{name}", dest="plan", action="store_const", const=name)
+    plan.add_argument("--choices", action="store_true")
     parser.set_defaults(plan="quick")
     parser.add_argument("--output", default="splatbench")
     parser.add_argument("--mesh", action="append", default=[])
@@ -62,6 +69,9 @@ def parsed():
 
 def main():
     options = parsed()
+    if options.choices:
+        choosing.main(options.output, options.only)
+        return
     plan = PLANS[options.plan]
     report = Report(options.output, plan, options.plan)
     plan.pictures = options.pictures

@@ -12,7 +12,7 @@ from splatview_tools import PROGRAM, Picture, SplatviewTest, main
 
 OPTIONS = (
     "--iso --spacing --magnify --array --normals --radius-scale --color --opacity --background"
-    " --camera --size --scalar-bar --shadows --method --transparency --layers --projection"
+    " --camera --size --scalar-bar --shadows --target-error --method --transparency --layers --projection"
     " --output --json --frames --quiet --help --version"
 ).split()
 FLAGS = {"--scalar-bar", "--quiet", "--help", "--version"}
@@ -34,7 +34,7 @@ BAD_OPTIONS = (
     "--color red;", "--opacity 1.1", "--opacity -1", "--background x", "--camera 1",
     "--camera 0,0,0", "--camera 0,0,0,0,0,0,0,0,1", "--camera 0,0,0,0,0,1,0,0,2",
     "--camera 0,0,0,0,0,1,0,1,0,180", "--size 10", "--size 0x10", "--size 10x10x10",
-    "--size 99999x1", "--method best", "--transparency x", "--layers 0", "--shadows 0",
+    "--size 99999x1", "--target-error 2", "--target-error -1", "--method best", "--transparency x", "--layers 0", "--shadows 0",
     "--projection x", "--output o.jpg", "--output .png",
     "--output no/such/folder/o.png", "--json no/such/folder/r.json", "--frames 0",
     "--quiet=yes", "--scalar-bar", "--array nosuch", "--iso 5",

@@ -90,6 +90,19 @@ class TestSplatviewPicture(SplatviewTest):
         self.assertGreaterEqual(picture.centre()[0], 0.5 * opaque - 3)
         self.assertLessEqual(picture.centre()[0], 0.75 * opaque + 3)
 
+    def test_target_error_and_choices(self):
+        best = self.draw("globe.xyz")[0]["surfaces"][0]["choices"]
+        self.assertEqual(
+            list(best),
+            ["method", "projection", "transparency", "layers", "layer distance", "fill steps",
+             "shadow samples", "error allowed"],
+        )  # fmt: skip
+        self.assertRegex(best["method"], "^two-pass, .*1/256")
+        self.assertRegex(best["error allowed"], "^1/256, at rest")
+        rough = self.draw("globe.xyz", "--target-error", "1")[0]["surfaces"][0]
+        self.assertEqual(rough["method"], "image-space")
+        self.assertRegex(rough["choices"]["method"], "^image-space, points .* pixels apart")
+
     def test_lists_go_on_with_the_next_surface(self):
         files = ["globe.xyz"] * 3
         report, _ = self.draw(

@@ -1,0 +1,347 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatChoices.h"
+
+#include "vtkPointSplatMapper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace
+{
+// Image space against two passes, on tori and orbitals 0.5 to 8 pixels apart (PointError()):
+// squared errors of silhouettes, times the side in pixels of the square that is covered, and of
+// shading, over the square of the spacing in pixels. Both are the upper ends of what was seen.
+constexpr double SilhouetteError = 0.06;
+constexpr double TranslucentSilhouetteError = 0.2;
+constexpr double ShadingError = 6e-5;
+// Points farther apart than this, in pixels, leave holes in image space.
+constexpr double MostSpacing = 8.0;
+// While the user drags, a method once taken stays for spacings and errors that are by so much worse.
+constexpr double Hysteresis = 1.25;
+
+// Points at most this far apart, in pixels, leave holes of single pixels only, ...
+constexpr double OneStepPixels = 0.5;
+// ... and up to this distance a second step changes the picture by less than 0.005.
+constexpr double RoughOneStepPixels = 4.0;
+constexpr double RoughFill = 1.0 / 64.0;
+
+// One pass over groups by quads beats two of them, by up to a fifth, where there are this many
+// splats a pixel of the viewport; compute shaders beat both (Testing/Benchmark/deferred_benchmark.py).
+constexpr double LeastSplatsPerPixel = 0.5;
+// Deferred blending against two passes, where splats are this many pixels apart, or more: 0.003 on
+// grids, this on points at random. Denser, the error grows with the power of the density.
+constexpr double DeferredErrorAtMost = 0.008;
+constexpr double DeferredSpacing = 1.2;
+constexpr double DeferredPower = 2.5;
+
+// Sorted transparency against peeling: orbitals and nested spheres have up to 0.018 and 0.012, scans
+// of surfaces that nearly touch more.
+constexpr double SortedError = 0.05;
+constexpr double NearestExactError = 0.02;
+// Sorting takes less time than peeling from so many surfaces behind one another on, ...
+constexpr double LeastDepthToSort = 1.5;
+constexpr double LeastDepthForNearestExact = 3.5;
+// ... and less than peeling in image space from so many on, where a splat costs less than so many
+// pixels of a layer.
+constexpr double LeastDepthToSortRather = 4.0;
+constexpr double PixelsPerSortedSplat = 16.0;
+// Peeling draws more than this even where time is short.
+constexpr double MostContribution = 1.0 / 8.0;
+
+// Of one jittered sample of an area light, against many; n samples have it over the root of n. It is
+// half the mean error of shadow factors (TestPointShadowTexture), and twice that of the
+// benchmark's picture.
+constexpr double ShadowSampleError = 0.02;
+
+std::string Number(double value)
+{
+  std::ostringstream text;
+  text.precision(2);
+  text << value;
+  return text.str();
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatChoice::IsLike(const vtkPointSplatChoice& other) const
+{
+  return this->Compute == other.Compute && this->Method == other.Method &&
+    this->Transparency == other.Transparency && this->MaximumLayers == other.MaximumLayers &&
+    this->LeastContribution == other.LeastContribution && this->FillSteps == other.FillSteps;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkPointSplatChoices::Text(double error)
+{
+  const double inverse = std::round(1.0 / error);
+  return error < 1.0 && std::abs(inverse * error - 1.0) < 1e-6
+    ? "1/" + std::to_string(static_cast<long>(inverse))
+    : Number(error);
+}
+
+//------------------------------------------------------------------------------
+double vtkPointSplatChoices::PointError(const vtkPointSplatSceneFacts& facts)
+{
+  const double silhouettes =
+    facts.Translucent ? TranslucentSilhouetteError : SilhouetteError;
+  return std::sqrt(silhouettes / std::sqrt(std::max(facts.Covered, 1.0)) +
+    ShadingError * facts.SpacingPixels * facts.SpacingPixels);
+}
+
+//------------------------------------------------------------------------------
+double vtkPointSplatChoices::DeferredError(const vtkPointSplatSceneFacts& facts)
+{
+  const double density =
+    facts.SpacingPixels > 0.0 ? std::max(1.0, DeferredSpacing / facts.SpacingPixels) : 1.0;
+  return DeferredErrorAtMost * std::pow(density, DeferredPower);
+}
+
+namespace
+{
+//------------------------------------------------------------------------------
+void ChooseProjection(const vtkPointSplatSceneFacts& facts, vtkPointSplatChoice& choice)
+{
+  choice.Compute = facts.Compute && !facts.AsksQuads;
+  choice.ProjectionReason = choice.Compute ? "a splat takes less time than by quads"
+    : facts.AsksQuads                      ? "quads were asked for"
+                                           : "compute shaders need OpenGL 4.3 and images that fit";
+}
+
+//------------------------------------------------------------------------------
+/// Whether deferred blending can be had; else why not.
+bool CanDefer(const vtkPointSplatSceneFacts& facts, std::string& why)
+{
+  if (facts.AsksPoints)
+  {
+    why = "points in image space share the layer";
+  }
+  else if (facts.Translucent)
+  {
+    why = "deferred blending makes opaque layers only";
+  }
+  else if (facts.Groups == 0)
+  {
+    why = "the splats cannot be grouped";
+  }
+  else if (!facts.GroupsFit)
+  {
+    why = "images for " + std::to_string(facts.Groups) + " groups of " +
+      std::to_string(static_cast<long>(facts.Pixels)) +
+      " pixels are more than MaximumImageMemory or the hardware allows; lower OverlapFactor";
+  }
+  else
+  {
+    return true;
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+/// Whether sorting splats is allowed and takes less time than peeling points in image space, whose
+/// silhouettes make some four layers more.
+bool PrefersSorting(const vtkPointSplatSceneFacts& facts, double tolerance)
+{
+  // Grouping takes about as long as ten frames.
+  const bool affordable = facts.Grouped || facts.Tolerance == 0.0;
+  return facts.Translucent && facts.Sortable && !facts.Refracts && affordable &&
+    tolerance >= SortedError &&
+    facts.Transparency == vtkPointSplatMapper::AUTOMATIC_TRANSPARENCY &&
+    facts.Depth >= LeastDepthToSortRather &&
+    PixelsPerSortedSplat * facts.Splats < facts.Pixels * (2.0 * facts.Depth + 4.0);
+}
+
+//------------------------------------------------------------------------------
+void ChooseMethod(
+  const vtkPointSplatSceneFacts& facts, double tolerance, vtkPointSplatChoice& choice)
+{
+  choice.Method = vtkPointSplatMapper::TWO_PASS;
+  std::string& why = choice.MethodReason;
+  if (!facts.AllAutomatic)
+  {
+    const bool defers = facts.AsksDeferred && CanDefer(facts, why);
+    choice.Refused = facts.AsksDeferred && !defers && !facts.AsksPoints && !facts.Translucent;
+    if (defers)
+    {
+      choice.Method = vtkPointSplatMapper::DEFERRED;
+      choice.Compute = false;
+      choice.ProjectionReason = "deferred blending needs quads";
+    }
+    why = why.empty() ? "it was asked for" : why;
+    return;
+  }
+  if (PrefersSorting(facts, tolerance))
+  {
+    why = "splats can be sorted";
+    return;
+  }
+  const double slack = facts.HadPoints ? Hysteresis : 1.0;
+  const double error = vtkPointSplatChoices::PointError(facts);
+  const bool known = facts.SpacingPixels > 0.0 && !facts.Refracts;
+  if (known && error <= slack * tolerance && facts.SpacingPixels <= slack * MostSpacing)
+  {
+    choice.Method = vtkPointSplatMapper::IMAGE_SPACE;
+    why = "points " + Number(facts.SpacingPixels) + " pixels apart have an error of " +
+      Number(error) + " in image space, within " + vtkPointSplatChoices::Text(tolerance);
+    return;
+  }
+  if (!choice.Compute && facts.Splats > LeastSplatsPerPixel * facts.Pixels &&
+    vtkPointSplatChoices::DeferredError(facts) <= tolerance && CanDefer(facts, why))
+  {
+    choice.Method = vtkPointSplatMapper::DEFERRED;
+    why = "by quads one pass over groups takes less time than two, from a splat to two pixels "
+          "on";
+    return;
+  }
+  why += why.empty() ? "" : "; ";
+  why += known && tolerance > vtkPointSplatChoices::FullQuality
+    ? "in image space points " + Number(facts.SpacingPixels) +
+      " pixels apart would have an error of " + Number(error) + ", and the target is " +
+      vtkPointSplatChoices::Text(tolerance)
+    : "no faster one has an error within " + vtkPointSplatChoices::Text(tolerance);
+}
+
+//------------------------------------------------------------------------------
+void ChooseLayers(const vtkPointSplatSceneFacts& facts, double tolerance,
+  vtkPointSplatChoice& choice)
+{
+  const bool points =
+    facts.AsksPoints || choice.Method == vtkPointSplatMapper::IMAGE_SPACE;
+  choice.Transparency = vtkPointSplatMapper::PEELING;
+  if (!facts.Translucent)
+  {
+    choice.MaximumLayers = 1;
+    choice.TransparencyReason = "nothing is translucent";
+    choice.LayersReason = "only the nearest layer is seen";
+    return;
+  }
+  choice.MaximumLayers = facts.MaximumLayers;
+  choice.LeastContribution = std::min(tolerance, std::max(facts.TargetError, MostContribution));
+  choice.LayersReason = "until nothing is left, or less than " +
+    vtkPointSplatChoices::Text(choice.LeastContribution) + " of the light behind";
+  if (facts.Transparency == vtkPointSplatMapper::PEELING)
+  {
+    choice.TransparencyReason = "peeling was asked for";
+    return;
+  }
+  if (!facts.Sortable)
+  {
+    choice.TransparencyReason = "other translucent props may lie between the layers";
+    return;
+  }
+  if (points)
+  {
+    choice.TransparencyReason = "points without a size cannot be sorted";
+    return;
+  }
+  if (facts.Transparency != vtkPointSplatMapper::AUTOMATIC_TRANSPARENCY)
+  {
+    choice.Transparency = facts.Transparency;
+    choice.TransparencyReason = "it was asked for";
+  }
+  else if (facts.Refracts)
+  {
+    choice.TransparencyReason = "refraction magnifies errors of layers";
+  }
+  else if (tolerance >= SortedError && facts.Depth >= LeastDepthToSort)
+  {
+    choice.Transparency = vtkPointSplatMapper::SORTED;
+    choice.TransparencyReason = "about " + Number(facts.Depth) +
+      " surfaces lie behind one another; sorted they have an error of " + Number(SortedError);
+  }
+  else if (tolerance >= NearestExactError && facts.Depth >= LeastDepthForNearestExact)
+  {
+    choice.Transparency = vtkPointSplatMapper::NEAREST_EXACT;
+    choice.TransparencyReason = "about " + Number(facts.Depth) +
+      " surfaces lie behind one another; with the nearest exact and the others sorted they have an "
+      "error of " + Number(NearestExactError);
+  }
+  else
+  {
+    choice.TransparencyReason = tolerance < NearestExactError
+      ? "sorted layers have an error of " + Number(SortedError) +
+        ", those behind an exact nearest one of " + Number(NearestExactError)
+      : "too few surfaces lie behind one another to be worth sorting";
+  }
+  if (choice.Transparency != vtkPointSplatMapper::PEELING)
+  {
+    // What the nearest layer reflects and refracts needs it, sorted or not.
+    choice.MaximumLayers =
+      choice.Transparency == vtkPointSplatMapper::SORTED && !facts.Refracts ? 0 : 1;
+    choice.LayersReason = "the others are sorted";
+  }
+}
+
+//------------------------------------------------------------------------------
+void ChooseFill(const vtkPointSplatSceneFacts& facts, double tolerance,
+  vtkPointSplatChoice& choice)
+{
+  if (!facts.AsksPoints && choice.Method != vtkPointSplatMapper::IMAGE_SPACE)
+  {
+    choice.FillSteps = 0;
+    choice.FillReason = "splats leave no holes";
+    return;
+  }
+  const double enough = tolerance < RoughFill ? OneStepPixels : RoughOneStepPixels;
+  const bool one = facts.SpacingPixels > 0.0 && facts.SpacingPixels <= enough;
+  choice.FillSteps = one ? 1 : facts.MaximumFillSteps;
+  choice.FillReason = "points are " + Number(facts.SpacingPixels) + " pixels apart; up to " +
+    Number(enough) + " one step does";
+}
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatChoice vtkPointSplatChoices::Make(const vtkPointSplatSceneFacts& facts)
+{
+  const double tolerance = std::max(facts.TargetError, facts.Tolerance);
+  vtkPointSplatChoice choice;
+  choice.Tolerance = tolerance;
+  ChooseProjection(facts, choice);
+  ChooseMethod(facts, tolerance, choice);
+  ChooseLayers(facts, tolerance, choice);
+  ChooseFill(facts, tolerance, choice);
+  return choice;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkPointSplatChoice> vtkPointSplatChoices::Ladder(vtkPointSplatSceneFacts facts)
+{
+  facts.Tolerance = 0.0;
+  std::vector<vtkPointSplatChoice> ladder{ vtkPointSplatChoices::Make(facts) };
+  for (const double error : { 1.0 / 64.0, 1.0 / 32.0, 1.0 / 16.0, 1.0 })
+  {
+    facts.Tolerance = error;
+    vtkPointSplatChoice looser = vtkPointSplatChoices::Make(facts);
+    // Where peeling ends alone saves little: that is left to the last rung.
+    vtkPointSplatChoice compared = looser;
+    if (error < 1.0)
+    {
+      compared.LeastContribution = ladder.back().LeastContribution;
+    }
+    if (error > facts.TargetError && !compared.IsLike(ladder.back()))
+    {
+      ladder.push_back(std::move(looser));
+    }
+  }
+  return ladder;
+}
+
+//------------------------------------------------------------------------------
+int vtkPointSplatChoices::ShadowSamples(
+  int wanted, int interactive, bool interacting, double targetError, std::string& reason)
+{
+  const int all = interacting ? std::min(wanted, interactive) : wanted;
+  if (targetError <= FullQuality)
+  {
+    reason = interacting ? "while dragging" : "as many as were asked for";
+    return all;
+  }
+  const double needed = std::ceil(std::pow(ShadowSampleError / targetError, 2.0));
+  const int samples = needed < all ? std::max(1, static_cast<int>(needed)) : all;
+  reason = samples < all ? "they have an error of " +
+      Number(ShadowSampleError / std::sqrt(static_cast<double>(samples)))
+    : interacting ? "while dragging"
+                  : "as many as were asked for";
+  return samples;
+}
