@@ -27,6 +27,7 @@ import argparse
 import csv
 import os
 import sys
+import time
 
 try:
     import pointsplatting  # noqa: F401
@@ -77,11 +78,13 @@ def main():
 
     missed, found = 0, {}
     for name in names:
+        start = time.perf_counter()
         own = found[name] = []
         for row in SWEEPS[name].rows(options.size, options.quick):
             own.append(row)
             missed += row["stable"] is False
             print(told(row), flush=True)
+        print("%-27s %.1f s" % (name, time.perf_counter() - start))
         for series in [] if options.quick else SWEEPS[name].off_the_best(own):
             missed += 1
             print("%-27s %-20s MISSED: the default is worse than the best by more than %g dB" % (

@@ -5,8 +5,8 @@ import math
 
 import numpy as np
 
-from sweeps.measures import FRONT, NEAR, look, several, simple
-from sweeps.registry import Stable, sweep
+from sweeps.measures import FRONT, NEAR, look, merged, several, simple
+from sweeps.registry import Stable, coarse, sweep
 from sweeps.surfaces import BLUE, RED, box, ellipsoid, plate, sphere
 
 GAPS = [0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1]
@@ -16,16 +16,23 @@ def sheets(gap, n, opacity=1.0):
     return several([plate(gap, RED, opacity), plate(0, BLUE, opacity)], n, NEAR)
 
 
-@sweep(GAPS, Stable([0.03, 0.1]), Stable([0.1]))
+@sweep(GAPS, Stable([0.03, 0.1]), coarse([0.03, 0.1]))
 def parallel_sheets(gap, n):
-    """The distance of a red sheet before a blue one that faces the same way, of another actor."""
+    """distance of a red sheet before a blue one, two actors"""
     return sheets(gap, n)
 
 
-@sweep(GAPS, Stable([0.1]), Stable([0.1]))
+@sweep(GAPS, Stable([0.1]), coarse([0.1]))
 def parallel_sheets_translucent(gap, n):
-    """The distance of a red sheet before a blue one that faces the same way, opacity 0.5."""
+    """the same with opacity 0.5"""
     return sheets(gap, n, 0.5)
+
+
+@sweep(GAPS, Stable([0.1]), coarse([0.1]))
+def sheets_in_one(gap, n):
+    """distance of two sheets of one actor, opacity 0.5"""
+    pair = [plate(gap, RED, 0.5), plate(0, RED, 0.5)]
+    return merged(pair, n, NEAR)
 
 
 def turned(degrees):
@@ -38,24 +45,24 @@ def crossing_sheets(degrees, n):
                    look((0.3, -0.7, 0.8), up=(0, 0, 1)))
 
 
-@sweep([5, 10, 20, 45, 90], Stable([20, 90], 12), Stable([90], 16))
+@sweep([5, 10, 20, 45, 90], Stable([20, 90], 12), coarse([20, 90]))
 def crossing(degrees, n):
-    """The angle at which two sheets of two actors cross."""
+    """angle at which two sheets cross, degrees"""
     return crossing_sheets(degrees, n)
 
 
 @sweep([-0.3, -0.1, -0.03, -0.01, 0, 0.01, 0.03, 0.1, 0.3], Stable([-0.1, 0, 0.1]),
-       Stable([-0.1, 0, 0.1]))
+       coarse([-0.1, 0, 0.1]))
 def touching(gap, n):
-    """The distance of two spheres of two actors: 0 where they touch, less where they cross."""
+    """distance of two spheres: 0 where they touch"""
     x = 0.5 + gap / 2
     return several([sphere(0.5, (-x, 0, 0), RED), sphere(0.5, (x, 0, 0), BLUE)], n,
-                   look((0, 0, 3)))
+                   look((0, 0, 4.2)))
 
 
-@sweep(GAPS[:-1], Stable([0.1]), Stable([0.1]))
+@sweep(GAPS[:-1], Stable([0.1]), coarse([0.1]))
 def thin_wall(thickness, n):
-    """The thickness of a wall whose both sides are in one actor; no border is in sight."""
+    """thickness of a wall, both sides in one actor"""
     return simple(box((1, 1, thickness / 2)), 2 * n, NEAR)
 
 
@@ -66,7 +73,7 @@ def hollow(wall, n, opacity):
                    n, FRONT)
 
 
-@sweep([0.001, 0.003, 0.01, 0.03, 0.1, 0.3], Stable([0.03, 0.1]), Stable([0.1]))
+@sweep([0.001, 0.003, 0.01, 0.03, 0.1, 0.3], Stable([0.03, 0.1]), coarse([0.03, 0.1]))
 def cavity(wall, n):
-    """The thickness of the wall about a cavity, as in a turbine's blade, opacity 0.5."""
+    """thickness of the wall about a cavity, opacity 0.5"""
     return hollow(wall, n, 0.5)

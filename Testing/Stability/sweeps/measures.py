@@ -6,13 +6,15 @@ import math
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 import pointsplatting
 
-from sweeps.surfaces import cloud, random
+from sweeps.surfaces import Surface, cloud, random
 
 # Along a pixel's side, of the mesh that counts as the truth; wide windows get that mesh as it is.
 SAMPLES, WIDE = 3, 1024
+PERFECT = 99.0  # dB, where there is no difference
 TWO_PASSES, IMAGE_SPACE = "two passes", "image space"
 # Points of a body in the middle of the picture; image space is for those denser than pixels.
 COUNTS = {TWO_PASSES: 20000, IMAGE_SPACE: 200000}
@@ -92,8 +94,9 @@ def shrink(mask, pixels):
 
 
 def psnr(a, b):
-    square = ((np.asarray(a, np.float32) - b) ** 2).mean() / 255.0 ** 2
-    return min(99.0, -10 * math.log10(max(square, 1e-12)))
+    difference = np.subtract(a, b, dtype=np.float32).ravel()
+    square = np.dot(difference, difference) / difference.size / 255.0 ** 2
+    return min(PERFECT, -10 * math.log10(max(square, 1e-12)))
 
 
 class Truth:
@@ -109,14 +112,16 @@ class Truth:
         n = SAMPLES if size <= WIDE else 1
         fine = picture(parts, camera, n * size)
         shares = [fine[i::n, j::n] for i in range(n) for j in range(n)]
-        self.picture = sum(share.astype(np.float32) for share in shares) / len(shares)
+        self.picture = (fine if n == 1 else
+                        sum(share.astype(np.float32) for share in shares) / len(shares))
         covered = sum((share.max(2) > 0).astype(int) for share in shares)
         self.any, whole = covered > 0, covered == len(shares)
         self.inside, self.outside = shrink(whole, 2), shrink(~self.any, 2)
         self.judged = shrink(whole, interior) if interior else np.ones_like(self.any)
         if not self.judged.any():
             self.judged = np.ones_like(self.any)
-        self.mesh = psnr(picture(parts, camera, size)[self.judged], self.picture[self.judged])
+        self.mesh = PERFECT if n == 1 else psnr(
+            picture(parts, camera, size)[self.judged], self.picture[self.judged])
 
 
 class Scene:
@@ -166,6 +171,18 @@ def several(surfaces, n, camera=FRONT, **more):
     """n points of each surface, each in an actor of its own."""
     data = [cloud(*surface.draw(n, random(seed))) for seed, surface in enumerate(surfaces)]
     return Scene(surfaces, data, camera, **more)
+
+
+def merged(surfaces, n, camera=FRONT, **more):
+    """n points of each surface, all in one actor, with the first one's properties."""
+    parts = [surface.draw(n, random(seed)) for seed, surface in enumerate(surfaces)]
+    append = vtkAppendPolyData()
+    for surface in surfaces:
+        append.AddInputData(surface.mesh)
+    append.Update()
+    first = surfaces[0]
+    whole = Surface(append.GetOutput(), None, first.colour, first.opacity)
+    return Scene([whole], [cloud(*(np.concatenate(part) for part in zip(*parts)))], camera, **more)
 
 
 def by_method(name):

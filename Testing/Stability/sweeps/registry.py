@@ -12,15 +12,27 @@ SWEEPS = {}
 
 class Stable:
     """What users meet: values at which all that is not swept is at its default. gap: how many dB
-    below the mesh's own psnr the picture may be there, if that is not enough; holes, leaks: the most
-    of them."""
+    below the mesh's own psnr the picture may be there, if it has less than enough; holes, leaks: the
+    most of them. gap None: nothing is asked but of a setting's default to be near the best one."""
 
-    def __init__(self, values, gap=8, holes=0.0, leaks=0.0, enough=ENOUGH):
+    def __init__(self, values=(), gap=8, holes=0.0, leaks=0.0, enough=ENOUGH):
         self.values, self.gap, self.holes, self.leaks, self.enough = values, gap, holes, leaks, enough
+
+    def asks(self, value):
+        return self.gap is not None and value in self.values
 
     def bears(self, row):
         return (row["psnr"] >= min(self.enough, row["mesh"] - self.gap) and
                 row["holes"] <= self.holes and row["leaks"] <= self.leaks)
+
+
+def coarse(values=(), gap=14, enough=30, **more):
+    """What is asked of image space, which loses pixels at borders and silhouettes by nature."""
+    return Stable(values, gap, **{"holes": 0.001, "leaks": 0.001, "enough": enough, **more})
+
+
+def unasked():
+    return Stable(gap=None)
 
 
 class Sweep:
@@ -38,12 +50,11 @@ class Sweep:
         for value in sorted({*([] if quick else self.values),
                              *(v for stable in self.series.values() for v in stable.values)}):
             for name, stable in self.series.items():
-                asked = value in stable.values
-                if quick and not asked:
+                if quick and not stable.asks(value):
                     continue
                 row = {"sweep": self.name, "series": name, "value": value, "at": value}
                 row.update(self.measure(name, value, size))
-                row["stable"] = stable.bears(row) if asked else None
+                row["stable"] = stable.bears(row) if stable.asks(value) else None
                 yield row
 
     def off_the_best(self, rows):
@@ -60,7 +71,8 @@ class Sweep:
 
 
 def sweep(values, two_passes=None, image_space=None):
-    """Decorates a function of a value and of a method's usual number of points that makes the Scene."""
+    """Decorates a function of a value and of a method's usual number of points that makes the Scene:
+    the same but for the points. Its documentation names the value."""
     series = {name: stable for name, stable in (
         (TWO_PASSES, two_passes), (IMAGE_SPACE, image_space)) if stable}
 

@@ -8,14 +8,14 @@ import pointsplatting
 from sweeps.layers import crossing_sheets, hollow, sheets
 from sweeps.measures import (
     COUNTS, FRONT, IMAGE_SPACE, TWO_PASSES, Scene, by_method, look, several, simple)
-from sweeps.registry import SWEEPS, Stable, Sweep, decades
+from sweeps.registry import SWEEPS, Stable, Sweep, coarse, decades, unasked
 from sweeps.samplings import non_uniform, position_noise
 from sweeps.surfaces import BLUE, RED, box, ellipsoid, torus
 
 
 def nested(n):
-    """Eight translucent shells in one another: sixteen layers."""
-    shells = [ellipsoid(3 * (1 - 0.1 * i,), RED if i % 2 else BLUE, 0.2) for i in range(8)]
+    """Four translucent shells in one another: eight layers."""
+    shells = [ellipsoid(3 * (1 - 0.2 * i,), RED if i % 2 else BLUE, 0.3) for i in range(4)]
     return several(shells, n, FRONT)
 
 
@@ -36,11 +36,16 @@ def made(name, method):
     return SCENES[name](COUNTS[method])
 
 
+# With all settings at their defaults: the figures and the mappers.
+DEFAULTS = {}
+
+
 def setting(name, title, values, default, scenes, apply, margin=2.0, where=None, method=TWO_PASSES,
             base=None):
     """scenes: a Stable for each scene's name, of no values yet. apply(mapper, value): what is
     swept; values at the default are drawn with it not applied. where(mapper): where on the axis an
-    automatic default lies. method: whose number of points. base(mapper): what else is not at its default, as the method."""
+    automatic default lies. method: whose number of points. base(mapper): what else is not at its
+    default, as the method."""
     for stable in scenes.values():
         stable.values = [default]
 
@@ -50,50 +55,57 @@ def setting(name, title, values, default, scenes, apply, margin=2.0, where=None,
                 base(mapper)
             if value != default:
                 apply(mapper, value)
-        figures, mappers = made(scene, method).measure(size, configure)
+        if value == default and (scene, method, base, size) in DEFAULTS:
+            figures, mappers = DEFAULTS[scene, method, base, size]
+        else:
+            figures, mappers = made(scene, method).measure(size, configure)
+            if value == default:
+                DEFAULTS[scene, method, base, size] = figures, mappers
         if where and value == default:
-            figures["at"] = where(mappers[0])
+            figures = {**figures, "at": where(mappers[0])}
         return figures
     SWEEPS[name] = Sweep(name, title, values, scenes, measure, default, margin)
+
+
+image_space = by_method(IMAGE_SPACE)
 
 
 def deferred(mapper):
     mapper.SetMethodToDeferred()
 
 
-setting("layer_distance", "The least layer distance set by hand; the larger mark is the automatic one.",
+setting("layer_distance", "least layer distance by hand; marks: the automatic one",
         decades(1e-4, 1, 13), 0,
-        {"torus": Stable(()), "sheets 0.05 apart": Stable(()), "sheets that cross": Stable((), 12),
-         "cavity, wall 0.05": Stable(()), "noise": Stable((), 14), "10 to 1 sampling": Stable(())},
+        {"torus": Stable(), "sheets 0.05 apart": Stable(), "sheets that cross": Stable(gap=12),
+         "cavity, wall 0.05": Stable(), "noise": Stable(gap=14), "10 to 1 sampling": Stable()},
         lambda mapper, value: mapper.SetLayerDistance(value),
         where=lambda mapper: mapper.GetLayerDistanceUsed())
 setting("layer_distance_image_space",
-        "The same in image space.", decades(1e-4, 1, 13), 0,
-        {"torus": Stable(()), "sheets 0.05 apart": Stable((), 14),
-         "sheets that cross": Stable((), 20), "cavity, wall 0.05": Stable((), 14),
-         "noise": Stable((), 14)},
+        "least layer distance by hand; marks: the automatic one", decades(1e-4, 1, 13), 0,
+        {"torus": coarse(), "sheets 0.05 apart": coarse(),
+         "sheets that cross": coarse(), "cavity, wall 0.05": coarse(), "noise": coarse()},
         lambda mapper, value: mapper.SetLayerDistance(value),
-        where=lambda mapper: mapper.GetLayerDistanceUsed(), 
-        method=IMAGE_SPACE, base=by_method(IMAGE_SPACE))
-setting("radius_scale", "What all radii are multiplied with.", [0.25, 0.5, 0.7, 1, 1.4, 2, 4, 8], 1,
-        {"torus": Stable(()), "box": Stable(()), "10 to 1 sampling": Stable(()),
-         "noise": Stable((), 14)},
+        where=lambda mapper: mapper.GetLayerDistanceUsed(),
+        method=IMAGE_SPACE, base=image_space)
+setting("radius_scale", "factor on all radii; marks: the default", [0.25, 0.5, 0.7, 1, 1.4, 2, 4, 8], 1,
+        {"torus": Stable(), "box": unasked(), "10 to 1 sampling": Stable(),
+         "noise": Stable(gap=14)},
         lambda mapper, value: mapper.SetRadiusScale(value))
-setting("kernel_sigma", "The Gaussian's width in radii.", [0.1, 0.2, 0.3, 0.6, 1, 2, 5], 0.6,
-        {"torus": Stable(()), "box": Stable(()), "10 to 1 sampling": Stable(()),
-         "noise": Stable((), 14)},
+setting("kernel_sigma", "the Gaussian's width in radii; marks: the default", [0.1, 0.2, 0.3, 0.6, 1, 2, 5], 0.6,
+        {"torus": Stable(), "box": unasked(), "10 to 1 sampling": Stable(),
+         "noise": Stable(gap=14)},
         lambda mapper, value: mapper.SetKernelSigma(value))
-setting("layers", "The most layers, of sixteen that are there.", [1, 2, 4, 6, 8, 12, 16, 24, 32], 32,
-        {"nested shells": Stable(()), "cavity, wall 0.05": Stable(())},
+setting("layers", "most layers, of eight and four that are there", [1, 2, 3, 4, 5, 6, 7, 8, 16, 32], 32,
+        {"nested shells": Stable(), "cavity, wall 0.05": Stable()},
         lambda mapper, value: mapper.SetMaximumNumberOfLayers(int(value)))
-setting("overlap_factor", "Deferred blending: the factor c.", [0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1], 0.8,
-        {"torus": Stable(()), "box": Stable(()), "noise": Stable((), 14)},
+setting("overlap_factor", "deferred blending: the factor c; marks: the default", [0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1], 0.8,
+        {"torus": Stable(), "box": unasked(), "noise": Stable(gap=14)},
         lambda mapper, value: mapper.SetOverlapFactor(value), base=deferred)
-setting("fill_steps", "Image space: how often holes are filled at most.", [1, 2, 3, 4, 8, 16, 64], 2,
-        {"torus": Stable(()), "box": Stable(()), "sheets that cross": Stable((), 20),
-         "10 to 1 sampling": Stable(())},
-        lambda mapper, value: mapper.SetMaximumNumberOfFillSteps(int(value)), 
-        method=IMAGE_SPACE, base=by_method(IMAGE_SPACE))
+setting("fill_steps", "image space: fill steps at most; marks: the default", [1, 2, 3, 4, 8, 16, 64], 2,
+        {"torus": coarse(), "box": unasked(), "sheets that cross": coarse(),
+         "10 to 1 sampling": coarse(gap=16)},
+        lambda mapper, value: mapper.SetMaximumNumberOfFillSteps(int(value)),
+        method=IMAGE_SPACE, base=image_space)
 
 
 def grouped(scene, groups):
@@ -119,6 +131,6 @@ def measure_groups(scene, value, size):
 
 
 SWEEPS["groups"] = Sweep(
-    "groups", "Deferred blending: K groups of weighted colouring; the larger mark is what c = 0.8 makes.",
+    "groups", "deferred blending: K groups; marks: what c = 0.8 makes",
     [1, 2, 3, 4, 6, 8, 12, 16, 24, 32],
-    {"torus": Stable([0]), "box": Stable([0]), "noise": Stable([0], 14)}, measure_groups, 0, 2.0)
+    {"torus": Stable([0]), "box": unasked(), "noise": Stable([0], 14)}, measure_groups, 0, 2.0)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Sweeps of shadow textures: a ball and a thin post over a plane, against rays to the light."""
+"""Sweeps of shadow textures: a ball over a plane, against rays to the light."""
 import math
 
 import numpy as np
@@ -8,7 +8,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkRenderingCore import vtkLight
 import pointsplatting
 
-from sweeps.measures import look, picture, psnr
+from sweeps.measures import PERFECT, look, picture, psnr
 from sweeps.registry import SWEEPS, Stable, Sweep, decades
 from sweeps.surfaces import Surface, cloud, jittered, random, sphere_points
 
@@ -77,7 +77,7 @@ def measure(elevation, size, apply):
         pictures.append(picture([(mapper, surface, (0, 0, 0))],
                                 look((0.5, -3.2, 2.2), (0, 0, 0.2), up=(0, 0, 1)), size, [lamp]))
     return {
-        "psnr": psnr(*pictures), "mesh": 99.0,
+        "psnr": psnr(*pictures), "mesh": PERFECT,
         "holes": float((sure & lit & (factor < 0.5)).sum() / max(1, (sure & lit).sum())),
         "leaks": float((sure & ~lit & (factor >= 0.5)).sum() / max(1, (sure & ~lit).sum())),
     }, texture
@@ -103,17 +103,17 @@ def by_setting(apply, where):
 SHADOWED = {"holes": 0.001, "leaks": 0.001, "enough": 30}
 shadow_sweep(
     "shadow_layer_distance",
-    "The shadow test's least layer distance (bias) by hand; the larger mark is the automatic one.",
+    "shadow test's least layer distance (bias); mark: automatic",
     decades(1e-4, 1, 13), 0, Stable([0], **SHADOWED),
     by_setting(lambda texture, value: texture.SetLayerDistance(value),
                lambda texture: texture.GetLayerDistanceUsed()), 2.0)
 shadow_sweep(
     "shadow_resolution",
-    "The shadow map's pixels along a side by hand; the larger mark is the automatic number.",
+    "the shadow map's pixels along a side; mark: automatic",
     [16, 32, 64, 128, 256, 512, 1024, 2048, 4096], 0, Stable([0], **SHADOWED),
     by_setting(lambda texture, value: texture.SetResolution(int(value)),
                lambda texture: texture.GetResolutionUsed()), 2.0)
 shadow_sweep(
-    "light_grazing", "The light's elevation over the plane, in degrees.",
+    "light_grazing", "the light's elevation over a plane, degrees",
     [80, 60, 40, 20, 10, 5, 3, 2, 1], None, Stable([60, 20, 10], **SHADOWED),
     lambda _, value, size: measure(value, size, lambda texture: None)[0])
