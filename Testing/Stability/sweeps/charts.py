@@ -14,16 +14,17 @@ import pointsplatting
 import vtkmodules.vtkRenderingContextOpenGL2  # noqa: F401
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 
-from sweeps.measures import IMAGE_SPACE, TWO_PASSES
+from sweeps.measures import IMAGE_SPACE, QUADS, TWO_PASSES
 from sweeps.registry import SWEEPS
 
 # What the README shows of all sweeps.
 TELLING = ("density", "non_uniform", "position_noise", "normal_noise", "outliers", "flipped_normals",
-           "close_up", "parallel_sheets", "layer_distance", "radius_scale", "overlap_factor",
+           "close_up", "sheets_in_one", "layer_distance", "radius_scale", "overlap_factor",
            "shadow_layer_distance")
 PANEL = (500, 235)
-METHOD_COLOURS = {TWO_PASSES: (200, 80, 30), IMAGE_SPACE: (30, 120, 220)}
-COLOURS = ((200, 80, 30), (30, 120, 220), (0, 150, 90), (140, 60, 190), (220, 160, 0), (110, 110, 110))
+METHOD_COLOURS = {TWO_PASSES: (200, 80, 30), IMAGE_SPACE: (30, 120, 220), QUADS: (0, 150, 90)}
+COLOURS = ((200, 80, 30), (30, 120, 220), (0, 150, 90), (140, 60, 190), (220, 160, 0),
+           (110, 110, 110), (230, 90, 150))
 GREY = (165, 165, 165)
 MOST = 65  # dB: what is more is not shown, since it cannot be seen
 

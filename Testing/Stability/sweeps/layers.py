@@ -45,7 +45,7 @@ def crossing_sheets(degrees, n):
                    look((0.3, -0.7, 0.8), up=(0, 0, 1)))
 
 
-@sweep([5, 10, 20, 45, 90], Stable([20, 90], 12), coarse([20, 90]))
+@sweep([5, 10, 20, 45, 90], Stable([20, 90], 12), coarse([90]))
 def crossing(degrees, n):
     """angle at which two sheets cross, degrees"""
     return crossing_sheets(degrees, n)
@@ -60,7 +60,7 @@ def touching(gap, n):
                    look((0, 0, 4.2)))
 
 
-@sweep(GAPS[:-1], Stable([0.1]), coarse([0.1]))
+@sweep(GAPS[:-1], Stable([0.001, 0.01, 0.1]), coarse([0.1]), quads=Stable([0.01]))
 def thin_wall(thickness, n):
     """thickness of a wall, both sides in one actor"""
     return simple(box((1, 1, thickness / 2)), 2 * n, NEAR)

@@ -15,9 +15,9 @@ from sweeps.surfaces import Surface, cloud, random
 # Along a pixel's side, of the mesh that counts as the truth; wide windows get that mesh as it is.
 SAMPLES, WIDE = 3, 1024
 PERFECT = 99.0  # dB, where there is no difference
-TWO_PASSES, IMAGE_SPACE = "two passes", "image space"
+TWO_PASSES, IMAGE_SPACE, QUADS = "two passes", "image space", "two passes by quads"
 # Points of a body in the middle of the picture; image space is for those denser than pixels.
-COUNTS = {TWO_PASSES: 20000, IMAGE_SPACE: 200000}
+COUNTS = {TWO_PASSES: 20000, IMAGE_SPACE: 200000, QUADS: 20000}
 
 
 def look(position, focus=(0, 0, 0), angle=30, parallel=None, clipping=None, up=(0, 1, 0)):
@@ -190,4 +190,6 @@ def by_method(name):
     def configure(mapper):
         if name == IMAGE_SPACE:
             mapper.SetMethodToImageSpace()
+        if name == QUADS:
+            mapper.SetProjectionToQuads()
     return configure

@@ -35,7 +35,7 @@ def real_scans(points_path, mesh_path):
     normals = vtkPolyDataNormals()
     normals.SetInputData(read(mesh_path))
     normals.SplittingOff()
-    normals.ConsistencyOff()
+    normals.ConsistencyOn()
     normals.Update()
     surface = Surface(normals.GetOutput(), None)
     p = vtk_to_numpy(points.GetPoints().GetData())

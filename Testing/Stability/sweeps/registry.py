@@ -3,7 +3,7 @@
 """What a sweep is, and what its defaults must bear."""
 import math
 
-from sweeps.measures import COUNTS, IMAGE_SPACE, TWO_PASSES, by_method
+from sweeps.measures import COUNTS, IMAGE_SPACE, QUADS, TWO_PASSES, by_method
 
 # Differences that nobody sees, where the mesh itself is nearer still.
 ENOUGH = 45
@@ -70,11 +70,11 @@ class Sweep:
         return found
 
 
-def sweep(values, two_passes=None, image_space=None):
+def sweep(values, two_passes=None, image_space=None, quads=None):
     """Decorates a function of a value and of a method's usual number of points that makes the Scene:
     the same but for the points. Its documentation names the value."""
     series = {name: stable for name, stable in (
-        (TWO_PASSES, two_passes), (IMAGE_SPACE, image_space)) if stable}
+        (TWO_PASSES, two_passes), (IMAGE_SPACE, image_space), (QUADS, quads)) if stable}
 
     def register(function):
         truths = {}

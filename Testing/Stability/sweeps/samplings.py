@@ -63,7 +63,7 @@ def outliers(share, n):
     return Scene([surface], [cloud(p, m)])
 
 
-@sweep([0, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 0.5], Stable([0.001], 14), coarse([0.001]))
+@sweep([0, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 0.5], Stable([0.01, 0.3]), coarse([0.01, 0.3]))
 def flipped_normals(share, n):
     """share of points whose normals point inward"""
     surface = sphere()

@@ -5,7 +5,7 @@ import functools
 
 import pointsplatting
 
-from sweeps.layers import crossing_sheets, hollow, sheets
+from sweeps.layers import crossing_sheets, hollow, sheets, sheets_in_one, thin_wall
 from sweeps.measures import (
     COUNTS, FRONT, IMAGE_SPACE, TWO_PASSES, Scene, by_method, look, several, simple)
 from sweeps.registry import SWEEPS, Stable, Sweep, coarse, decades, unasked
@@ -23,7 +23,9 @@ SCENES = {
     "torus": lambda n: simple(torus(), n),
     "box": lambda n: simple(box((0.6, 0.6, 0.6)), n, look((2, -3, 2.5)), interior=8),
     "sheets 0.05 apart": lambda n: sheets(0.05, n),
+    "sheets in one": lambda n: sheets_in_one(0.05, n),
     "sheets that cross": lambda n: crossing_sheets(45, n),
+    "wall of 0.01": lambda n: thin_wall(0.01, n),
     "cavity, wall 0.05": lambda n: hollow(0.05, n, 0.5),
     "10 to 1 sampling": lambda n: non_uniform(10, n),
     "noise": lambda n: position_noise(0.1, n),
@@ -76,8 +78,8 @@ def deferred(mapper):
 
 setting("layer_distance", "least layer distance by hand; marks: the automatic one",
         decades(1e-4, 1, 13), 0,
-        {"torus": Stable(), "sheets 0.05 apart": Stable(), "sheets that cross": Stable(gap=12),
-         "cavity, wall 0.05": Stable(), "noise": Stable(gap=14), "10 to 1 sampling": Stable()},
+        {"torus": Stable(), "wall of 0.01": Stable(), "sheets that cross": Stable(gap=12),
+         "sheets in one": Stable(), "cavity, wall 0.05": Stable(), "noise": Stable(gap=14), "10 to 1 sampling": Stable()},
         lambda mapper, value: mapper.SetLayerDistance(value),
         where=lambda mapper: mapper.GetLayerDistanceUsed())
 setting("layer_distance_image_space",
@@ -99,7 +101,7 @@ setting("layers", "most layers, of eight and four that are there", [1, 2, 3, 4, 
         {"nested shells": Stable(), "cavity, wall 0.05": Stable()},
         lambda mapper, value: mapper.SetMaximumNumberOfLayers(int(value)))
 setting("overlap_factor", "deferred blending: the factor c; marks: the default", [0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1], 0.8,
-        {"torus": Stable(), "box": unasked(), "noise": Stable(gap=14)},
+        {"torus": Stable(), "box": unasked(), "wall of 0.01": Stable(), "noise": Stable(gap=14)},
         lambda mapper, value: mapper.SetOverlapFactor(value), base=deferred)
 setting("fill_steps", "image space: fill steps at most; marks: the default", [1, 2, 3, 4, 8, 16, 64], 2,
         {"torus": coarse(), "box": unasked(), "sheets that cross": coarse(),
