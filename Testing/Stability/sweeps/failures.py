@@ -12,34 +12,25 @@ import vtkmodules.vtkRenderingContextOpenGL2  # noqa: F401
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 
 from sweeps import layers, samplings
-from sweeps.measures import COUNTS, IMAGE_SPACE, TWO_PASSES, Scene, by_method, look
+from sweeps.measures import COUNTS, IMAGE_SPACE, TWO_PASSES, by_method
 from sweeps.settings import SCENES
-from sweeps.surfaces import cloud, random, sphere
 
-PIXELS, COLUMNS, LABEL, GAP = 150, 3, 22, 10
-
-
-def small_bodies(n):
-    """Balls of a few pixels each."""
-    rng = random(3)
-    balls = [sphere(0.05, rng.uniform(-0.8, 0.8, 3)) for _ in range(60)]
-    parts = [ball.draw(n // len(balls), rng) for ball in balls]
-    return Scene(balls, [cloud(*part) for part in parts], look((0, 0, 4.2)))
+PIXELS, COLUMNS, LABEL, GAP = 150, 3, 24, 10
+STEP = 4  # of colours, so that the file stays small
 
 
 # Label, scene of a number of points, method.
 PANELS = (
-    ("Sheets nearer than the least\nlayer distance: they blend",
-     lambda n: layers.parallel_sheets(0.003, n), TWO_PASSES),
-    ("Sharp edges: splats reach over",
-     SCENES["box"], TWO_PASSES),
+    ("Sharp edges", SCENES["box"], TWO_PASSES),
     ("Sampled 50 to 1", lambda n: samplings.non_uniform(50, n), TWO_PASSES),
     ("1 % outliers", lambda n: samplings.outliers(0.01, n), TWO_PASSES),
-    ("10 % of normals flipped", lambda n: samplings.flipped_normals(0.1, n), TWO_PASSES),
     ("Noise of half a spacing", lambda n: samplings.position_noise(0.5, n), TWO_PASSES),
-    ("Image space, points 4 pixels apart", lambda n: samplings.density(20000, n), IMAGE_SPACE),
+    ("Normals off by 20 degrees", lambda n: samplings.normal_noise(20, n), TWO_PASSES),
+    ("Translucent sheets 0.2 radii apart", lambda n: layers.sheets_in_one(0.003, n), TWO_PASSES),
+    ("Image space, points 4 pixels apart", lambda n: samplings.density(5000, n), IMAGE_SPACE),
     ("Image space, sampled 20 to 1", lambda n: samplings.non_uniform(20, n), IMAGE_SPACE),
-    ("Image space, small bodies", small_bodies, IMAGE_SPACE),
+    ("Image space, sheets 0.8 spacings apart", lambda n: layers.parallel_sheets(0.003, n),
+     IMAGE_SPACE),
 )
 
 
@@ -70,7 +61,8 @@ def panel(text, make, method):
     scene = make(COUNTS[method])
     pair = np.concatenate([scene.truth(PIXELS).picture,
                            scene.draw(PIXELS, by_method(method))[0]], 1)
-    return np.concatenate([np.clip(np.round(pair), 0, 255), label(text, 2 * PIXELS)])
+    pair = np.minimum(STEP * np.round(pair / STEP), 255)
+    return np.concatenate([pair, label(text, 2 * PIXELS)])
 
 
 def write(path):
