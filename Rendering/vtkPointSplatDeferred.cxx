@@ -77,7 +77,7 @@ bool vtkPointSplatDeferred::BuildPrograms(bool factors)
   if ((!geometry.IsBuilt() &&
         !geometry.Build({ { GL_VERTEX_SHADER, "vtkPointSplatGroupVS" },
                           { GL_FRAGMENT_SHADER, "vtkPointSplatGroupFS" } },
-          defines)) ||
+          defines + "#define CLIPPING\n")) ||
     (!compositing.IsBuilt() &&
       !compositing.Build({ { GL_VERTEX_SHADER, "vtkPointSplatResolveVS" },
                            { GL_FRAGMENT_SHADER, "vtkPointSplatCompositeFS" } },

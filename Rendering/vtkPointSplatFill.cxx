@@ -14,9 +14,10 @@
 
 namespace
 {
-// As in vtkPointSplatStripsCS.glsl.
+// As in vtkPointSplatStripsCS.glsl and vtkPointSplatPushPullCS.glsl.
 constexpr int StripsPerGroup = 32;
 constexpr int StripLength = 16;
+constexpr int StripWidth = 2;
 
 // Points this far apart, in pixels, or closer leave only holes that one step closes.
 constexpr double DensePixels = 0.7;
@@ -129,6 +130,7 @@ bool vtkPointSplatFill::Draw(vtkOpenGLRenderWindow* window, Stage stage, size_t 
   program->Set("PixelSize", scale * this->Given.PixelSize);
   program->Set("PixelsNeeded", static_cast<float>(DensePixels));
   program->Set("LevelScale", scale);
+  program->Set("SlotSilhouettes", this->Given.Silhouettes);
   program->Set("RayOffset", this->Given.RayOffset);
   program->Set("RayScale", this->Given.RayScale);
   program->Set("DepthUnit", this->Given.DepthUnit);
@@ -158,14 +160,18 @@ bool vtkPointSplatFill::Draw(vtkOpenGLRenderWindow* window, Stage stage, size_t 
   const glm::ivec4& w = result->Window;
   if (this->Compute)
   {
-    const int strip = stage == Pull || stage == Push ? 1 : StripLength;
+    const glm::ivec2 strip = stage == Pull ? glm::ivec2(1) : glm::ivec2(StripWidth, StripLength);
+    // Of the pixels that strips may begin with: of the pushed those that have a parent.
+    const glm::ivec2 first = glm::ivec2(w.x, w.y) & (stage == Push ? ~1 : ~0);
+    const glm::ivec2 groups =
+      (glm::ivec2(w.z, w.w) - first + strip * glm::ivec2(StripsPerGroup, 1)) /
+      (strip * glm::ivec2(StripsPerGroup, 1));
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, to);
     if (factors)
     {
       glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, factors);
     }
-    glDispatchCompute(static_cast<GLuint>((w.z - w.x + StripsPerGroup) / StripsPerGroup),
-      static_cast<GLuint>((w.w - w.y + strip) / strip), 1);
+    glDispatchCompute(static_cast<GLuint>(groups.x), static_cast<GLuint>(groups.y), 1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
     return true;
   }
@@ -235,6 +241,7 @@ bool vtkPointSplatFill::Reconstruct(vtkOpenGLRenderWindow* window,
   given.Layers.assign(vtkPointSplatStages::MaximumSlots, -1.0f);
   given.LayerPixels.assign(vtkPointSplatStages::MaximumSlots, 0.0f);
   given.Spacings.assign(vtkPointSplatStages::MaximumSlots, 0.0f);
+  given.Silhouettes = glm::uvec2(0u);
   int levels = 1;
   for (const vtkPointSplatItem& item : items)
   {
@@ -244,6 +251,7 @@ bool vtkPointSplatFill::Reconstruct(vtkOpenGLRenderWindow* window,
       given.Layers[slot] = static_cast<float>(item.PointLayer);
       given.LayerPixels[slot] = static_cast<float>(item.PointLayerPixels);
       given.Spacings[slot] = static_cast<float>(item.Spacing);
+      given.Silhouettes[item.Slot / 32] |= (item.Silhouettes ? 1u : 0u) << (item.Slot % 32);
       levels = std::max(levels, vtkPointSplatFill::LevelsFor(item.SpacingPixels));
     }
   }

@@ -75,6 +75,7 @@ private:
     std::vector<float> Layers;
     std::vector<float> LayerPixels;
     std::vector<float> Spacings;
+    glm::uvec2 Silhouettes{ 0u };
     glm::vec2 PixelSize{ 0.0f };
     glm::vec2 RayOffset{ 0.0f };
     glm::vec2 RayScale{ 0.0f };

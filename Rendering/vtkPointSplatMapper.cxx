@@ -261,6 +261,7 @@ void vtkPointSplatMapper::FillItem(
     item.LargestLayer = std::max(item.PointLayer, item.PointLayerPixels * pixels.y);
     item.Spacing = spacing;
     item.SpacingPixels = spacing / pixels.x;
+    item.Silhouettes = this->AntiAliasing;
     this->Internals->ProjectedSpacing = item.SpacingPixels;
   }
   const double* colour = property->GetColor();

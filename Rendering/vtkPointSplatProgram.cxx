@@ -166,6 +166,11 @@ void vtkPointSplatProgram::Set(const char* name, const glm::ivec4& value)
   glUniform4iv(this->Location(name), 1, glm::value_ptr(value));
 }
 
+void vtkPointSplatProgram::Set(const char* name, const glm::uvec2& value)
+{
+  glUniform2uiv(this->Location(name), 1, glm::value_ptr(value));
+}
+
 void vtkPointSplatProgram::Set(const char* name, const glm::mat3& value)
 {
   glUniformMatrix3fv(this->Location(name), 1, GL_FALSE, glm::value_ptr(value));

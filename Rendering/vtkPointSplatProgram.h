@@ -60,6 +60,7 @@ public:
   void Set(const char* name, const glm::vec4& value);
   void Set(const char* name, const glm::ivec2& value);
   void Set(const char* name, const glm::ivec4& value);
+  void Set(const char* name, const glm::uvec2& value);
   void Set(const char* name, const glm::mat3& value);
   void Set(const char* name, const glm::mat4& value);
   void Set(const char* name, const std::vector<glm::vec4>& value);

@@ -210,10 +210,6 @@ bool vtkPointSplatResolve::Present(vtkRenderer* renderer, vtkActor* actor,
     (shaded ? vtkPointSplatResolve::LightDefines(renderer, actor)
             : std::string("#define LIGHT_LEVEL 0\n#define LIGHT_COUNT 0\n"));
   defines += images.GetDefines();
-  if (images.IsFilled() && shaded && mapper->GetAntiAliasing())
-  {
-    defines += "#define SILHOUETTES\n";
-  }
   if (shaded && images.GetFactorCount() > 0)
   {
     defines += "#define FACTORS\n";
@@ -242,11 +238,6 @@ bool vtkPointSplatResolve::Present(vtkRenderer* renderer, vtkActor* actor,
   const int origin[2] = { view.Origin.x, view.Origin.y };
   program->SetUniform2i("ImageOrigin", origin);
   program->SetUniformi("Slot", item.Slot);
-  if (images.IsFilled())
-  {
-    const int size[2] = { view.Size.x, view.Size.y };
-    program->SetUniform2i("PresentedSize", size);
-  }
   vtkPointSplatResolve::SetView(view, depthUnit, program);
   if (reflects)
   {

@@ -136,7 +136,8 @@ bool vtkPointSplatSorted::DrawGroup(vtkRenderer* renderer, const std::vector<vtk
     if (!shader)
     {
       std::string defines = vtkPointSplatResolve::LightDefines(renderer, actor);
-      const std::string quads = item.Factors ? "#define FACTORS\n" : "";
+      const std::string quads = std::string(item.Factors ? "#define FACTORS\n" : "") +
+        (item.ClipPlanes.empty() ? "" : "#define CLIPPING\n");
       defines += quads;
       if (nearest && nearest->IsCompute())
       {

@@ -13,7 +13,8 @@
 
 namespace
 {
-constexpr GLuint GroupSize = 64;      // as in vtkPointSplatSplatsCS.glsl and PointsCS
+constexpr GLuint GroupSize = 64;     // as in vtkPointSplatSplatsCS.glsl and PointsCS
+constexpr GLuint PointsPerGroup = 8 * GroupSize; // as in PointsCS
 constexpr GLuint MostGroups = 32768;  // in one dimension; OpenGL promises 65535
 constexpr GLuint LargeGroups = 256;   // share the listed splats of many pixels
 
@@ -38,7 +39,8 @@ bool vtkPointSplatItem::operator==(const vtkPointSplatItem& other) const
     this->CoveringScale == other.CoveringScale && this->Refracts == other.Refracts &&
     this->Factors == other.Factors && this->FactorCount == other.FactorCount &&
     this->FactorVersion == other.FactorVersion && this->Points == other.Points &&
-    this->PointLayer == other.PointLayer && this->PointLayerPixels == other.PointLayerPixels;
+    this->PointLayer == other.PointLayer && this->PointLayerPixels == other.PointLayerPixels &&
+    this->Silhouettes == other.Silhouettes;
 }
 
 //------------------------------------------------------------------------------
@@ -74,15 +76,21 @@ bool vtkPointSplatStages::ComputeSupported(vtkOpenGLRenderWindow* window)
 
 //------------------------------------------------------------------------------
 vtkPointSplatProgram* vtkPointSplatStages::Use(
-  Stage stage, bool compute, bool points, const vtkPointSplatPeel* peel, bool factors)
+  Stage stage, bool compute, const vtkPointSplatItem& item, const vtkPointSplatPeel* peel,
+  const vtkPointSplatImages* sums)
 {
   static const char* const names[3] = { "Visibility", "Accumulate", "Identify" };
   static const char* const pointNames[3] = { "PointDepth", "PointAccumulate", "PointIdentify" };
-  vtkPointSplatProgram& program = this->Programs[stage][compute][points][peel ? 1 : 0][factors];
+  // What the whole frame has in common is decided before, where it costs each splat nothing.
+  std::string defines = peel ? "#define PEELING\n" : "";
+  defines += sums && sums->HasColours() ? "#define COLOURS\n" : "";
+  defines += sums && sums->GetFactorWords() > 0 ? "#define FACTORS\n" : "";
+  defines += item.ClipPlanes.empty() ? "" : "#define CLIPPING\n";
+  const std::string name =
+    std::string("vtkPointSplat") + (item.Points ? pointNames[stage] : names[stage]);
+  vtkPointSplatProgram& program = this->Programs[(compute ? "CS" : "FS") + name + defines];
   if (!program.IsBuilt())
   {
-    const std::string name =
-      std::string("vtkPointSplat") + (points ? pointNames[stage] : names[stage]);
     std::vector<std::pair<GLenum, std::string>> files;
     if (compute)
     {
@@ -91,11 +99,10 @@ vtkPointSplatProgram* vtkPointSplatStages::Use(
     else
     {
       files.emplace_back(
-        GL_VERTEX_SHADER, points ? "vtkPointSplatPointVS" : "vtkPointSplatQuadVS");
+        GL_VERTEX_SHADER, item.Points ? "vtkPointSplatPointVS" : "vtkPointSplatQuadVS");
       files.emplace_back(GL_FRAGMENT_SHADER, name + "FS");
     }
-    if (!program.Build(files,
-          std::string(peel ? "#define PEELING\n" : "") + (factors ? "#define FACTORS\n" : "")))
+    if (!program.Build(files, defines))
     {
       this->Error = program.GetLog();
       return nullptr;
@@ -187,10 +194,10 @@ void vtkPointSplatStages::DispatchPoints(vtkPointSplatProgram& program, vtkPoint
   vtkPointSplatCloud::Buffers& buffers) const
 {
   const bool batches = !listed && item.Batches;
-  const vtkIdType invocations = batches
+  const vtkIdType points = batches
     ? static_cast<vtkIdType>(item.Batches->size()) * vtkPointSplatBatches::Size
     : count;
-  if (invocations == 0)
+  if (points == 0)
   {
     return;
   }
@@ -202,7 +209,7 @@ void vtkPointSplatStages::DispatchPoints(vtkPointSplatProgram& program, vtkPoint
   {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 7, this->BatchBuffers[index]);
   }
-  const GLuint groups = static_cast<GLuint>((invocations + GroupSize - 1) / GroupSize);
+  const GLuint groups = static_cast<GLuint>((points + PointsPerGroup - 1) / PointsPerGroup);
   glDispatchCompute(std::min(groups, MostGroups), (groups + MostGroups - 1) / MostGroups, 1);
 }
 
@@ -309,7 +316,7 @@ bool vtkPointSplatStages::ReconstructByCompute(vtkOpenGLRenderWindow* window,
   }
   for (size_t i = 0; i < items.size(); ++i)
   {
-    program = this->Use(Visibility, true, items[i].Points, peel);
+    program = this->Use(Visibility, true, items[i], peel);
     if (!program)
     {
       return false;
@@ -337,7 +344,7 @@ bool vtkPointSplatStages::ReconstructByCompute(vtkOpenGLRenderWindow* window,
   for (size_t i = 0; i < items.size(); ++i)
   {
     const vtkPointSplatItem& item = items[i];
-    program = this->Use(Accumulation, true, item.Points, peel, images.GetFactorWords() > 0);
+    program = this->Use(Accumulation, true, item, peel, &images);
     if (!program)
     {
       return false;
@@ -405,7 +412,7 @@ bool vtkPointSplatStages::Identify(vtkOpenGLRenderWindow* window, const vtkPoint
       for (size_t i = 0; i < items.size(); ++i)
       {
         const vtkPointSplatItem& item = items[i];
-        if (vtkPointSplatProgram* program = this->Use(Identification, true, item.Points))
+        if (vtkPointSplatProgram* program = this->Use(Identification, true, item))
         {
           units.Bind(*program, "Depths", GL_TEXTURE_BUFFER, images.GetDepthTexture());
           const GLuint idMap = item.Cloud->UploadIdMap(window, kind);
@@ -448,21 +455,9 @@ bool vtkPointSplatStages::Identify(vtkOpenGLRenderWindow* window, const vtkPoint
 //------------------------------------------------------------------------------
 void vtkPointSplatStages::Release()
 {
-  for (auto& stage : this->Programs)
+  for (auto& program : this->Programs)
   {
-    for (auto& projection : stage)
-    {
-      for (auto& kind : projection)
-      {
-        for (auto& peeling : kind)
-        {
-          for (vtkPointSplatProgram& program : peeling)
-          {
-            program.Release();
-          }
-        }
-      }
-    }
+    program.second.Release();
   }
   if (this->Found)
   {

@@ -15,6 +15,7 @@
 #include "vtkPointSplatProgram.h"
 #include "vtkPointSplatView.h"
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -52,6 +53,7 @@ struct vtkPointSplatItem
   double PointLayerPixels = 0.0;      // ... and in pixels; the larger counts
   double Spacing = 0.0;               // of such points, world units
   double SpacingPixels = 0.0;         // the same where they are nearest to the eye, pixels
+  bool Silhouettes = false;           // of such points, anti-aliased
   std::shared_ptr<const vtkPointSplatBatches::List> Batches; // of such points in view; null: all
   glm::vec4 Colour{ 1.0f };           // and opacity, where layers of several items are gathered
   bool Refracts = false;              // the environment
@@ -153,11 +155,9 @@ private:
     Accumulation,
     Identification
   };
-  /// The program of a stage, in use; points: for items that are projected as single pixels;
-  /// factors: for images that have those of lights.
-  vtkPointSplatProgram* Use(
-    Stage stage, bool compute, bool points, const vtkPointSplatPeel* peel = nullptr,
-    bool factors = false);
+  /// The program of a stage for an item, in use. sums: the images that the stage adds to.
+  vtkPointSplatProgram* Use(Stage stage, bool compute, const vtkPointSplatItem& item,
+    const vtkPointSplatPeel* peel = nullptr, const vtkPointSplatImages* sums = nullptr);
   /// What the layers before and the scene are to a stage.
   static void SetPeel(vtkPointSplatProgram& program, vtkPointSplatUnits& units,
     const vtkPointSplatView& view, const vtkPointSplatPeel* peel, bool compute);
@@ -179,7 +179,7 @@ private:
     const std::vector<vtkPointSplatItem>& items, vtkPointSplatImages& images,
     vtkPointSplatCloud::IdKind kind);
 
-  vtkPointSplatProgram Programs[3][2][2][2][2]; // by stage, compute, points, peeling, factors
+  std::map<std::string, vtkPointSplatProgram> Programs; // by files and defines
   GLuint Found = 0; // a buffer: whether compute shaders found anything
 
   /**

@@ -173,7 +173,7 @@ bool vtkPointSplatStages::ReconstructByQuads(vtkOpenGLRenderWindow* window,
   };
   for (const vtkPointSplatItem& item : items)
   {
-    program = this->Use(Visibility, false, item.Points, peel);
+    program = this->Use(Visibility, false, item, peel);
     if (!program)
     {
       good = false;
@@ -225,7 +225,7 @@ bool vtkPointSplatStages::ReconstructByQuads(vtkOpenGLRenderWindow* window,
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
   for (const vtkPointSplatItem& item : items)
   {
-    program = this->Use(Accumulation, false, item.Points, peel, targets > 3);
+    program = this->Use(Accumulation, false, item, peel, &images);
     if (!program)
     {
       return false;
@@ -269,7 +269,7 @@ bool vtkPointSplatStages::IdentifyByQuads(vtkOpenGLRenderWindow* window,
   vtkPointSplatUnits units(window);
   for (const vtkPointSplatItem& item : items)
   {
-    vtkPointSplatProgram* program = this->Use(Identification, false, item.Points);
+    vtkPointSplatProgram* program = this->Use(Identification, false, item);
     if (!program)
     {
       return false;

@@ -60,6 +60,12 @@ bool fetchSums(ivec2 pixel, out vec3 normal, out float behind, out vec4 colour)
   return true;
 }
 
+// The share of the pixel that the layer covers.
+float fetchCoverage(ivec2 pixel)
+{
+  return isHalfCovered(fetchTexel(pixel)) ? 0.5 : 1.0;
+}
+
 #elif defined(COMPUTE_IMAGES)
 
 uniform usamplerBuffer Depths; // R32UI, one a pixel
@@ -78,8 +84,7 @@ uint fetchId(ivec2 pixel)
   return texelFetch(Ids, pixel.y * ImageWidth + pixel.x).g;
 }
 
-// Sums of weights, and of weighted normals, depths in units of DepthUnit, and colours; of
-// nothing where nothing was accumulated, or more than can be told.
+// Sums of weights, and of weighted normals, depths in units of DepthUnit, and colours.
 float fetchRawSums(ivec2 pixel, out vec4 normalAndBehind, out vec4 colour)
 {
   int at = (pixel.y * ImageWidth + pixel.x) * TexelsPerPixel;
@@ -90,7 +95,7 @@ float fetchRawSums(ivec2 pixel, out vec4 normalAndBehind, out vec4 colour)
   {
     colour = vec4(unpackSums(a.w), unpackSums(texelFetch(Sums, at + 1).r));
   }
-  return a.x < WeightOverflow ? float(a.x) : 0.0;
+  return float(a.x);
 }
 
 #else
@@ -123,7 +128,7 @@ float fetchRawSums(ivec2 pixel, out vec4 normalAndBehind, out vec4 colour)
 #endif
 
 #ifndef FILLED_IMAGES
-// False: nothing was accumulated here, or more than can be told.
+// False: nothing was accumulated here.
 bool fetchSums(ivec2 pixel, out vec3 normal, out float behind, out vec4 colour)
 {
   vec4 sum;
@@ -157,16 +162,15 @@ vec4 fetchFactors(ivec2 pixel)
 #ifdef COMPUTE_IMAGES
 uniform int FactorWord; // 3, or 5 with colours
 
-// Sums of weights, and of weighted factors; of nothing as in fetchRawSums.
+// Sums of weights, and of weighted factors.
 float fetchRawFactors(ivec2 pixel, out vec4 factors)
 {
   int at = (pixel.y * ImageWidth + pixel.x) * TexelsPerPixel;
   ivec4 a = texelFetch(Sums, at);
   ivec4 b = TexelsPerPixel > 1 ? texelFetch(Sums, at + 1) : ivec4(0);
   ivec2 words = FactorWord == 3 ? ivec2(a.w, b.x) : b.yz;
-  bool good = a.x < WeightOverflow;
-  factors = good ? vec4(unpackSums(words.x), unpackSums(words.y)) : vec4(0.0);
-  return good ? float(a.x) : 0.0;
+  factors = vec4(unpackSums(words.x), unpackSums(words.y));
+  return float(a.x);
 }
 #else
 uniform sampler2D Factors;

@@ -13,45 +13,50 @@
 layout(std430, binding = 0) writeonly buffer Result { uvec2 result[]; };
 layout(std430, binding = 1) buffer Changed { uint changed; }; // whether anything was filled
 
-// A row's three codes about a pixel; left, right: whether these are inside.
-uvec3 fetchRow(ivec2 pixel, bool left, bool right)
+// A row of an invocation's pixels, one and two, and one more at each side.
+struct Row
 {
-  uvec3 row = uvec3(NoDepth);
-  if (pixel.y >= FilledWindow.y && pixel.y <= FilledWindow.w)
+  uvec2 left;
+  uvec2 one;
+  uvec2 two;
+  uvec2 right;
+};
+
+Row fetchRow(ivec2 pixel)
+{
+  return Row(fetchFilled(pixel - ivec2(1, 0)), fetchFilled(pixel),
+    fetchFilled(pixel + ivec2(1, 0)), fetchFilled(pixel + ivec2(2, 0)));
+}
+
+// Whether there was something to fill. ring: about the pixel, as Ring.
+bool fillInto(ivec2 pixel, uvec2 own, uint ring[8])
+{
+  uvec2 filled = fill(pixel, own, ring);
+  if (pixel.x > FilledWindow.z)
   {
-    row.x = left ? fetchCode(pixel - ivec2(1, 0)) : NoDepth;
-    row.y = fetchCode(pixel);
-    row.z = right ? fetchCode(pixel + ivec2(1, 0)) : NoDepth;
+    return false;
   }
-  return row;
+  result[pixelIndex(pixel)] = filled;
+  return filled.x != own.x;
 }
 
 void main()
 {
-  ivec2 pixel = FilledWindow.xy + ivec2(gl_GlobalInvocationID.xy) * ivec2(1, StripLength);
-  if (pixel.x > FilledWindow.z)
-  {
-    return;
-  }
-  bool left = pixel.x > FilledWindow.x;
-  bool right = pixel.x < FilledWindow.z;
+  ivec2 pixel = stripPixel(FilledWindow);
   int end = min(pixel.y + StripLength - 1, FilledWindow.w);
-  uvec3 below = fetchRow(pixel - ivec2(0, 1), left, right);
-  uvec3 row = fetchRow(pixel, left, right);
+  Row below = fetchRow(pixel - ivec2(0, 1));
+  Row row = fetchRow(pixel);
   bool any = false;
   for (; pixel.y <= end; ++pixel.y)
   {
-    uvec3 above = fetchRow(pixel + ivec2(0, 1), left, right);
-    uvec2 filled = uvec2(row.y, fetchSource(pixel));
-    int from = fillFrom(row.y,
-      uint[8](row.z, above.z, above.y, above.x, row.x, below.x, below.y, below.z));
-    if (from >= 0)
-    {
-      ivec2 other = pixel + Ring[from];
-      filled = uvec2(fetchCode(other), fetchSource(other));
-      any = true;
-    }
-    result[pixelIndex(pixel)] = filled;
+    Row above = fetchRow(pixel + ivec2(0, 1));
+    bool one = fillInto(pixel, row.one,
+      uint[8](row.two.x, above.two.x, above.one.x, above.left.x, row.left.x, below.left.x,
+        below.one.x, below.two.x));
+    bool two = fillInto(pixel + ivec2(1, 0), row.two,
+      uint[8](row.right.x, above.right.x, above.two.x, above.one.x, row.one.x, below.one.x,
+        below.two.x, below.right.x));
+    any = any || one || two;
     below = row;
     row = above;
   }

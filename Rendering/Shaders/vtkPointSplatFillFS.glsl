@@ -19,13 +19,7 @@ void main()
   uint codes[8];
   for (int k = 0; k < 8; ++k)
   {
-    ivec2 other = pixel + Ring[k];
-    codes[k] = isOutside(other) ? NoDepth : fetchCode(other);
+    codes[k] = fetchFilled(pixel + Ring[k]).x;
   }
-  filled = uvec2(fetchCode(pixel), fetchSource(pixel));
-  int from = fillFrom(filled.x, codes);
-  if (from >= 0)
-  {
-    filled = uvec2(fetchCode(pixel + Ring[from]), fetchSource(pixel + Ring[from]));
-  }
+  filled = fill(pixel, fetchInside(pixel), codes);
 }

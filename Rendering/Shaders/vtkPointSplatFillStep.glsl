@@ -9,28 +9,25 @@
 
 #include "vtkPointSplatMasks"
 
-// The neighbour that the pixel is filled from, or -1. own, codes: coded depths of the pixel
-// and of the ring about it.
-int fillFrom(uint own, uint codes[8])
+// What fills a pixel, or what it has itself. own: that; codes: the coded depths of the ring
+// about it.
+uvec2 fill(ivec2 pixel, uvec2 own, uint codes[8])
 {
   uint nearest = NoDepth;
-  int from = -1;
+  int from = 0;
   for (int k = 0; k < 8; ++k)
   {
     from = codes[k] < nearest ? k : from;
     nearest = min(nearest, codes[k]);
   }
-  if (nearest >= own)
-  {
-    return -1;
-  }
   float layer = layerOf(nearest);
-  float limit = layer < 0.0 ? -1.0 : own == NoDepth ? 3e38 : decodeDepth(own) - layer;
+  float limit = layer < 0.0 ? -1.0 : own.x == NoDepth ? 3e38 : decodeDepth(own.x) - layer;
   uint white = 0u;
   for (int k = 0; k < 8; ++k)
   {
     // Background, which is no number as a depth, is before nothing.
     white |= decodeDepth(codes[k]) < limit ? 0u : 1u << k;
   }
-  return masksMatch(white) ? -1 : from;
+  uint source = fetchFilled(pixel + Ring[from]).y;
+  return nearest >= own.x || masksMatch(white) ? own : uvec2(nearest, source);
 }

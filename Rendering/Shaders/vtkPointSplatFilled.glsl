@@ -28,27 +28,25 @@ bool isOutside(ivec2 pixel)
   return pixel != clamp(pixel, FilledWindow.xy, FilledWindow.zw);
 }
 
-// Both: of a pixel inside.
-uint fetchCode(ivec2 pixel)
+// Of a pixel inside, the coded depth, and the pixel that is meant.
+uvec2 fetchInside(ivec2 pixel)
 {
 #if defined(FIRST_FILL)
-  return fetchDepth(pixel);
+  return uvec2(fetchDepth(pixel), uint(pixel.x) | uint(pixel.y) << 16);
 #elif defined(COMPUTE_IMAGES)
-  return texelFetch(Filled, pixel.y * ImageWidth + pixel.x).x;
+  return texelFetch(Filled, pixel.y * ImageWidth + pixel.x).xy;
 #else
-  return texelFetch(Filled, pixel, 0).x;
+  return texelFetch(Filled, pixel, 0).xy;
 #endif
 }
 
-uint fetchSource(ivec2 pixel)
+// The same of any pixel: outside there is nothing. CPUs skip no branch, so that a fetch
+// costs less than a condition.
+uvec2 fetchFilled(ivec2 pixel)
 {
-#if defined(FIRST_FILL)
-  return uint(pixel.x) | uint(pixel.y) << 16;
-#elif defined(COMPUTE_IMAGES)
-  return texelFetch(Filled, pixel.y * ImageWidth + pixel.x).y;
-#else
-  return texelFetch(Filled, pixel, 0).y;
-#endif
+  ivec2 inside = clamp(pixel, FilledWindow.xy, FilledWindow.zw);
+  uvec2 filled = fetchInside(inside);
+  return inside == pixel ? filled : uvec2(NoDepth, 0u);
 }
 
 ivec2 sourcePixel(uint source)

@@ -15,12 +15,8 @@
 
 // A weight of 1. Sums of 127 such fit into 16 bits.
 const float WeightScale = 256.0;
-// Past this sum of weights a pixel takes no more; what else is in flight at the
-// same time has room for as much again ...
+// Past this sum of weights a pixel takes no more.
 const int WeightLimit = 64 * 256;
-// ... and where that was not enough, as with hundreds of splats at one place, the
-// weight's own word tells that the others cannot be relied on.
-const int WeightOverflow = 126 * 256;
 // Depths behind the nearest one are counted in this unit, world units.
 uniform float DepthUnit;
 

@@ -12,38 +12,51 @@
 uniform float PointLayer;       // world units
 uniform float PointLayerPixels; // pixels
 
-// False: nothing can be seen of the point. pixel: where it falls.
-bool projectPoint(vec3 positionMC, uvec2 normals, float radius, out Splat q, out ivec2 pixel)
+// The uniforms that projectPoint needs. Who projects many points fetches them once.
+struct Projector
 {
-  vec4 p = MCVC * vec4(positionMC, 1.0);
+  mat4 MCVC;
+  mat3 normals;
+  vec4 x;
+  vec4 y;
+  vec4 w;
+  vec2 depthRange;
+  vec4 window; // the pixels' edges
+  bool parallel;
+  int culling;
+  uint tag;
+  vec2 layer; // world units, pixels
+};
+
+Projector makeProjector()
+{
+  return Projector(MCVC, NormalMatrix, PixelX, PixelY, PixelW, DepthRange,
+    vec4(Window.xy, Window.zw + 1), Parallel, Culling, Tag, vec2(PointLayer, PointLayerPixels));
+}
+
+// False: nothing can be seen of the point. normal: coded; pixel: where it falls.
+bool projectPoint(Projector u, vec3 positionMC, uint normal, out Splat q, out ivec2 pixel)
+{
+  vec4 p = u.MCVC * vec4(positionMC, 1.0);
   q.positionVC = p.xyz;
-  q.depth = -p.z - DepthRange.x;
-  float w = dot(PixelW, p);
-  vec2 xy = vec2(dot(PixelX, p), dot(PixelY, p)) / w;
-  if (!(w > 0.0 && q.depth > 0.0 && q.depth < DepthRange.y) ||
-    !(xy.x >= float(Window.x) && xy.y >= float(Window.y) && xy.x < float(Window.z + 1) &&
-      xy.y < float(Window.w + 1)))
-  {
-    return false;
-  }
-  pixel = ivec2(xy);
-  q.centre = xy;
-  q.normal = normalize(NormalMatrix * decodeNormal(normals.y));
-  float towards = Parallel ? q.normal.z : -dot(q.normal, p.xyz);
+  q.depth = -p.z - u.depthRange.x;
+  float w = dot(u.w, p);
+  q.centre = vec2(dot(u.x, p), dot(u.y, p)) / w;
+  q.normal = normalize(u.normals * decodeNormal(normal));
+  float towards = u.parallel ? q.normal.z : -dot(q.normal, p.xyz);
   bool back = towards < 0.0;
-  if ((back && (Culling & 1) != 0) || (!back && (Culling & 2) != 0))
-  {
-    return false;
-  }
-  q.tag = Tag | (back ? 1u : 0u);
-  q.facing = Parallel ? abs(q.normal.z) : abs(towards) / max(abs(p.z), 1e-30);
-  q.layer = max(PointLayer, PointLayerPixels * w / length(PixelX.xyz));
+  bool seen = w > 0.0 && q.depth > 0.0 && q.depth < u.depthRange.y &&
+    (u.culling & (back ? 1 : 2)) == 0 && q.centre.x >= u.window.x && q.centre.y >= u.window.y &&
+    q.centre.x < u.window.z && q.centre.y < u.window.w;
+  pixel = ivec2(seen ? q.centre : u.window.xy);
+  q.tag = u.tag | (back ? 1u : 0u);
+  q.facing = u.parallel ? abs(q.normal.z) : abs(towards) / max(abs(p.z), 1e-30);
+  q.layer = max(u.layer.x, u.layer.y * w / length(u.x.xyz));
+#ifdef CLIPPING
   for (int i = 0; i < ClipPlaneCount; ++i)
   {
-    if (dot(ClipPlanes[i], p) < 0.0)
-    {
-      return false;
-    }
+    seen = seen && dot(ClipPlanes[i], p) >= 0.0;
   }
-  return true;
+#endif
+  return seen;
 }

@@ -21,15 +21,8 @@ const bool Gather = false;
 
 uniform usamplerBuffer Depths; // R32UI
 
-void main()
+void drawPoint(uint index, Splat q, ivec2 pixel)
 {
-  uint index;
-  Splat q;
-  ivec2 pixel;
-  if (!loadPoint(index, q, pixel))
-  {
-    return;
-  }
   int at = pixelIndex(pixel);
   uint nearest = texelFetch(Depths, at).r;
   bool mine = nearest != NoDepth && (Gather || sameLayer(q, q.depth, nearest));
@@ -47,4 +40,9 @@ void main()
     addToSums(SumStride * at, index, pointWeight(q), turnTo(nearest, q.tag) * q.normal,
       q.depth - decodeDepth(nearest), Gather);
   }
+}
+
+void main()
+{
+  drawPoints();
 }

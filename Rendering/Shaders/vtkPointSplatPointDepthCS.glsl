@@ -17,15 +17,8 @@ layout(std430, binding = 0) buffer Depths { uint depths[]; };
 layout(std430, binding = 3) buffer Found { uint found; }; // whether anything was, at all
 #endif
 
-void main()
+void drawPoint(uint index, Splat q, ivec2 pixel)
 {
-  uint index;
-  Splat q;
-  ivec2 pixel;
-  if (!loadPoint(index, q, pixel))
-  {
-    return;
-  }
 #ifdef PEELING
   if ((PreviousCount > 0 && isPeeled(q, q.depth, previousDepths(pixel))) ||
     (HasSceneDepth && isHidden(q.depth, pixel)))
@@ -35,4 +28,9 @@ void main()
   found = 1u;
 #endif
   atomicMin(depths[pixelIndex(pixel)], encodeDepth(q.depth, q.tag));
+}
+
+void main()
+{
+  drawPoints();
 }

@@ -16,15 +16,8 @@ uniform usamplerBuffer Depths; // R32UI
 uniform bool FindWeight;
 uniform bool UseIdMap;
 
-void main()
+void drawPoint(uint index, Splat q, ivec2 pixel)
 {
-  uint index;
-  Splat q;
-  ivec2 pixel;
-  if (!loadPoint(index, q, pixel))
-  {
-    return;
-  }
   int at = pixelIndex(pixel);
   if (encodeDepth(q.depth, q.tag) != texelFetch(Depths, at).r)
   {
@@ -38,4 +31,9 @@ void main()
   {
     atomicMin(ids[2 * at + 1], UseIdMap ? idMap[index] : pointId(index));
   }
+}
+
+void main()
+{
+  drawPoints();
 }

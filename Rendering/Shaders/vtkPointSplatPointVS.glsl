@@ -33,7 +33,7 @@ void main()
   ivec2 pixel;
   gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // off the screen
   gl_PointSize = 1.0;
-  if (projectPoint(positionAndRadius.xyz, shape.xy, positionAndRadius.w, q, pixel))
+  if (projectPoint(makeProjector(), positionAndRadius.xyz, shape.y, q, pixel))
   {
     gl_Position = vec4(2.0 * (vec2(pixel) + 0.5) / vec2(ImageSize) - 1.0, 0.0, 1.0);
     normalAndDepth = vec4(q.normal, q.depth);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How compute shaders read points that are projected as single pixels: one
-// invocation a point, two work groups a batch.
+// How compute shaders read points that are projected as single pixels: some points an
+// invocation, since on CPUs uniforms cost as much as what they are for.
 
 #include "vtkPointSplatPoint"
 
@@ -21,6 +21,7 @@ uniform bool DrawListed;
 layout(std430, binding = 7) readonly buffer Batches { uint batches[]; };
 
 const uint BatchSize = 128u; // as in vtkPointSplatBatches
+const uint PointsPerInvocation = 8u;
 
 uniform bool DrawBatches;
 uniform uint BatchCount;
@@ -32,33 +33,40 @@ int pixelIndex(ivec2 pixel)
   return pixel.y * ImageWidth + pixel.x;
 }
 
-// False: no point for this invocation, or nothing of it can be seen.
-bool loadPoint(out uint index, out Splat q, out ivec2 pixel)
-{
-  index = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 64u + gl_LocalInvocationID.x;
-  if (DrawBatches)
-  {
-    uint batch = index / BatchSize;
-    if (batch >= BatchCount)
-    {
-      return false;
-    }
-    index = batches[batch] * BatchSize + index % BatchSize;
-  }
-  if (index >= SplatCount)
-  {
-    return false;
-  }
-#ifdef PEELING
-  index = DrawListed ? listed[index] : index;
-#endif
-  int at = int(index) * (Circular ? 2 : 4);
-  uvec4 a = texelFetch(Splats, at);
-  return projectPoint(uintBitsToFloat(a.xyz), texelFetch(Splats, at + 1).xy,
-    uintBitsToFloat(a.w), q, pixel);
-}
-
 uint pointId(uint index)
 {
   return texelFetch(Splats, int(index) * (Circular ? 2 : 4) + 1).w;
+}
+
+// What a stage does with a point.
+void drawPoint(uint index, Splat q, ivec2 pixel);
+
+void drawPoints()
+{
+  Projector projector = makeProjector();
+  uint texels = Circular ? 2u : 4u;
+  uint count = DrawBatches ? BatchCount * BatchSize : SplatCount;
+  uint first = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) *
+      gl_WorkGroupSize.x * PointsPerInvocation + gl_LocalInvocationID.x;
+  for (uint k = 0u; k < PointsPerInvocation; ++k)
+  {
+    uint index = first + k * gl_WorkGroupSize.x;
+    bool given = index < count;
+    if (DrawBatches)
+    {
+      index = given ? batches[index / BatchSize] * BatchSize + index % BatchSize : 0u;
+      given = given && index < SplatCount;
+    }
+#ifdef PEELING
+    index = given && DrawListed ? listed[index] : index;
+#endif
+    int at = int(given ? index * texels : 0u);
+    Splat q;
+    ivec2 pixel;
+    if (projectPoint(projector, uintBitsToFloat(texelFetch(Splats, at).xyz),
+          texelFetch(Splats, at + 1).y, q, pixel) && given)
+    {
+      drawPoint(index, q, pixel);
+    }
+  }
 }

@@ -36,8 +36,10 @@ uniform int Culling;         // 0 none, 1 back faces, 2 front faces, 3 both
 uniform uint Tag;            // the cloud's slot in this frame, times two
 uniform float LayerDistance; // world units; of negative values the magnitude
                              // counts, as a fraction of each splat's radius
+#ifdef CLIPPING
 uniform int ClipPlaneCount;
 uniform vec4 ClipPlanes[6];  // view coordinates; what is negative is cut away
+#endif
 uniform float KernelSupport; // kernels reach this many radii
 
 // Splats seen at a flatter angle than this count as seen at this one when depths
@@ -308,6 +310,7 @@ bool intersect(Splat q, vec2 pixel, float reach, out Hit hit)
   {
     return false;
   }
+#ifdef CLIPPING
   for (int i = 0; i < ClipPlaneCount; ++i)
   {
     vec3 position = q.positionVC + x.x * q.sVC + x.y * q.tVC + x.z * q.mVC;
@@ -316,6 +319,7 @@ bool intersect(Splat q, vec2 pixel, float reach, out Hit hit)
       return false;
     }
   }
+#endif
   return true;
 }
 

@@ -12,12 +12,8 @@ uvec2 pullPixel(ivec2 pixel)
   uvec2 nearest = uvec2(NoDepth, 0u);
   for (int k = 0; k < 4; ++k)
   {
-    ivec2 child = 2 * pixel + ivec2(k & 1, k >> 1);
-    if (!isOutside(child))
-    {
-      uint code = fetchCode(child);
-      nearest = code < nearest.x ? uvec2(code, fetchSource(child)) : nearest;
-    }
+    uvec2 child = fetchFilled(2 * pixel + ivec2(k & 1, k >> 1));
+    nearest = child.x < nearest.x ? child : nearest;
   }
   return nearest;
 }
@@ -34,77 +30,41 @@ uniform usamplerBuffer Coarse;
 uniform usampler2D Coarse;
 #endif
 
-uint fetchCoarseCode(ivec2 pixel)
+// Coded depth and source; outside there is nothing.
+uvec2 fetchCoarse(ivec2 pixel)
 {
-  if (pixel != clamp(pixel, CoarseWindow.xy, CoarseWindow.zw))
-  {
-    return NoDepth;
-  }
+  ivec2 inside = clamp(pixel, CoarseWindow.xy, CoarseWindow.zw);
 #ifdef COMPUTE_IMAGES
-  return texelFetch(Coarse, pixel.y * CoarseWidth + pixel.x).x;
+  uvec2 coarse = texelFetch(Coarse, inside.y * CoarseWidth + inside.x).xy;
 #else
-  return texelFetch(Coarse, pixel, 0).x;
+  uvec2 coarse = texelFetch(Coarse, inside, 0).xy;
 #endif
+  return inside == pixel ? coarse : uvec2(NoDepth, 0u);
 }
 
-// Of a pixel inside.
-uint fetchCoarseSource(ivec2 pixel)
+// coarse: the four pixels about this one, its own, that at the side, that above or below, that
+// at the corner. With the weights that bilinear interpolation gives them, those before the
+// pixel must have three quarters. It takes what comes from nearest by in the image.
+uvec2 pushPixel(uvec2 own, uvec2 coarse[4], vec2 centre)
 {
-#ifdef COMPUTE_IMAGES
-  return texelFetch(Coarse, pixel.y * CoarseWidth + pixel.x).y;
-#else
-  return texelFetch(Coarse, pixel, 0).y;
-#endif
-}
-
-// Of the four coarse pixels about a pixel, with the weights that bilinear interpolation
-// gives them, those before it must have three quarters. It takes what comes from nearest
-// by in the image.
-uvec2 pushPixel(ivec2 pixel, vec2 centre)
-{
-  uvec2 best = uvec2(fetchCode(pixel), fetchSource(pixel));
-  uint own = best.x;
-  ivec2 parent = pixel >> 1;
-  ivec2 side = ivec2((pixel.x & 1) == 0 ? -1 : 1, (pixel.y & 1) == 0 ? -1 : 1);
-  uint codes[4];
-  uint nearest = NoDepth;
-  for (int k = 0; k < 4; ++k)
-  {
-    codes[k] = fetchCoarseCode(parent + ivec2(k & 1, k >> 1) * side);
-    nearest = min(nearest, codes[k]);
-  }
-  if (nearest >= own)
-  {
-    return best;
-  }
+  uint nearest = min(min(coarse[0].x, coarse[1].x), min(coarse[2].x, coarse[3].x));
   float layer = layerOf(nearest);
   float spacing = SlotSpacings[slotOf(nearest)];
-  if (layer < 0.0 || spacing < PixelsNeeded * (PixelSize.x + PixelSize.y * decodeDepth(nearest)))
-  {
-    return best;
-  }
-  float limit = own == NoDepth ? 3e38 : decodeDepth(own) - layer;
+  float limit = own.x == NoDepth ? 3e38 : decodeDepth(own.x) - layer;
   int weights = 0;
-  for (int k = 0; k < 4; ++k)
-  {
-    weights += decodeDepth(codes[k]) < limit ? (k == 0 ? 9 : k == 3 ? 1 : 3) : 0;
-  }
-  if (weights < 12)
-  {
-    return best;
-  }
   float least = 3e38;
+  uvec2 best = own;
   for (int k = 0; k < 4; ++k)
   {
-    if (decodeDepth(codes[k]) < limit)
-    {
-      uint source = fetchCoarseSource(parent + ivec2(k & 1, k >> 1) * side);
-      vec2 away = vec2(sourcePixel(source)) + 0.5 - centre;
-      float distance = dot(away, away);
-      best = distance < least ? uvec2(codes[k], source) : best;
-      least = min(least, distance);
-    }
+    bool before = decodeDepth(coarse[k].x) < limit;
+    weights += before ? (k == 0 ? 9 : k == 3 ? 1 : 3) : 0;
+    vec2 away = vec2(sourcePixel(coarse[k].y)) + 0.5 - centre;
+    float distance = before ? dot(away, away) : 3e38;
+    best = distance < least ? coarse[k] : best;
+    least = min(least, distance);
   }
-  return best;
+  bool dense =
+    spacing < PixelsNeeded * (PixelSize.x + PixelSize.y * decodeDepth(nearest));
+  return nearest >= own.x || layer < 0.0 || dense || weights < 12 ? own : best;
 }
 #endif

@@ -17,7 +17,12 @@ void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
 #ifdef PUSH
-  filled = pushPixel(pixel, (vec2(pixel) + 0.5) * LevelScale);
+  ivec2 parent = pixel >> 1;
+  ivec2 side = 2 * (pixel & 1) - 1;
+  filled = pushPixel(fetchInside(pixel),
+    uvec2[4](fetchCoarse(parent), fetchCoarse(parent + ivec2(side.x, 0)),
+      fetchCoarse(parent + ivec2(0, side.y)), fetchCoarse(parent + side)),
+    (vec2(pixel) + 0.5) * LevelScale);
 #else
   filled = pullPixel(pixel);
 #endif

@@ -19,6 +19,7 @@
 //VTK::DepthPeeling::Dec
 
 #include "vtkPointSplatSurface"
+#include "vtkPointSplatAgreement"
 #include "vtkPointSplatLighting"
 #ifdef REFLECTION
 #include "vtkPointSplatEnvironmentMap"
@@ -37,18 +38,11 @@ uniform float SpecularPower[2];
 uniform vec4 SelectionColour;
 uniform int SelectionShift;
 
-// The mean of unit normals that stand 53 degrees off it: any crease keeps its light.
-const float FullAgreement = 0.6;
-
 // What the pixel's surface looks like. normalVC: the mean normal; it is turned to the viewer.
 vec4 shadeSurface(vec3 positionVC, inout vec3 normalVC, vec4 colour, out bool back)
 {
   // Turned as VTK turns the normals of back faces.
-  // Its length tells whether the splats agree: where a patch of normals that point
-  // outward meets one that points inward they cancel, and a mesh of these points
-  // is dark.
   float l = length(normalVC);
-  float agreement = clamp(l / FullAgreement, 0.0, 1.0);
   normalVC = l > 0.0 ? normalVC / l : vec3(0.0, 0.0, 1.0);
   back = isBack(normalVC, positionVC);
   normalVC = back ? -normalVC : normalVC;
@@ -59,13 +53,9 @@ vec4 shadeSurface(vec3 positionVC, inout vec3 normalVC, vec4 colour, out bool ba
     m.ambient *= colour.rgb;
     m.diffuse *= colour.rgb;
   }
-  return vec4(agreement * shade(m, positionVC, normalVC),
+  return vec4(agreementOf(l) * shade(m, positionVC, normalVC),
     Opacity[side] * (HasColours ? colour.a : 1.0));
 }
-
-#ifdef SILHOUETTES
-#include "vtkPointSplatSilhouette"
-#endif
 
 void main()
 {
@@ -99,8 +89,8 @@ void main()
 #endif
   bool back;
   vec4 shaded = shadeSurface(positionVC.xyz, normalVC, colour, back);
-#ifdef SILHOUETTES
-  shaded = smoothSilhouette(at, code, shaded);
+#ifdef FILLED_IMAGES
+  shaded.a *= fetchCoverage(at);
 #endif
 #if OUTPUT == 4
   gl_FragData[0] = vec4(0.0);

@@ -9,6 +9,7 @@
 #include "vtkPointSplatFetch"
 #include "vtkPointSplatStripsCS"
 #include "vtkPointSplatFilled"
+#include "vtkPointSplatMasks"
 #include "vtkPointSplatSmoothing"
 
 layout(std430, binding = 0) writeonly buffer Result { uvec4 result[]; };
@@ -16,78 +17,58 @@ layout(std430, binding = 0) writeonly buffer Result { uvec4 result[]; };
 layout(std430, binding = 2) writeonly buffer FactorResult { uint factorResult[]; };
 #endif
 
+// A row of an invocation's pixels, one and two, and one more at each side.
 struct Row
 {
   Sum left;
-  Sum middle;
+  Sum one;
+  Sum two;
   Sum right;
 };
 
-Row fetchRow(ivec2 pixel, bool left, bool right)
+Row fetchRow(ivec2 pixel)
 {
-  Row row;
-  row.left.code = row.middle.code = row.right.code = NoDepth;
-  row.left.weight = row.middle.weight = row.right.weight = 0.0;
-  if (pixel.y >= FilledWindow.y && pixel.y <= FilledWindow.w)
+  return Row(fetchSum(pixel - ivec2(1, 0)), fetchSum(pixel), fetchSum(pixel + ivec2(1, 0)),
+    fetchSum(pixel + ivec2(2, 0)));
+}
+
+// ring: about the pixel, as Ring.
+void smoothInto(ivec2 pixel, Sum mean, Sum ring[8])
+{
+  uint own = mean.code;
+  vec3 ray = pixelRay(pixel);
+  float range = smoothingRange(mean, ray);
+  scaleSum(mean, 16.0);
+  for (int k = 0; k < 8; ++k)
   {
-    if (left)
-    {
-      row.left = fetchSum(pixel - ivec2(1, 0));
-    }
-    row.middle = fetchSum(pixel);
-    if (right)
-    {
-      row.right = fetchSum(pixel + ivec2(1, 0));
-    }
+    addNeighbour(mean, own, ring[k], (k & 1) == 0 ? 2.0 : 1.0, range);
   }
-  return row;
+  uvec4 texel;
+  uint factors;
+  smoothPixel(pixel, ray, mean, Sum[4](ring[0], ring[2], ring[4], ring[6]), texel, factors);
+  if (pixel.x <= FilledWindow.z)
+  {
+    result[pixelIndex(pixel)] = texel;
+#ifdef FACTORS
+    factorResult[pixelIndex(pixel)] = factors;
+#endif
+  }
 }
 
 void main()
 {
-  ivec2 pixel = FilledWindow.xy + ivec2(gl_GlobalInvocationID.xy) * ivec2(1, StripLength);
-  if (pixel.x > FilledWindow.z)
-  {
-    return;
-  }
-  bool left = pixel.x > FilledWindow.x;
-  bool right = pixel.x < FilledWindow.z;
+  ivec2 pixel = stripPixel(FilledWindow);
   int end = min(pixel.y + StripLength - 1, FilledWindow.w);
-  Row below = fetchRow(pixel - ivec2(0, 1), left, right);
-  Row row = fetchRow(pixel, left, right);
+  Row below = fetchRow(pixel - ivec2(0, 1));
+  Row row = fetchRow(pixel);
   for (; pixel.y <= end; ++pixel.y)
   {
-    Row above = fetchRow(pixel + ivec2(0, 1), left, right);
-    uvec4 texel = uvec4(NoDepth, 0u, 0u, 0u);
-    Sum mean = row.middle;
-    if (mean.code != NoDepth)
-    {
-      float range = smoothingRange(mean, pixel);
-      scaleSum(mean, 16.0);
-      addNeighbour(mean, mean.code, row.right, 2.0, range);
-      addNeighbour(mean, mean.code, above.right, 1.0, range);
-      addNeighbour(mean, mean.code, above.middle, 2.0, range);
-      addNeighbour(mean, mean.code, above.left, 1.0, range);
-      addNeighbour(mean, mean.code, row.left, 2.0, range);
-      addNeighbour(mean, mean.code, below.left, 1.0, range);
-      addNeighbour(mean, mean.code, below.middle, 2.0, range);
-      addNeighbour(mean, mean.code, below.right, 1.0, range);
-      // Of what is beyond the window nothing is known.
-      texel = texelOf(mean,
-        isSilhouette(mean.code,
-          uint[4](right ? row.right.code : mean.code,
-            pixel.y < FilledWindow.w ? above.middle.code : mean.code,
-            left ? row.left.code : mean.code,
-            pixel.y > FilledWindow.y ? below.middle.code : mean.code)));
-    }
-    result[pixelIndex(pixel)] = texel;
-#ifdef FACTORS
-    // Where there is nothing, nobody asks for factors.
-    if (mean.code != NoDepth)
-    {
-      factorResult[pixelIndex(pixel)] = factorTexelOf(mean);
-    }
-#endif
+    Row above = fetchRow(pixel + ivec2(0, 1));
+    smoothInto(pixel, row.one,
+      Sum[8](row.two, above.two, above.one, above.left, row.left, below.left, below.one, below.two));
+    smoothInto(pixel + ivec2(1, 0), row.two,
+      Sum[8](row.right, above.right, above.two, above.one, row.one, below.one, below.two,
+        below.right));
     below = row;
     row = above;
   }

@@ -20,31 +20,20 @@ void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   Sum mean = fetchSum(pixel);
-  if (mean.code == NoDepth)
-  {
-    texel = uvec4(NoDepth, 0u, 0u, 0u);
-#ifdef FACTORS
-    factorTexel = 0u;
-#endif
-    return;
-  }
-  float range = smoothingRange(mean, pixel);
+  uint own = mean.code;
+  vec3 ray = pixelRay(pixel);
+  float range = smoothingRange(mean, ray);
   scaleSum(mean, 16.0);
-  // Of what is beyond the window nothing is known.
-  uint codes[8] = uint[8](mean.code, mean.code, mean.code, mean.code, mean.code, mean.code,
-    mean.code, mean.code);
-  for (int k = 0; k < 8; ++k)
+  Sum beside[4];
+  for (int k = 0; k < 4; ++k)
   {
-    ivec2 other = pixel + Ring[k];
-    if (!isOutside(other))
-    {
-      Sum sum = fetchSum(other);
-      codes[k] = sum.code;
-      addNeighbour(mean, mean.code, sum, (k & 1) == 0 ? 2.0 : 1.0, range);
-    }
+    beside[k] = fetchSum(pixel + Ring[2 * k]);
+    addNeighbour(mean, own, beside[k], 2.0, range);
+    addNeighbour(mean, own, fetchSum(pixel + Ring[2 * k + 1]), 1.0, range);
   }
-  texel = texelOf(mean, isSilhouette(mean.code, uint[4](codes[0], codes[2], codes[4], codes[6])));
+  uint factors;
+  smoothPixel(pixel, ray, mean, beside, texel, factors);
 #ifdef FACTORS
-  factorTexel = factorTexelOf(mean);
+  factorTexel = factors;
 #endif
 }

@@ -40,8 +40,7 @@ void fetchSurface(ivec2 at, uint code, out vec4 positionVC, out vec3 normalVC, o
   behind = summed ? behind : 0.0;
   positionVC = pointOfPixel(at, -(NearDistance + decodeDepth(code) + behind));
 
-  // Where so many splats share a pixel that their sum is lost, the nearest disks
-  // still tell how the surface lies.
+  // Where no kernel reaches the pixel, the nearest disks still tell how the surface lies.
   vec3 facet = cross(dFdx(positionVC.xyz), dFdy(positionVC.xyz));
   normalVC = summed ? normalVC : normalize(facet + vec3(0.0, 0.0, 1e-30));
   colour = summed ? colour : vec4(1.0);
