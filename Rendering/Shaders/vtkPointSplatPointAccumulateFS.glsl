@@ -38,5 +38,6 @@ void main()
   factorsGiven = pointFactors;
 #endif
   addToSums(
-    pointColour, pointWeight(q), turnTo(nearest, q.tag) * q.normal, q.depth - decodeDepth(nearest), Gather);
+    pointColour, pointWeight(q), turnTo(nearest, q.tag) * q.normal,
+    q.depth - decodeDepth(nearest), Gather);
 }

@@ -79,7 +79,8 @@ def deferred(mapper):
 setting("layer_distance", "least layer distance by hand; marks: the automatic one",
         decades(1e-4, 1, 13), 0,
         {"torus": Stable(), "wall of 0.01": Stable(), "sheets that cross": Stable(gap=12),
-         "sheets in one": Stable(), "cavity, wall 0.05": Stable(), "noise": Stable(gap=14), "10 to 1 sampling": Stable()},
+         "sheets in one": Stable(), "cavity, wall 0.05": Stable(), "noise": Stable(gap=14),
+         "10 to 1 sampling": Stable()},
         lambda mapper, value: mapper.SetLayerDistance(value),
         where=lambda mapper: mapper.GetLayerDistanceUsed())
 setting("layer_distance_image_space",
@@ -89,24 +90,30 @@ setting("layer_distance_image_space",
         lambda mapper, value: mapper.SetLayerDistance(value),
         where=lambda mapper: mapper.GetLayerDistanceUsed(),
         method=IMAGE_SPACE, base=image_space)
-setting("radius_scale", "factor on all radii; marks: the default", [0.25, 0.5, 0.7, 1, 1.4, 2, 4, 8], 1,
+setting("radius_scale", "factor on all radii; marks: the default",
+        [0.25, 0.5, 0.7, 1, 1.4, 2, 4, 8], 1,
         {"torus": Stable(), "box": unasked(), "10 to 1 sampling": Stable(),
          "noise": Stable(gap=14)},
         lambda mapper, value: mapper.SetRadiusScale(value))
-setting("kernel_sigma", "the Gaussian's width in radii; marks: the default", [0.1, 0.2, 0.3, 0.6, 1, 2, 5], 0.6,
+setting("kernel_sigma", "the Gaussian's width in radii; marks: the default",
+        [0.1, 0.2, 0.3, 0.6, 1, 2, 5], 0.6,
         {"torus": Stable(), "box": unasked(), "10 to 1 sampling": Stable(),
          "noise": Stable(gap=14)},
         lambda mapper, value: mapper.SetKernelSigma(value))
-setting("layers", "most layers, of eight and four that are there", [1, 2, 3, 4, 5, 6, 7, 8, 16, 32], 32,
+setting("layers", "most layers, of eight and four that are there",
+        [1, 2, 3, 4, 5, 6, 7, 8, 16, 32], 32,
         {"nested shells": Stable(), "cavity, wall 0.05": Stable()},
         lambda mapper, value: mapper.SetMaximumNumberOfLayers(int(value)))
-setting("overlap_factor", "deferred blending: the factor c; marks: the default", [0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1], 0.8,
+setting("overlap_factor", "deferred blending: the factor c; marks: the default",
+        [0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1], 0.8,
         {"torus": Stable(), "box": unasked(), "wall of 0.01": Stable(), "noise": Stable(gap=14)},
         lambda mapper, value: mapper.SetOverlapFactor(value), base=deferred)
-setting("fill_steps", "image space: fill steps at most; marks: the default", [1, 2, 3, 4, 8, 16, 64], 2,
+# Each step closes wider holes and blurs silhouettes: what has no holes would do with one.
+setting("fill_steps", "image space: fill steps at most; marks: the default",
+        [1, 2, 3, 4, 8, 16, 64], 2,
         {"torus": coarse(), "box": unasked(), "sheets that cross": coarse(),
          "10 to 1 sampling": coarse(gap=16)},
-        lambda mapper, value: mapper.SetMaximumNumberOfFillSteps(int(value)),
+        lambda mapper, value: mapper.SetMaximumNumberOfFillSteps(int(value)), margin=4.0,
         method=IMAGE_SPACE, base=image_space)
 
 
