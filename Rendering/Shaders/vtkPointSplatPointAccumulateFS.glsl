@@ -37,7 +37,6 @@ void main()
 #ifdef FACTORS
   factorsGiven = pointFactors;
 #endif
-  addToSums(
-    pointColour, pointWeight(q), turnTo(nearest, q.tag) * q.normal,
+  addToSums(pointColour, pointWeight(q), turnTo(nearest, q.tag) * q.normal,
     q.depth - decodeDepth(nearest), Gather);
 }
