@@ -16,7 +16,7 @@ from sweeps.measures import COUNTS, IMAGE_SPACE, TWO_PASSES, by_method
 from sweeps.settings import SCENES
 
 PIXELS, COLUMNS, LABEL, GAP = 150, 3, 24, 10
-STEP = 4  # of colours, so that the file stays small
+STEP = 6  # of colours, so that the file stays small
 
 
 # Label, scene of a number of points, method.

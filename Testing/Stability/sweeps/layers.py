@@ -52,7 +52,7 @@ def crossing(degrees, n):
 
 
 @sweep([-0.3, -0.1, -0.03, -0.01, 0, 0.01, 0.03, 0.1, 0.3], Stable([-0.1, 0, 0.1]),
-       coarse([-0.1, 0, 0.1]))
+       coarse([0]))
 def touching(gap, n):
     """distance of two spheres: 0 where they touch"""
     x = 0.5 + gap / 2
@@ -73,7 +73,7 @@ def hollow(wall, n, opacity):
                    n, FRONT)
 
 
-@sweep([0.001, 0.003, 0.01, 0.03, 0.1, 0.3], Stable([0.03, 0.1]), coarse([0.03, 0.1]))
+@sweep([0.001, 0.003, 0.01, 0.03, 0.1, 0.3], Stable([0.03]), coarse([0.1]))
 def cavity(wall, n):
     """thickness of the wall about a cavity, opacity 0.5"""
     return hollow(wall, n, 0.5)
