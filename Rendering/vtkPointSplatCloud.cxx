@@ -333,6 +333,13 @@ double vtkPointSplatCloud::GetSpacing()
   constexpr double PointsPerCell = 10.0;
   constexpr double CellsPerFilledCell = 1.5;
   constexpr int MostCells = 256;
+  // Holes are widest where points are sparsest: the share of the area that may be sparser yet, and
+  // the side, in cells, of the blocks that are compared.
+  constexpr int CellsPerBlock = 4;
+  constexpr double SparserShare = 0.1;
+  // By which evenly random points are fewer there by chance alone.
+  constexpr double Scatter = 1.4;
+  constexpr double LeastPointsPerCell = 0.2;
   double size = 0.0;
   for (int k = 0; k < 3; ++k)
   {
@@ -345,24 +352,61 @@ double vtkPointSplatCloud::GetSpacing()
   {
     return 0.0; // all points in one place
   }
-  std::vector<bool> occupied(static_cast<size_t>(cells) * cells * cells, false);
-  vtkIdType filled = 0;
+  struct Block
+  {
+    vtkIdType Points = 0;
+    vtkIdType Filled = 0;
+    double PointsPerCell() const { return static_cast<double>(this->Points) / this->Filled; }
+  };
+  const auto sizeOf = [](int n) { return static_cast<size_t>(n); };
+  const int side = (cells + CellsPerBlock - 1) / CellsPerBlock;
+  std::vector<bool> occupied(sizeOf(cells) * sizeOf(cells) * sizeOf(cells), false);
+  std::vector<Block> blocks(sizeOf(side) * sizeOf(side) * sizeOf(side));
   const size_t words = this->GetWordsPerSplat();
+  vtkIdType filled = 0;
   for (vtkIdType i = 0; i < this->Count; ++i)
   {
     const float* p =
       reinterpret_cast<const float*>(this->Splats.data() + words * static_cast<size_t>(i));
     size_t at = 0;
+    size_t of = 0;
     for (int k = 0; k < 3; ++k)
     {
       const double x = (p[k] + this->Origin[k] - this->Bounds[2 * k]) / cell;
-      at = at * static_cast<size_t>(cells) +
-        static_cast<size_t>(std::clamp(static_cast<int>(x), 0, cells - 1));
+      const int c = std::clamp(static_cast<int>(x), 0, cells - 1);
+      at = at * sizeOf(cells) + sizeOf(c);
+      of = of * sizeOf(side) + sizeOf(c / CellsPerBlock);
     }
-    filled += occupied[at] ? 0 : 1;
-    occupied[at] = true;
+    ++blocks[of].Points;
+    if (!occupied[at])
+    {
+      occupied[at] = true;
+      ++blocks[of].Filled;
+      ++filled;
+    }
   }
-  this->Spacing = cell * std::sqrt(filled / CellsPerFilledCell / this->Count);
+  blocks.erase(std::remove_if(blocks.begin(), blocks.end(),
+                 [](const Block& block) { return block.Filled == 0; }),
+    blocks.end());
+  std::sort(blocks.begin(), blocks.end(), [](const Block& a, const Block& b) {
+    return a.PointsPerCell() < b.PointsPerCell();
+  });
+  vtkIdType sparser = 0;
+  size_t quantile = 0;
+  while (quantile + 1 < blocks.size() &&
+    sparser + blocks[quantile].Filled < SparserShare * filled)
+  {
+    sparser += blocks[quantile++].Filled;
+  }
+  // Of L points a cell by chance, 1 - exp(-L) of the cells are filled.
+  const double found = blocks[quantile].PointsPerCell();
+  double sparse = found;
+  for (int i = 0; i < 30; ++i)
+  {
+    sparse = std::max(LeastPointsPerCell, found * (1.0 - std::exp(-sparse)));
+  }
+  const double mean = static_cast<double>(this->Count) / filled;
+  this->Spacing = cell / std::sqrt(CellsPerFilledCell * std::min(mean, Scatter * sparse));
   return this->Spacing;
 }
 

@@ -146,7 +146,8 @@ public:
   int GetFactorCount() const { return this->FactorCount; }
   double GetMedianRadius() const { return this->MedianRadius; }
   double GetMaximumRadius() const { return this->MaximumRadius; }
-  /// The mean distance of neighbouring points, world units, roughly.
+  /// The mean distance of neighbouring points, world units, roughly; where the sampling changes over
+  /// the surface, their distance where it is sparsest but for a tenth of the area.
   double GetSpacing();
   const std::array<double, 3>& GetOrigin() const { return this->Origin; }
   const std::array<double, 6>& GetBounds() const { return this->Bounds; }

@@ -25,8 +25,9 @@
  *    by a kernel: Gaussian, or the plateau family psi_E (Pajarola, Sainz, Guidotti
  *    2004, section 5.2, equations 9 and 10). The normal changes over the splat by
  *    half of what K says, with which the mean is right to second order. Splats that
- *    show their other side belong to another layer: behind a silhouette lies the far
- *    side of the body.
+ *    show their other side belong to another layer where they are seen at less than
+ *    some 45 degrees: behind a silhouette lies the far side of the body. Else their
+ *    normals are turned: thin walls and normals that point the wrong way do not cancel.
  * 4. Normalisation and deferred shading (Zhang, Pajarola 2006, equation 1), once a
  *    pixel, by VTK's own lighting formulas.
  * 5. Presentation: colour, opacity and depth go to the framebuffer as ordinary

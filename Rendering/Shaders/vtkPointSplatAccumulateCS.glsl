@@ -50,10 +50,8 @@ void drawPixel(Splat q, uint index, ivec2 pixel)
 #endif
   if (mine)
   {
-    // Normals of many surfaces: turned to the viewer, or front and back would cancel.
-    float turned = Gather && (q.tag & 1u) != 0u ? -1.0 : 1.0;
     addToSums(SumStride * at, index, kernelWeight(hit.r2, KernelSupport),
-      turned * normalAt(q, hit.uv), hit.depth - decodeDepth(nearest), Gather);
+      turnTo(nearest, q.tag) * normalAt(q, hit.uv), hit.depth - decodeDepth(nearest), Gather);
   }
 }
 

@@ -36,11 +36,9 @@ void main()
     discard;
   }
 #endif
-  // Normals of many surfaces: turned to the viewer, or front and back would cancel.
-  float turned = Gather && (q.tag & 1u) != 0u ? -1.0 : 1.0;
 #ifdef FACTORS
   factorsGiven = splatFactors;
 #endif
-  addToSums(splatColour, kernelWeight(hit.r2, KernelSupport), turned * normalAt(q, hit.uv),
-    hit.depth - decodeDepth(nearest), Gather);
+  addToSums(splatColour, kernelWeight(hit.r2, KernelSupport),
+    turnTo(nearest, q.tag) * normalAt(q, hit.uv), hit.depth - decodeDepth(nearest), Gather);
 }

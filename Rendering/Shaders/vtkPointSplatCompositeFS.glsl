@@ -91,7 +91,7 @@ void main()
         abs(behind) <= DepthUnit * decodeHalf(texel.z >> 16))
       {
         float weight = decodeHalf(texel.z);
-        a += weight * vec4(1.0, decodeNormal(texel.y));
+        a += weight * vec4(1.0, turnTo(nearest, texel.x) * decodeNormal(texel.y));
         vec4 colour = unpackColour(texel.w);
         b += weight * vec4(clamp(behind / DepthUnit, -1.0, 1.0), colour.rgb);
         c += weight * colour.a;

@@ -18,6 +18,13 @@ float decodeDepth(uint code)
   return uintBitsToFloat(code & ~TagMask);
 }
 
+// What turns the normal of a splat with this tag to the side that the nearest one shows: with
+// those of a thin wall's far side, or that point the wrong way, the sum would cancel. 1 or -1.
+float turnTo(uint nearest, uint tag)
+{
+  return ((nearest ^ tag) & 1u) != 0u ? -1.0 : 1.0;
+}
+
 int slotOf(uint code)
 {
   return int((code & TagMask) >> 1);

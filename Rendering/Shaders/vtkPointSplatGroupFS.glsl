@@ -46,7 +46,7 @@ void main()
   float weight = max(kernelWeight(hit.r2, KernelSupport), 1.0 / 4096.0);
   float along = q.layer / max(q.facing, LeastFacing);
   texel = uvec4(encodeDepth(onDisk ? onto.depth : hit.depth, q.tag), encodeNormal(normalAt(q, hit.uv)),
-    encodeHalf(weight, !onDisk) | encodeHalf(along / DepthUnit, q.facing <= SteepFacing) << 16,
+    encodeHalf(weight, !onDisk) | encodeHalf(along / DepthUnit, q.facing <= OwnSideFacing) << 16,
     packColour(splatColour));
 #ifdef FACTORS
   factorTexel = packColour(splatFactors);

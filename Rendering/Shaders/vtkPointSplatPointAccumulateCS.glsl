@@ -37,9 +37,7 @@ void drawPoint(uint index, Splat q, ivec2 pixel)
 #endif
   if (mine)
   {
-    // Normals of many surfaces: turned to the viewer, or front and back would cancel.
-    float turned = Gather && (q.tag & 1u) != 0u ? -1.0 : 1.0;
-    addToSums(SumStride * at, index, pointWeight(q), turned * q.normal,
+    addToSums(SumStride * at, index, pointWeight(q), turnTo(nearest, q.tag) * q.normal,
       q.depth - decodeDepth(nearest), Gather);
   }
 }

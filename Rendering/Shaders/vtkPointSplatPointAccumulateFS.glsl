@@ -34,11 +34,9 @@ void main()
     discard;
   }
 #endif
-  // Normals of many surfaces: turned to the viewer, or front and back would cancel.
-  float turned = Gather && (q.tag & 1u) != 0u ? -1.0 : 1.0;
 #ifdef FACTORS
   factorsGiven = pointFactors;
 #endif
-  addToSums(
-    pointColour, pointWeight(q), turned * q.normal, q.depth - decodeDepth(nearest), Gather);
+  addToSums(pointColour, pointWeight(q), turnTo(nearest, q.tag) * q.normal,
+    q.depth - decodeDepth(nearest), Gather);
 }

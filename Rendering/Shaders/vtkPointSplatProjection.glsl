@@ -45,8 +45,11 @@ uniform float KernelSupport; // kernels reach this many radii
 // Splats seen at a flatter angle than this count as seen at this one when depths
 // along the ray are turned to distances along the normal.
 const float LeastFacing = 0.2;
-// Splats seen at a flatter angle than this belong to layers of their own side only.
+// Splats seen at a flatter angle than this are at silhouettes.
 const float SteepFacing = 0.35;
+// Splats seen at a flatter angle than this belong to layers of their own side only: large ones
+// may reach to a silhouette from where they are seen less flat.
+const float OwnSideFacing = 0.7;
 
 // The strongest bend, as K's eigenvalue: the normal turns 45 degrees at the rim.
 const float LargestBend = 1.0;
@@ -331,10 +334,10 @@ vec3 normalAt(Splat q, vec2 uv)
 // measured along the normal. For splats seen edge-on the bound along the ray
 // stays finite; and they must show the same side, since behind a silhouette lies
 // the far side of the same body, close by and lit otherwise. Other splats need
-// not: normals that are not consistently oriented are lit all the same.
+// not: normals that are not consistently oriented are lit all the same, by turnTo().
 bool sameLayer(Splat q, float depth, uint nearest)
 {
   uint different = (nearest ^ q.tag) & TagMask;
-  return (different == 0u || (different == 1u && q.facing > SteepFacing)) &&
+  return (different == 0u || (different == 1u && q.facing > OwnSideFacing)) &&
     abs(depth - decodeDepth(nearest)) * max(q.facing, LeastFacing) <= q.layer;
 }
