@@ -28,6 +28,9 @@ constexpr double SparsePixels = 1.2;
 // gaps of random samplings are larger than that.
 constexpr double CloseUpPixels = 4.0;
 constexpr int MostLevels = 7;
+// What lies closer than this, in a level's pixels, has too few holes by chance to be filled from
+// above, where that would cost its silhouettes: exp(-5) of its pixels.
+constexpr double FilledPixels = 0.45;
 }
 
 //------------------------------------------------------------------------------
@@ -133,7 +136,7 @@ bool vtkPointSplatFill::Draw(vtkOpenGLRenderWindow* window, Stage stage, size_t 
   program->Set("SlotLayerPixels", this->Given.LayerPixels);
   program->Set("SlotSpacings", this->Given.Spacings);
   program->Set("PixelSize", scale * this->Given.PixelSize);
-  program->Set("PixelsNeeded", static_cast<float>(DensePixels));
+  program->Set("PixelsNeeded", static_cast<float>(FilledPixels));
   program->Set("LevelScale", scale);
   program->Set("SlotSilhouettes", this->Given.Silhouettes);
   program->Set("RayOffset", this->Given.RayOffset);

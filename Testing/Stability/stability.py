@@ -92,6 +92,7 @@ def main():
     if not options.quick:
         from sweeps.charts import write_charts
         write_charts(found, options.output)
+    os.makedirs(options.output, exist_ok=True)
     with open(os.path.join(options.output, "stability.csv"), "w", newline="") as file:
         writer = csv.DictWriter(file, COLUMNS)
         writer.writeheader()

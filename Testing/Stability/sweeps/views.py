@@ -35,7 +35,7 @@ def grazing(degrees, n):
                   interior=8)
 
 
-@sweep([0, 0.5, 0.8, 0.9, 0.95, 0.98, 0.99], Stable([0, 0.8, 0.95]), coarse([]))
+@sweep([0, 0.5, 0.8, 0.9, 0.95, 0.98, 0.99], Stable([0, 0.8, 0.95]), coarse([0]))
 def camera_inside(off, n):
     """how far off the sphere's centre the camera is"""
     return simple(sphere(), n,
