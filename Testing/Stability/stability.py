@@ -66,6 +66,7 @@ def main():
         from sweeps.failures import write
         write(options.pictures)
         return 0
+    os.makedirs(options.output, exist_ok=True)
     names = options.sweeps or SWEEPS
     if options.scans:
         for name in options.scans:
@@ -92,7 +93,6 @@ def main():
     if not options.quick:
         from sweeps.charts import write_charts
         write_charts(found, options.output)
-    os.makedirs(options.output, exist_ok=True)
     with open(os.path.join(options.output, "stability.csv"), "w", newline="") as file:
         writer = csv.DictWriter(file, COLUMNS)
         writer.writeheader()
