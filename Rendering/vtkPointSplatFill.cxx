@@ -75,25 +75,22 @@ void vtkPointSplatFill::Allocate(bool compute, const glm::ivec2& size, int level
 }
 
 //------------------------------------------------------------------------------
-vtkPointSplatFill::Stage vtkPointSplatFill::SmoothingFor(const vtkPointSplatImages& projected)
+vtkPointSplatProgram* vtkPointSplatFill::Use(Stage stage, const vtkPointSplatImages& projected)
 {
-  if (projected.GetFactorCount() > 0)
+  static const char* const files[] = { "vtkPointSplatFill", "vtkPointSplatFill",
+    "vtkPointSplatPushPull", "vtkPointSplatPushPull", "vtkPointSplatSmooth" };
+  static const char* const own[] = { "#define FIRST_FILL\n", "", "", "#define PUSH\n", "" };
+  std::string defines = own[stage];
+  if (stage == Smoothing)
   {
-    return projected.HasColours() ? ColourFactorSmoothing : FactorSmoothing;
+    defines += projected.GetDefines() + (projected.HasColours() ? "#define COLOURS\n" : "");
   }
-  return projected.HasColours() ? ColourSmoothing : Smoothing;
-}
-
-//------------------------------------------------------------------------------
-vtkPointSplatProgram* vtkPointSplatFill::Use(Stage stage)
-{
-  static const char* const files[NumberOfStages] = { "vtkPointSplatFill", "vtkPointSplatFill",
-    "vtkPointSplatPushPull", "vtkPointSplatPushPull", "vtkPointSplatSmooth",
-    "vtkPointSplatSmooth", "vtkPointSplatSmooth", "vtkPointSplatSmooth" };
-  static const char* const defines[NumberOfStages] = { "#define FIRST_FILL\n", "", "",
-    "#define PUSH\n", "", "#define COLOURS\n", "#define FACTORS\n",
-    "#define COLOURS\n#define FACTORS\n" };
-  vtkPointSplatProgram& program = this->Programs[stage][this->Compute];
+  else if (this->Compute)
+  {
+    defines += "#define COMPUTE_IMAGES\n";
+  }
+  vtkPointSplatProgram& program =
+    this->Programs[(this->Compute ? "CS" : "FS") + std::string(files[stage]) + defines];
   if (!program.IsBuilt())
   {
     std::vector<std::pair<GLenum, std::string>> sources;
@@ -106,8 +103,7 @@ vtkPointSplatProgram* vtkPointSplatFill::Use(Stage stage)
       sources.emplace_back(GL_VERTEX_SHADER, "vtkPointSplatResolveVS");
       sources.emplace_back(GL_FRAGMENT_SHADER, std::string(files[stage]) + "FS");
     }
-    if (!program.Build(
-          sources, defines[stage] + std::string(this->Compute ? "#define COMPUTE_IMAGES\n" : "")))
+    if (!program.Build(sources, defines))
     {
       this->Error = program.GetLog();
       return nullptr;
@@ -121,7 +117,7 @@ vtkPointSplatProgram* vtkPointSplatFill::Use(Stage stage)
 bool vtkPointSplatFill::Draw(vtkOpenGLRenderWindow* window, Stage stage, size_t index,
   vtkPointSplatImages& projected, GLuint to, GLuint factors)
 {
-  vtkPointSplatProgram* program = this->Use(stage);
+  vtkPointSplatProgram* program = this->Use(stage, projected);
   if (!program)
   {
     return false;
@@ -146,7 +142,7 @@ bool vtkPointSplatFill::Draw(vtkOpenGLRenderWindow* window, Stage stage, size_t 
   {
     units.Bind(*program, "Filled", kind, level.Textures[level.Now]);
   }
-  if (stage == FirstStep || stage >= Smoothing)
+  if (stage == FirstStep || stage == Smoothing)
   {
     projected.Bind(units, *program);
   }
@@ -315,8 +311,8 @@ bool vtkPointSplatFill::Reconstruct(vtkOpenGLRenderWindow* window,
     level.Now = 1 - level.Now;
   }
   good = good &&
-    this->Draw(window, vtkPointSplatFill::SmoothingFor(projected), 0, projected,
-      images.GetTexels(), images.GetFactorTexels());
+    this->Draw(
+      window, Smoothing, 0, projected, images.GetTexels(), images.GetFactorTexels());
   images.SetIdSource(&projected, this->Levels[0].Textures[this->Levels[0].Now]);
 
   if (!this->Compute)
@@ -366,11 +362,8 @@ void vtkPointSplatFill::Release()
     glDeleteBuffers(1, &this->Changed);
   }
   this->Framebuffer = this->VertexArray = this->Changed = 0;
-  for (auto& stage : this->Programs)
+  for (auto& program : this->Programs)
   {
-    for (vtkPointSplatProgram& program : stage)
-    {
-      program.Release();
-    }
+    program.second.Release();
   }
 }

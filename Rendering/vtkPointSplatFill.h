@@ -18,6 +18,9 @@
 
 #include "vtkPointSplatStages.h"
 
+#include <map>
+#include <string>
+
 class vtkPointSplatFill
 {
 public:
@@ -48,11 +51,7 @@ private:
     NextStep,
     Pull,
     Push,
-    Smoothing,
-    ColourSmoothing,
-    FactorSmoothing,
-    ColourFactorSmoothing,
-    NumberOfStages
+    Smoothing
   };
 
   /**
@@ -83,8 +82,7 @@ private:
   };
 
   static int LevelsFor(double spacing);
-  static Stage SmoothingFor(const vtkPointSplatImages& projected);
-  vtkPointSplatProgram* Use(Stage stage);
+  vtkPointSplatProgram* Use(Stage stage, const vtkPointSplatImages& projected);
   /// Draws a stage that reads a level of this index. factors: where smoothing writes those of
   /// the lights to, or 0.
   bool Draw(vtkOpenGLRenderWindow* window, Stage stage, size_t index,
@@ -94,7 +92,7 @@ private:
   void Allocate(bool compute, const glm::ivec2& size, int levels);
   void ReleaseImages();
 
-  vtkPointSplatProgram Programs[NumberOfStages][2]; // by stage, compute
+  std::map<std::string, vtkPointSplatProgram> Programs; // by kind, file and defines
   bool Compute = false;
   std::vector<Level> Levels;
   GLuint Changed = 0; // a buffer: whether a step filled anything

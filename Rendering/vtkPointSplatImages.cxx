@@ -81,10 +81,8 @@ void vtkPointSplatImages::Allocate(
   bool compute, const glm::ivec2& size, bool colours, int factors)
 {
   if (this->Depths && !this->Texels && this->Compute == compute && this->Size == size &&
-    (this->Colours == colours || !compute) &&
-    this->GetFactorWords() == (factors + 1) / 2)
+    (this->Colours == colours || !compute) && this->Factors == factors)
   {
-    this->Factors = factors;
     return;
   }
   this->Release();
@@ -117,7 +115,8 @@ void vtkPointSplatImages::Allocate(
 std::string vtkPointSplatImages::GetDefines() const
 {
   return std::string(this->Compute ? "#define COMPUTE_IMAGES\n" : "") +
-    (this->Texels ? "#define FILLED_IMAGES\n" : "");
+    (this->Texels ? "#define FILLED_IMAGES\n" : "") +
+    (this->Factors ? "#define FACTORS " + std::to_string(this->Factors) + "\n" : "");
 }
 
 //------------------------------------------------------------------------------

@@ -81,11 +81,11 @@ public:
   bool HasColours() const { return this->Colours || !this->Compute; }
   int GetSumStride() const // ints a pixel, compute
   {
-    return this->Colours || this->GetFactorWords() > 1 ? 8 : 4;
+    return this->Colours || this->Factors > 3 ? 8 : 4;
   }
   int GetFactorCount() const { return this->Factors; }
-  int GetFactorWords() const { return (this->Factors + 1) / 2; }       // compute
-  int GetFactorWord() const { return this->Colours ? 5 : 3; } // the first of them
+  /// Of the words of the second light's factors and further ones the first, compute.
+  int GetFactorWord() const { return this->Colours ? 5 : 3; }
   vtkIdType GetMemorySize() const; // bytes
 
   ///@{

@@ -210,10 +210,6 @@ bool vtkPointSplatResolve::Present(vtkRenderer* renderer, vtkActor* actor,
     (shaded ? vtkPointSplatResolve::LightDefines(renderer, actor)
             : std::string("#define LIGHT_LEVEL 0\n#define LIGHT_COUNT 0\n"));
   defines += images.GetDefines();
-  if (shaded && images.GetFactorCount() > 0)
-  {
-    defines += "#define FACTORS\n";
-  }
   if (reflects)
   {
     defines += "#define REFLECTION\n" + this->Environment->GetDefines();

@@ -84,7 +84,9 @@ vtkPointSplatProgram* vtkPointSplatStages::Use(
   // What the whole frame has in common is decided before, where it costs each splat nothing.
   std::string defines = peel ? "#define PEELING\n" : "";
   defines += sums && sums->HasColours() ? "#define COLOURS\n" : "";
-  defines += sums && sums->GetFactorWords() > 0 ? "#define FACTORS\n" : "";
+  defines += sums && sums->GetFactorCount() > 0
+    ? "#define FACTORS " + std::to_string(sums->GetFactorCount()) + "\n"
+    : "";
   defines += item.ClipPlanes.empty() ? "" : "#define CLIPPING\n";
   const std::string name =
     std::string("vtkPointSplat") + (item.Points ? pointNames[stage] : names[stage]);
@@ -356,13 +358,12 @@ bool vtkPointSplatStages::ReconstructByCompute(vtkOpenGLRenderWindow* window,
     program->Set("DepthUnit", depthUnit);
     program->Set("SumStride", images.GetSumStride());
     program->Set("FactorWord", images.GetFactorWord());
-    program->Set("FactorWords", images.GetFactorWords());
     if (peel && peel->Gather)
     {
       program->Set("ItemColour", item.Colour);
     }
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, item.Cloud->Upload(window).Colours);
-    if (images.GetFactorWords() > 0)
+    if (images.GetFactorCount() > 0)
     {
       glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 6, item.Factors);
     }

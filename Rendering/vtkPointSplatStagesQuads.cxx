@@ -210,7 +210,7 @@ bool vtkPointSplatStages::ReconstructByQuads(vtkOpenGLRenderWindow* window,
     GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, images.GetSums(1), 0);
   glFramebufferTexture2D(
     GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT2, GL_TEXTURE_2D, images.GetSums(2), 0);
-  const int targets = images.GetFactorWords() > 0 ? 4 : 3;
+  const int targets = images.GetFactorCount() > 0 ? 4 : 3;
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT3, GL_TEXTURE_2D,
     targets > 3 ? images.GetSums(3) : 0, 0);
   state->vtkglDrawBuffers(static_cast<unsigned int>(targets), all);

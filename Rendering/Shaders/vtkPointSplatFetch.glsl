@@ -89,13 +89,14 @@ float fetchRawSums(ivec2 pixel, out vec4 normalAndBehind, out vec4 colour)
 {
   int at = (pixel.y * ImageWidth + pixel.x) * TexelsPerPixel;
   ivec4 a = texelFetch(Sums, at);
+  float weight = float(unpackWeight(a.x));
   normalAndBehind = vec4(unpackSums(a.y), unpackSums(a.z));
-  colour = vec4(float(a.x));
+  colour = vec4(weight);
   if (TexelsPerPixel > 1)
   {
     colour = vec4(unpackSums(a.w), unpackSums(texelFetch(Sums, at + 1).r));
   }
-  return float(a.x);
+  return weight;
 }
 
 #else
@@ -141,7 +142,12 @@ bool fetchSums(ivec2 pixel, out vec3 normal, out float behind, out vec4 colour)
 #endif
 
 #ifdef FACTORS
-// The factors of lights.
+// The factors of lights, as many as FACTORS says: one is cheaper by itself.
+#if FACTORS > 1
+#define LightFactors vec4
+#else
+#define LightFactors float
+#endif
 #ifdef FILLED_IMAGES
 #ifdef COMPUTE_IMAGES
 uniform usamplerBuffer FactorTexels; // R32UI, see vtkPointSplatTexel
@@ -160,33 +166,38 @@ vec4 fetchFactors(ivec2 pixel)
 #endif
 #else
 #ifdef COMPUTE_IMAGES
-uniform int FactorWord; // 3, or 5 with colours
+uniform int FactorWord; // 3, or 5 with colours: of the second light and further ones
 
 // Sums of weights, and of weighted factors.
-float fetchRawFactors(ivec2 pixel, out vec4 factors)
+float fetchRawFactors(ivec2 pixel, out LightFactors factors)
 {
   int at = (pixel.y * ImageWidth + pixel.x) * TexelsPerPixel;
   ivec4 a = texelFetch(Sums, at);
+  float first = float(uint(a.x) >> WeightBits);
+#if FACTORS > 1
   ivec4 b = TexelsPerPixel > 1 ? texelFetch(Sums, at + 1) : ivec4(0);
   ivec2 words = FactorWord == 3 ? ivec2(a.w, b.x) : b.yz;
-  factors = vec4(unpackSums(words.x), unpackSums(words.y));
-  return float(a.x);
+  factors = vec4(first, unpackSums(words.x), float(words.y));
+#else
+  factors = first;
+#endif
+  return float(unpackWeight(a.x));
 }
 #else
 uniform sampler2D Factors;
 
-float fetchRawFactors(ivec2 pixel, out vec4 factors)
+float fetchRawFactors(ivec2 pixel, out LightFactors factors)
 {
-  factors = texelFetch(Factors, pixel, 0);
+  factors = LightFactors(texelFetch(Factors, pixel, 0));
   return texelFetch(WeightAndNormal, pixel, 0).x;
 }
 #endif
 
 vec4 fetchFactors(ivec2 pixel)
 {
-  vec4 factors;
+  LightFactors factors;
   float w = fetchRawFactors(pixel, factors);
-  return w > 0.0 ? factors / w : vec4(1.0);
+  return w > 0.0 ? vec4(factors / w) : vec4(1.0);
 }
 #endif
 #endif

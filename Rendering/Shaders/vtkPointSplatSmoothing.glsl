@@ -30,7 +30,7 @@ struct Sum
   vec4 colour;
 #endif
 #ifdef FACTORS
-  vec4 factors;
+  LightFactors factors;
 #endif
 };
 
@@ -134,7 +134,7 @@ void smoothPixel(vec3 ray, Sum mean, Sum beside[4], out uvec4 texel, out uint fa
   vec4 colour = vec4(1.0);
 #endif
 #ifdef FACTORS
-  vec4 lit = empty ? vec4(1.0) : mean.factors / mean.weight;
+  LightFactors lit = empty ? LightFactors(1.0) : mean.factors / mean.weight;
 #endif
   bool silhouette = isSilhouette(mean.code, beside);
   Sum beyond = mean;
@@ -161,6 +161,6 @@ void smoothPixel(vec3 ray, Sum mean, Sum beside[4], out uvec4 texel, out uint fa
   texel = packTexel(mean.code, n.xyz, n.w / DepthUnit, colour, silhouette && !onto);
   factors = 0u;
 #ifdef FACTORS
-  factors = packColour(lit);
+  factors = packColour(vec4(lit));
 #endif
 }
