@@ -124,7 +124,8 @@ public:
   ///@{
   /**
    * Pixels along the shadow map's longer side, or along each side of a cube's faces. 0, the
-   * default, is automatic: such that a splat radius of median size has two pixels, and no more
+   * default, is automatic: such that a splat radius of median size has two pixels, down to one where
+   * an area light has so few samples that finer outlines cannot be told, and no more
    * than 4096.
    */
   vtkSetClampMacro(Resolution, int, 0, 16384);

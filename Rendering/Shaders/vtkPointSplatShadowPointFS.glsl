@@ -22,7 +22,10 @@ void main()
   s.facing = pixelRadiusFacing.w;
   s.depth = positionLC.z;
   shadow = texelOf(s, ivec2(gl_FragCoord.xy));
-  if (shadow == Nothing)
+  // A disk seen edge-on is met by rays beyond it, as numbers are rounded.
+  bool beyond = any(greaterThan(abs(gl_FragCoord.xy - s.pixel), reachOf(s))) &&
+    ivec2(gl_FragCoord.xy) != ivec2(s.pixel);
+  if (shadow == Nothing || beyond)
   {
     discard;
   }

@@ -16,7 +16,8 @@ void main()
   positionLC = s.position;
   normalLC = s.normal;
   pixelRadiusFacing = vec4(s.pixel, s.radius, s.facing);
-  gl_PointSize = float(2 * reachOf(s) + 1);
+  vec2 reach = reachOf(s);
+  gl_PointSize = 2.0 * ceil(max(reach.x, reach.y)) + 1.0;
   vec2 at = 2.0 * (floor(s.pixel) + 0.5) / vec2(MapSize) - 1.0;
   gl_Position = s.inside && !s.cut ? vec4(at, 0.0, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
 }

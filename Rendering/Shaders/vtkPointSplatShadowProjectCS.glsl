@@ -23,9 +23,11 @@ void main()
   Seen s = seeSplat(int(index));
   if (s.inside && !s.cut)
   {
-    int reach = reachOf(s);
-    ivec2 low = max(ivec2(s.pixel) - reach, ivec2(0));
-    ivec2 high = min(ivec2(s.pixel) + reach, MapSize - 1);
+    // The pixels whose centres it may cover, and the one that its own centre is in.
+    vec2 reach = reachOf(s);
+    ivec2 own = ivec2(s.pixel);
+    ivec2 low = max(min(ivec2(ceil(s.pixel - reach - 0.5)), own), ivec2(0));
+    ivec2 high = min(max(ivec2(floor(s.pixel + reach - 0.5)), own), MapSize - 1);
     for (int y = low.y; y <= high.y; ++y)
     {
       for (int x = low.x; x <= high.x; ++x)

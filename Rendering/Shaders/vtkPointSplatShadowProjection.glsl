@@ -78,11 +78,14 @@ Seen seeSplat(int index)
   return s;
 }
 
-// The pixels that the splat's disk may cover about its own one.
-int reachOf(Seen s)
+// How far from its centre the splat's disk may reach, pixels.
+vec2 reachOf(Seen s)
 {
-  float pixel = Parallel ? PixelSize : PixelSize * s.depth;
-  return int(clamp(ceil(s.radius / pixel), 0.0, LargestReach));
+  vec3 reach = s.radius * sqrt(max(1.0 - s.normal * s.normal, vec3(0.0)));
+  vec2 pixels = Parallel ? MapScale * reach.xy
+                         : MapScale * (reach.xy + abs(s.position.xy / s.depth) * reach.z) /
+      max(s.depth - reach.z, 1e-30);
+  return min(pixels + 0.01, vec2(LargestReach)); // and what rounding may take away
 }
 
 // The texel that a splat gives a pixel: where the light's ray meets its disk, if it does.
