@@ -29,9 +29,6 @@ constexpr double OutlinePixel = 0.1;
 constexpr double LayerRadii = 1.0;
 constexpr double LayerPixels = 1.5;
 
-// Steps of hole filling, of empty and of occluded pixels. Disks leave few holes, and no large ones.
-constexpr int FillSteps = 1;
-
 void Dispatch(vtkIdType count)
 {
   const GLuint groups = static_cast<GLuint>((count + GroupSize - 1) / GroupSize);
@@ -332,16 +329,11 @@ bool vtkPointSplatShadows::FillHoles(vtkOpenGLRenderWindow* window, const Face& 
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, 0, 0);
   this->SetMap(*program, face);
   glBindVertexArray(this->VertexArray);
-
-  for (int step = 0; step < 2 * FillSteps; ++step)
-  {
-    program->Set("FillOccluded", step >= FillSteps);
-    units.Bind(*program, "Map", GL_TEXTURE_2D, this->Maps[0]);
-    glFramebufferTexture2D(
-      GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Maps[1], 0);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    std::swap(this->Maps[0], this->Maps[1]);
-  }
+  // A single step: disks leave few holes, and no large ones.
+  units.Bind(*program, "Map", GL_TEXTURE_2D, this->Maps[0]);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Maps[1], 0);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  std::swap(this->Maps[0], this->Maps[1]);
   glBindVertexArray(0);
   return true;
 }
