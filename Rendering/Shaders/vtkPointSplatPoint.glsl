@@ -6,6 +6,7 @@
 // that layers are told apart as those of splats are.
 
 #include "vtkPointSplatProjection"
+#include "vtkPointSplatPointSide"
 
 // The least layer distance of points: the larger of these. Points of one surface in one
 // pixel may lie a pixel's width apart along the normal.
@@ -52,6 +53,7 @@ bool projectPoint(Projector u, vec3 positionMC, uint normal, out Splat q, out iv
   q.tag = u.tag | (back ? 1u : 0u);
   q.facing = u.parallel ? abs(q.normal.z) : abs(towards) / max(abs(p.z), 1e-30);
   q.layer = max(u.layer.x, u.layer.y * w / length(u.x.xyz));
+  q.depth += sideDelay(q.tag, q.layer);
 #ifdef CLIPPING
   for (int i = 0; i < ClipPlaneCount; ++i)
   {

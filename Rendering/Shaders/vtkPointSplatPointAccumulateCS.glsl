@@ -38,7 +38,7 @@ void drawPoint(uint index, Splat q, ivec2 pixel)
   if (mine)
   {
     addToSums(SumStride * at, index, pointWeight(q), turnTo(nearest, q.tag) * q.normal,
-      q.depth - decodeDepth(nearest), Gather);
+      undelayedDepth(q) - decodeDepth(nearest), Gather);
   }
 }
 

@@ -38,5 +38,5 @@ void main()
   factorsGiven = pointFactors;
 #endif
   addToSums(pointColour, pointWeight(q), turnTo(nearest, q.tag) * q.normal,
-    q.depth - decodeDepth(nearest), Gather);
+    undelayedDepth(q) - decodeDepth(nearest), Gather);
 }

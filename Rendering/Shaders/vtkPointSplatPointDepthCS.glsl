@@ -21,7 +21,7 @@ void drawPoint(uint index, Splat q, ivec2 pixel)
 {
 #ifdef PEELING
   if ((PreviousCount > 0 && isPeeled(q, q.depth, previousDepths(pixel))) ||
-    (HasSceneDepth && isHidden(q.depth, pixel)))
+    (HasSceneDepth && isHidden(undelayedDepth(q), pixel)))
   {
     return;
   }

@@ -19,7 +19,7 @@ void main()
 #ifdef PEELING
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   if ((PreviousCount > 0 && isPeeled(q, q.depth, previousDepths(pixel))) ||
-    (HasSceneDepth && isHidden(q.depth, pixel)))
+    (HasSceneDepth && isHidden(undelayedDepth(q), pixel)))
   {
     discard;
   }

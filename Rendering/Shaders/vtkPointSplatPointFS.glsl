@@ -4,6 +4,7 @@
 // The point of a fragment, as vtkPointSplatPointVS projected it.
 
 #include "vtkPointSplatProjection"
+#include "vtkPointSplatPointSide"
 
 flat in vec4 normalAndDepth;
 flat in vec2 facingAndLayer;

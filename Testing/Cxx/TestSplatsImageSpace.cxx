@@ -28,7 +28,7 @@ constexpr int Nothing = -1;
 
 struct Pixel
 {
-  int Code = Nothing; // twice the depth, and the side
+  int Code = Nothing; // the depth in 32nds, and the side
   vtkIdType Id = Nothing;
 };
 using Image = std::vector<Pixel>;
@@ -76,7 +76,8 @@ void MakeRandomImages(RandomImages& images, unsigned int seed)
       points->InsertNextPoint(s[0] + 0.5 - Side / 2, s[1] + 0.5 - Side / 2, -s[2]);
     normals->InsertNextTuple3(0.0, 0.0, s[3] ? -1.0 : 1.0);
     Pixel& pixel = images.Projected[static_cast<size_t>(s[1] * Side + s[0])];
-    const int code = 2 * s[2] + s[3];
+    // In sixteenths; what shows its back is taken for 3/8 of a layer farther.
+    const int code = 2 * (16 * s[2] + static_cast<int>(6 * LayerDistance) * s[3]) + s[3];
     if (pixel.Code == Nothing || code < pixel.Code)
     {
       pixel = { code, id };
@@ -114,7 +115,7 @@ Image Fill(const Image& from)
       const Pixel own = at(x, y);
       auto white = [&](const Pixel& other) {
         return other.Code == Nothing ||
-          (own.Code != Nothing && other.Code / 2 >= own.Code / 2 - LayerDistance);
+          (own.Code != Nothing && other.Code / 2 >= own.Code / 2 - 16 * LayerDistance);
       };
       bool beyond = false;
       for (const auto& mask : masks)
