@@ -50,8 +50,10 @@ constexpr double NearestExactErrors[2] = { 0.008, 0.011 };
 constexpr double FullOpacity = 0.15;
 constexpr double LeastOpacityShare = 0.55;
 constexpr double SortedSpacing = 3.0;
-// Of shells 0.2 to 2 spacings apart, times contrast and the share that is crowded.
-constexpr double CrowdedError = 0.2;
+// Of shells 0.2 to 2 spacings apart and of neghip's isosurfaces, times contrast and a power of the
+// share that is crowded.
+constexpr double CrowdedError = 0.22;
+constexpr double CrowdingPower = 2.0 / 3.0;
 // Sorting takes less time than peeling from so many surfaces behind one another on, ...
 constexpr double LeastDepthToSort = 1.5;
 constexpr double LeastDepthForNearestExact = 3.0;
@@ -125,7 +127,7 @@ double vtkPointSplatChoices::SortedError(const vtkPointSplatSceneFacts& facts, b
     : std::clamp(std::sqrt(facts.Opacity / FullOpacity), LeastOpacityShare, 1.0);
   return opacity *
     std::hypot(density * (errors[0] + errors[1] * facts.Contrast),
-      CrowdedError * facts.Contrast * facts.Crowding);
+      CrowdedError * facts.Contrast * std::pow(facts.Crowding, CrowdingPower));
 }
 
 namespace
