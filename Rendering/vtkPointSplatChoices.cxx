@@ -42,9 +42,9 @@ constexpr double DeferredPower = 2.5;
 
 // Sorted transparency against peeling, of all layers and of all but the nearest (SortedError()): what
 // it has at no contrast and what contrast adds, on spheres, shells, tori and orbitals, on grids and at
-// random, opacities from 0.05 to 0.9. All are upper ends of what was seen.
+// random, opacities from 0.03 to 0.9, close-ups among them. All are upper ends of what was seen.
 constexpr double SortedErrors[2] = { 0.013, 0.018 };
-constexpr double NearestExactErrors[2] = { 0.008, 0.011 };
+constexpr double NearestExactErrors[2] = { 0.0087, 0.011 };
 // Below this opacity the error of sorting all falls with the root, down to a share; below so many
 // pixels between splats errors grow.
 constexpr double FullOpacity = 0.15;
