@@ -16,6 +16,10 @@ namespace
 constexpr double SilhouetteError = 0.06;
 constexpr double TranslucentSilhouetteError = 0.2;
 constexpr double ShadingError = 6e-5;
+// Both were seen at this contrast; translucent scenes of more have more. Layers that crowd merge: of
+// shells, times contrast and the share that is crowded.
+constexpr double PointContrast = 0.6;
+constexpr double CrowdedPointError = 0.13;
 // Points farther apart than this, in pixels, leave holes in image space.
 constexpr double MostSpacing = 8.0;
 // While the user drags, a method once taken stays for spacings and errors that are by so much worse.
@@ -36,13 +40,23 @@ constexpr double DeferredErrorAtMost = 0.008;
 constexpr double DeferredSpacing = 1.2;
 constexpr double DeferredPower = 2.5;
 
-// Sorted transparency against peeling: orbitals and nested spheres have up to 0.018 and 0.012, scans
-// of surfaces that nearly touch more.
-constexpr double SortedError = 0.05;
-constexpr double NearestExactError = 0.02;
+// Sorted transparency against peeling, of all layers and of all but the nearest (SortedError()): what
+// it has at no contrast and what contrast adds, on spheres, shells, tori and orbitals, on grids and at
+// random, opacities from 0.03 to 0.9, close-ups among them. All are upper ends of what was seen.
+constexpr double SortedErrors[2] = { 0.013, 0.018 };
+constexpr double NearestExactErrors[2] = { 0.0087, 0.011 };
+// Below this opacity the error of sorting all falls with the root, down to a share; below so many
+// pixels between splats errors grow.
+constexpr double FullOpacity = 0.15;
+constexpr double LeastOpacityShare = 0.55;
+constexpr double SortedSpacing = 3.0;
+// Of shells 0.2 to 2 spacings apart and of neghip's isosurfaces, times contrast and a power of the
+// share that is crowded.
+constexpr double CrowdedError = 0.22;
+constexpr double CrowdingPower = 2.0 / 3.0;
 // Sorting takes less time than peeling from so many surfaces behind one another on, ...
 constexpr double LeastDepthToSort = 1.5;
-constexpr double LeastDepthForNearestExact = 3.5;
+constexpr double LeastDepthForNearestExact = 3.0;
 // ... and less than peeling in image space from so many on, where a splat costs less than so many
 // pixels of a layer.
 constexpr double LeastDepthToSortRather = 4.0;
@@ -50,10 +64,10 @@ constexpr double PixelsPerSortedSplat = 16.0;
 // Peeling draws more than this even where time is short.
 constexpr double MostContribution = 1.0 / 8.0;
 
-// Of one jittered sample of an area light, against many; n samples have it over the root of n. It is
-// half the mean error of shadow factors (TestPointShadowTexture), and twice that of the
-// benchmark's picture.
-constexpr double ShadowSampleError = 0.02;
+// Of one jittered sample of an area light that shines on white, against many; n samples have it over
+// the root of n. A ball over a torus has 0.02 to 0.055, by lamps of a tenth to eight tenths of the
+// torus' radius.
+constexpr double ShadowSampleError = 0.06;
 
 std::string Number(double value)
 {
@@ -86,8 +100,12 @@ double vtkPointSplatChoices::PointError(const vtkPointSplatSceneFacts& facts)
 {
   const double silhouettes =
     facts.Translucent ? TranslucentSilhouetteError : SilhouetteError;
-  return std::sqrt(silhouettes / std::sqrt(std::max(facts.Covered, 1.0)) +
+  const double error = std::sqrt(silhouettes / std::sqrt(std::max(facts.Covered, 1.0)) +
     ShadingError * facts.SpacingPixels * facts.SpacingPixels);
+  return facts.Translucent
+    ? std::hypot(error * std::max(1.0, facts.Contrast / PointContrast),
+        CrowdedPointError * facts.Contrast * facts.Crowding)
+    : error;
 }
 
 //------------------------------------------------------------------------------
@@ -96,6 +114,20 @@ double vtkPointSplatChoices::DeferredError(const vtkPointSplatSceneFacts& facts)
   const double density =
     facts.SpacingPixels > 0.0 ? std::max(1.0, DeferredSpacing / facts.SpacingPixels) : 1.0;
   return DeferredErrorAtMost * std::pow(density, DeferredPower);
+}
+
+//------------------------------------------------------------------------------
+double vtkPointSplatChoices::SortedError(const vtkPointSplatSceneFacts& facts, bool nearestExact)
+{
+  const double* errors = nearestExact ? NearestExactErrors : SortedErrors;
+  const double density =
+    facts.SpacingPixels > 0.0 ? std::max(1.0, SortedSpacing / facts.SpacingPixels) : 1.0;
+  const double opacity = nearestExact
+    ? 1.0
+    : std::clamp(std::sqrt(facts.Opacity / FullOpacity), LeastOpacityShare, 1.0);
+  return opacity *
+    std::hypot(density * (errors[0] + errors[1] * facts.Contrast),
+      CrowdedError * facts.Contrast * std::pow(facts.Crowding, CrowdingPower));
 }
 
 namespace
@@ -146,7 +178,7 @@ bool PrefersSorting(const vtkPointSplatSceneFacts& facts, double tolerance)
   // Grouping takes about as long as ten frames.
   const bool affordable = facts.Grouped || facts.Tolerance == 0.0;
   return facts.Translucent && facts.Sortable && !facts.Refracts && affordable &&
-    tolerance >= SortedError &&
+    tolerance >= vtkPointSplatChoices::SortedError(facts, false) &&
     facts.Transparency == vtkPointSplatMapper::AUTOMATIC_TRANSPARENCY &&
     facts.Depth >= LeastDepthToSortRather &&
     PixelsPerSortedSplat * facts.Splats < facts.Pixels * (2.0 * facts.Depth + 4.0);
@@ -216,6 +248,8 @@ void ChooseLayers(const vtkPointSplatSceneFacts& facts, double tolerance,
     choice.LayersReason = "only the nearest layer is seen";
     return;
   }
+  const double sortedError = vtkPointSplatChoices::SortedError(facts, false);
+  const double nearestExactError = vtkPointSplatChoices::SortedError(facts, true);
   choice.MaximumLayers = facts.MaximumLayers;
   choice.LeastContribution = std::min(tolerance, std::max(facts.TargetError, MostContribution));
   choice.LayersReason = "until nothing is left, or less than " +
@@ -244,24 +278,26 @@ void ChooseLayers(const vtkPointSplatSceneFacts& facts, double tolerance,
   {
     choice.TransparencyReason = "refraction magnifies errors of layers";
   }
-  else if (tolerance >= SortedError && facts.Depth >= LeastDepthToSort)
+  else if (tolerance >= sortedError && facts.Depth >= LeastDepthToSort)
   {
     choice.Transparency = vtkPointSplatMapper::SORTED;
     choice.TransparencyReason = "about " + Number(facts.Depth) +
-      " surfaces lie behind one another; sorted they have an error of " + Number(SortedError);
+      " surfaces lie behind one another; sorted they have an error of " + Number(sortedError);
   }
-  else if (tolerance >= NearestExactError && facts.Depth >= LeastDepthForNearestExact)
+  else if (tolerance >= nearestExactError && facts.Depth >= LeastDepthForNearestExact)
   {
     choice.Transparency = vtkPointSplatMapper::NEAREST_EXACT;
     choice.TransparencyReason = "about " + Number(facts.Depth) +
       " surfaces lie behind one another; with the nearest exact and the others sorted they have an "
-      "error of " + Number(NearestExactError);
+      "error of " + Number(nearestExactError);
   }
   else
   {
-    choice.TransparencyReason = tolerance < NearestExactError
-      ? "sorted layers have an error of " + Number(SortedError) +
-        ", those behind an exact nearest one of " + Number(NearestExactError)
+    choice.TransparencyReason = tolerance <= vtkPointSplatChoices::FullQuality
+      ? "sorted layers have greater errors than " + vtkPointSplatChoices::Text(tolerance)
+      : tolerance < nearestExactError
+      ? "sorted layers have an error of " + Number(sortedError) +
+        ", those behind an exact nearest one of " + Number(nearestExactError)
       : "too few surfaces lie behind one another to be worth sorting";
   }
   if (choice.Transparency != vtkPointSplatMapper::PEELING)
@@ -328,8 +364,8 @@ std::vector<vtkPointSplatChoice> vtkPointSplatChoices::Ladder(vtkPointSplatScene
 }
 
 //------------------------------------------------------------------------------
-int vtkPointSplatChoices::ShadowSamples(
-  int wanted, int interactive, bool interacting, double targetError, std::string& reason)
+int vtkPointSplatChoices::ShadowSamples(int wanted, int interactive, bool interacting,
+  double targetError, double light, std::string& reason)
 {
   const int all = interacting ? std::min(wanted, interactive) : wanted;
   if (targetError <= FullQuality)
@@ -337,10 +373,11 @@ int vtkPointSplatChoices::ShadowSamples(
     reason = interacting ? "while dragging" : "as many as were asked for";
     return all;
   }
-  const double needed = std::ceil(std::pow(ShadowSampleError / targetError, 2.0));
+  const double error = ShadowSampleError * light;
+  const double needed = std::ceil(std::pow(error / targetError, 2.0));
   const int samples = needed < all ? std::max(1, static_cast<int>(needed)) : all;
   reason = samples < all ? "they have an error of " +
-      Number(ShadowSampleError / std::sqrt(static_cast<double>(samples)))
+      Number(error / std::sqrt(static_cast<double>(samples)))
     : interacting ? "while dragging"
                   : "as many as were asked for";
   return samples;

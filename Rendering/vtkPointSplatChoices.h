@@ -45,6 +45,9 @@ struct vtkPointSplatSceneFacts
   double Covered = 0.0;       // of these, what the splats' bounding boxes cover
   double SpacingPixels = 0.0; // of the sparsest points at their nearest; 0: not known
   double Depth = 0.0;         // surfaces behind one another, a covered pixel; 0: not known
+  double Opacity = 1.0;       // the greatest of translucent splats
+  double Contrast = 1.0;      // of colours that may mix (vtkPointSplatContrast.h)
+  double Crowding = 1.0;      // share of surfaces close to others (vtkPointSplatCrowding.h)
   bool Grouped = false;       // groups for sorting are made
   int Groups = -1;            // for deferred blending; -1: not made yet, 0: cannot be made
   bool GroupsFit = true;      // their images fit the hardware and MaximumImageMemory
@@ -116,7 +119,7 @@ public:
   /**
    * The error to be expected of image space. At silhouettes points mark all of their pixel, and of
    * the covered pixels those are the more the smaller the picture; between points, shading is
-   * interpolated the farther.
+   * interpolated the farther; translucent layers that crowd become one.
    */
   static double PointError(const vtkPointSplatSceneFacts& facts);
 
@@ -127,11 +130,19 @@ public:
   static double DeferredError(const vtkPointSplatSceneFacts& facts);
 
   /**
-   * The samples of area lights; reason gets why. wanted, interactive: what mappers allow at rest
-   * and while the user drags.
+   * The error to be expected of sorted layers, all or all but the nearest. Each surface's opacity and
+   * shading err a little, and the more where splats are so dense that few pixels tell them apart;
+   * surfaces that crowd change places.
    */
-  static int ShadowSamples(
-    int wanted, int interactive, bool interacting, double targetError, std::string& reason);
+  static double SortedError(const vtkPointSplatSceneFacts& facts, bool nearestExact);
+
+  /**
+   * The samples of area lights; reason gets why. wanted, interactive: what mappers allow at rest
+   * and while the user drags. light: how much brighter the lights make what they fall on
+   * (vtkPointSplatContrast::OfLight(), times intensities).
+   */
+  static int ShadowSamples(int wanted, int interactive, bool interacting, double targetError,
+    double light, std::string& reason);
 
   /// Of an error: 1/64 and the like where that is what it is.
   static std::string Text(double error);

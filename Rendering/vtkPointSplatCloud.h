@@ -140,6 +140,9 @@ public:
   {
     return this->Splats[this->GetWordsPerSplat() * static_cast<size_t>(splat) + 7];
   }
+  /// Splats as the buffers have them, but in the order of the points.
+  const std::vector<uint32_t>& GetSplats() const { return this->Splats; }
+  size_t GetWordsPerSplat() const { return this->Circular ? 8 : 16; }
   bool IsCircular() const { return this->Circular; }
   bool HasColours() const { return !this->Colours.empty(); }
   /// Of how many lights the input has factors.
@@ -168,7 +171,6 @@ private:
   void BuildColours(vtkPointSplatMapper* mapper, const std::vector<Block>& blocks);
   void BuildFactors(vtkPointSplatMapper* mapper, const std::vector<Block>& blocks);
   std::vector<uint32_t> MakeIdMap(IdKind kind) const;
-  size_t GetWordsPerSplat() const { return this->Circular ? 8 : 16; }
   bool GivenGroups(std::vector<int>& groups) const;
   bool FindGroups(std::vector<int>& groups, double factor, double reach, int number) const;
   void MakeLeaves();

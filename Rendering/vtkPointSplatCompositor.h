@@ -34,6 +34,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <tuple>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -110,7 +111,9 @@ private:
   static double AllocatedSeconds(vtkRenderer* renderer, const std::vector<Entry>& entries);
   /// hurried: time may be short, so that all is to be known.
   vtkPointSplatSceneFacts Describe(vtkRenderer* renderer, const vtkPointSplatView& view,
-    const std::vector<Entry>& entries, bool translucent, bool flat, bool hurried) const;
+    const std::vector<Entry>& entries, bool translucent, bool flat, bool hurried);
+  /// Of entries whose points are so far apart (world units); found anew when clouds or places change.
+  double FindCrowding(const std::vector<Entry>& entries, double spacing);
   void Choose(vtkRenderer* renderer, const vtkPointSplatView& view,
     const std::vector<Entry>& entries, bool translucent, bool flat, vtkPointSplatLayers& layers);
   void PrepareEnvironment(vtkRenderer* renderer, const std::vector<Entry>& entries);
@@ -150,6 +153,9 @@ private:
   vtkPointSplatContext Context;     // and that context
   std::string Error;
   vtkPointSplatChoice Choice;
+  using CrowdingKey = std::tuple<const vtkPointSplatCloud*, vtkMTimeType, glm::dmat4>;
+  std::vector<CrowdingKey> CrowdingKeys; // what Crowding was found of
+  double Crowding = 1.0;
 
   // Frames are counted as the renderer starts them: what depends on the whole scene, its depth
   // and its lights, is made once in each.

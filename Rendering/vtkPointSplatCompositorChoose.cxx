@@ -6,11 +6,15 @@
 
 #include "vtkActor.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPointSplatContrast.h"
+#include "vtkPointSplatCrowding.h"
 #include "vtkPointSplatMapper.h"
+#include "vtkProperty.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace
 {
@@ -49,7 +53,7 @@ double vtkPointSplatCompositor::AllocatedSeconds(
 //------------------------------------------------------------------------------
 vtkPointSplatSceneFacts vtkPointSplatCompositor::Describe(vtkRenderer* renderer,
   const vtkPointSplatView& view, const std::vector<Entry>& entries, bool translucent, bool flat,
-  bool hurried) const
+  bool hurried)
 {
   auto window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkPointSplatSceneFacts facts;
@@ -62,6 +66,7 @@ vtkPointSplatSceneFacts vtkPointSplatCompositor::Describe(vtkRenderer* renderer,
   facts.MaximumLayers = 1;
   facts.MaximumFillSteps = 1;
   facts.TargetError = 1.0;
+  facts.Opacity = 0.0;
   glm::ivec4 covered(view.Size.x, view.Size.y, -1, -1);
   for (const Entry& entry : entries)
   {
@@ -90,6 +95,10 @@ vtkPointSplatSceneFacts vtkPointSplatCompositor::Describe(vtkRenderer* renderer,
       facts.Refracts || (mapper->GetRefraction() && this->Resolve.GetEnvironment());
     facts.Grouped = (&entry == &entries.front() || facts.Grouped) &&
       mapper->GetNumberOfGroups() > 0;
+    facts.Opacity = std::max(facts.Opacity,
+      mapper->GetCloud()->HasColours() || entry.Actor->GetBackfaceProperty()
+        ? 1.0
+        : entry.Actor->GetProperty()->GetOpacity());
     facts.Splats += static_cast<double>(mapper->GetNumberOfSplats());
     const glm::ivec4 own =
       view.Cover(entry.Item.MCWC, mapper->GetCloud()->GetBounds().data(), 0.0);
@@ -101,21 +110,50 @@ vtkPointSplatSceneFacts vtkPointSplatCompositor::Describe(vtkRenderer* renderer,
   }
   facts.Covered = std::max(covered.z - covered.x + 1, 0) *
     static_cast<double>(std::max(covered.w - covered.y + 1, 0));
+  const bool rough = hurried || facts.TargetError > vtkPointSplatChoices::FullQuality;
+  double spacing = 0.0; // world units
   for (const Entry& entry : entries)
   {
     // To find it takes a pass over the points, once: only where it can matter.
     if (entry.Mapper->GetMethod() == vtkPointSplatMapper::IMAGE_SPACE ||
-      ((facts.AllAutomatic || translucent) &&
-        (hurried || facts.TargetError > vtkPointSplatChoices::FullQuality)))
+      ((facts.AllAutomatic || translucent) && rough))
     {
-      const double pixels = entry.Mapper->FindSpacing(view, entry.Item).Pixels;
+      const vtkPointSplatSpacing found = entry.Mapper->FindSpacing(view, entry.Item);
+      const double pixels = found.Pixels;
+      spacing = std::max(spacing, found.World);
       facts.SpacingPixels = std::max(facts.SpacingPixels, pixels);
       // On average a surface is seen at half its area.
       facts.Depth += 0.5 * static_cast<double>(entry.Mapper->GetNumberOfSplats()) * pixels *
         pixels / std::max(facts.Covered, 1.0);
     }
   }
+  if (translucent && rough)
+  {
+    facts.Contrast = vtkPointSplatContrast::Of(renderer);
+    facts.Crowding = this->FindCrowding(entries, spacing);
+  }
   return facts;
+}
+
+//------------------------------------------------------------------------------
+double vtkPointSplatCompositor::FindCrowding(const std::vector<Entry>& entries, double spacing)
+{
+  std::vector<vtkPointSplatCrowding::Cloud> clouds;
+  std::vector<CrowdingKey> keys;
+  for (const Entry& entry : entries)
+  {
+    vtkPointSplatCloud* cloud = entry.Mapper->GetCloud();
+    const std::array<double, 3>& o = cloud->GetOrigin();
+    keys.emplace_back(cloud, cloud->GetGeometryMTime(), entry.Item.MCWC);
+    clouds.push_back({ &cloud->GetSplats(), cloud->GetWordsPerSplat(),
+      glm::translate(entry.Item.MCWC, glm::dvec3(o[0], o[1], o[2])) });
+  }
+  if (keys != this->CrowdingKeys)
+  {
+    this->Crowding = vtkPointSplatCrowding::Share(clouds, spacing);
+    this->CrowdingKeys = std::move(keys);
+  }
+  return this->Crowding;
 }
 
 //------------------------------------------------------------------------------

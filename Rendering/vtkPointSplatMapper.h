@@ -121,6 +121,7 @@ struct vtkPointSplatSpacing;
 struct vtkPointSplatView;
 class vtkPointSplatCloud;
 class vtkPointSplatCompositor;
+class vtkPointSplatContrast;
 class vtkPointSplatShadowCache;
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -529,6 +530,7 @@ private:
 
   friend class vtkPointSplatCompositor;
   friend class vtkPointSplatCloud;
+  friend class vtkPointSplatContrast;
   friend class vtkPointSplatShadowCache;
 
   /**

@@ -18,6 +18,7 @@
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPointSplatChoices.h"
+#include "vtkPointSplatContrast.h"
 #include "vtkPointSplatMapper.h"
 #include "vtkPointSplatStages.h"
 #include "vtkPointSplatView.h"
@@ -102,7 +103,7 @@ bool vtkPointSplatShadowCache::Casts(vtkLight* light)
 
 //------------------------------------------------------------------------------
 void vtkPointSplatShadowCache::AddActor(vtkActor* actor, const glm::dmat4& matrix, Scene& scene,
-  std::vector<vtkPointSplatMapper*>& receivers)
+  std::vector<Receiver>& receivers)
 {
   vtkMapper* mapper = actor->GetMapper();
   if (!mapper)
@@ -123,7 +124,7 @@ void vtkPointSplatShadowCache::AddActor(vtkActor* actor, const glm::dmat4& matri
     cloud.Receives = splats->GetShadows();
     if (cloud.Receives)
     {
-      receivers.push_back(splats);
+      receivers.push_back({ splats, vtkPointSplatContrast::OfLight(actor, splats) });
     }
     scene.Clouds.push_back(cloud);
   }
@@ -142,7 +143,7 @@ vtkPointSplatShadowCache::Scene vtkPointSplatShadowCache::Gather(
   vtkRenderer* renderer, bool interacting)
 {
   Scene scene;
-  std::vector<vtkPointSplatMapper*> receivers;
+  std::vector<Receiver> receivers;
   vtkCollectionSimpleIterator it;
   renderer->GetViewProps()->InitTraversal(it);
   while (vtkProp* prop = renderer->GetViewProps()->GetNextProp(it))
@@ -182,26 +183,7 @@ vtkPointSplatShadowCache::Scene vtkPointSplatShadowCache::Gather(
     scene.Times.push_back(mesh.Data->GetMTime());
   }
 
-  scene.Settings.Samples = 1;
-  auto window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  scene.Settings.Compute = vtkPointSplatStages::ComputeSupported(window);
-  for (vtkPointSplatMapper* mapper : receivers)
-  {
-    std::string reason;
-    const int samples = vtkPointSplatChoices::ShadowSamples(mapper->GetNumberOfShadowSamples(),
-      mapper->GetNumberOfInteractiveShadowSamples(), interacting, mapper->GetTargetError(), reason);
-    if (samples >= scene.Settings.Samples)
-    {
-      scene.Settings.Samples = samples;
-      this->SamplesReason = reason;
-    }
-    scene.Settings.Compute =
-      scene.Settings.Compute && mapper->GetProjection() != vtkPointSplatMapper::QUADS;
-  }
-  scene.Settings.Seed = static_cast<unsigned int>(receivers[0]->GetShadowSeed());
-  scene.Settings.LayerDistance = receivers[0]->GetShadowLayerDistance();
-  scene.Settings.Resolution = receivers[0]->GetShadowResolution();
-
+  double intensity = 0.0; // errors of several lights are independent
   renderer->GetLights()->InitTraversal(it);
   while (vtkLight* light = renderer->GetLights()->GetNextLight(it))
   {
@@ -211,16 +193,41 @@ vtkPointSplatShadowCache::Scene vtkPointSplatShadowCache::Gather(
     }
     if (scene.Lights.size() < static_cast<size_t>(MaximumLights))
     {
+      const double* colour = light->GetDiffuseColor();
+      intensity = std::hypot(intensity,
+        light->GetIntensity() * std::max({ colour[0], colour[1], colour[2] }));
       scene.Lights.push_back(
-        vtkPointSplatShadowLight::From(light, receivers[0]->GetShadowLightRadius()));
+        vtkPointSplatShadowLight::From(light, receivers[0].Mapper->GetShadowLightRadius()));
     }
     else if (!this->Warned)
     {
       this->Warned = true;
-      vtkWarningWithObjectMacro(receivers[0], << "Only the first " << MaximumLights
-                                              << " lights cast shadows; turn others off.");
+      vtkWarningWithObjectMacro(receivers[0].Mapper,
+        << "Only the first " << MaximumLights << " lights cast shadows; turn others off.");
     }
   }
+
+  scene.Settings.Samples = 1;
+  auto window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  scene.Settings.Compute = vtkPointSplatStages::ComputeSupported(window);
+  for (const Receiver& receiver : receivers)
+  {
+    vtkPointSplatMapper* mapper = receiver.Mapper;
+    std::string reason;
+    const int samples = vtkPointSplatChoices::ShadowSamples(mapper->GetNumberOfShadowSamples(),
+      mapper->GetNumberOfInteractiveShadowSamples(), interacting, mapper->GetTargetError(),
+      receiver.Diffuse * intensity, reason);
+    if (samples >= scene.Settings.Samples)
+    {
+      scene.Settings.Samples = samples;
+      this->SamplesReason = reason;
+    }
+    scene.Settings.Compute =
+      scene.Settings.Compute && mapper->GetProjection() != vtkPointSplatMapper::QUADS;
+  }
+  scene.Settings.Seed = static_cast<unsigned int>(receivers[0].Mapper->GetShadowSeed());
+  scene.Settings.LayerDistance = receivers[0].Mapper->GetShadowLayerDistance();
+  scene.Settings.Resolution = receivers[0].Mapper->GetShadowResolution();
   return scene;
 }
 

@@ -71,9 +71,14 @@ private:
 
     bool IsLike(const Scene& other) const; // but for the number of samples
   };
+  struct Receiver
+  {
+    vtkPointSplatMapper* Mapper;
+    double Diffuse; // how much brighter light of intensity 1 makes it
+  };
   Scene Gather(vtkRenderer* renderer, bool interacting);
   static void AddActor(vtkActor* actor, const glm::dmat4& matrix, Scene& scene,
-    std::vector<vtkPointSplatMapper*>& receivers);
+    std::vector<Receiver>& receivers);
   bool Compute(vtkRenderer* renderer);
 
   vtkPointSplatShadows Shadows;

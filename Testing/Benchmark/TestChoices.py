@@ -14,7 +14,9 @@ sys.path[:0] = [HERE, os.path.join(HERE, "..", "Accuracy")]
 
 from bench import choosing  # noqa: E402
 from bench.cloud import Cloud  # noqa: E402
-from scenes import orbital_scene, shadow_scene, spheres_scene, torus_scene  # noqa: E402
+from reference import Spheres  # noqa: E402
+from scenes import (  # noqa: E402
+    Scene, orbital_scene, shadow_scene, sphere_mesh, spheres_scene, torus_scene)
 
 
 class TestChoices(unittest.TestCase):
@@ -48,6 +50,34 @@ class TestChoices(unittest.TestCase):
         self.assertLess(rough["ms"], 0.67 * best["ms"])
         self.chosen(orbital_scene((0.3, 0.5, 1.0), "orbital"), 20000, 128,
                     choosing.TRANSLUCENT[:1])
+
+    def test_roomy(self):
+        """Spheres three spacings apart: all but the nearest layer may be sorted for 1/64."""
+        rows = self.chosen(spheres_scene(5, 0.2), 16000, 192, choosing.TRANSLUCENT[:1], runs=3)
+        best, full, fair, _ = rows
+        self.assertEqual([row["did"][2] for row in (full, fair)], ["peeling", "nearest-exact"])
+        self.assertLess(fair["ms"], 0.8 * best["ms"])
+
+    def test_crowded(self):
+        """Shells nearer to each other than their points are: sorted they have an error of 0.06."""
+        radii = [1 - 0.02 * k for k in range(4)]
+        shells = Scene("shells", [Spheres(radii)],
+                       lambda count: [sphere_mesh(count / 4, radius) for radius in radii],
+                       4 * [0.2], ([-1] * 3, [1] * 3))
+        rows = self.chosen(shells, 20000, 192, choosing.TRANSLUCENT[:1])
+        self.assertEqual([row["did"][2] for row in rows[1:]], 3 * ["peeling"])
+
+    def test_bright_shadows(self):
+        """On white two samples, which do for the colours of the scene, would have an error of 0.025."""
+        scene = shadow_scene()
+        for prop in scene.properties:
+            prop.SetColor(1, 1, 1)
+            prop.SetAmbient(0)
+            prop.SetDiffuse(1)
+            prop.SetSpecular(0)
+        rows = self.chosen(scene, 4000, 128, choosing.SHADED[:1],
+                           choosing.shadows(choosing.SAMPLES, (choosing.TWO_PASS,)))
+        self.assertEqual([row["did"][4] for row in rows], [16, 16, 15, 1])
 
     def test_shadows(self):
         rows = self.chosen(shadow_scene(), 4000, 128, choosing.SHADED[:1],

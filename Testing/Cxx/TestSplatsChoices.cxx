@@ -1,14 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The automatic choices: a table of facts and what follows from them; a budget of time, with
-// times that are made up; and that the mapper asks them.
+// The automatic choices: a table of facts and what follows from them; how much surfaces crowd; a
+// budget of time, with times that are made up; and that the mapper asks them.
 #include "SplatScene.h"
 
 #include "vtkPointSplatBudget.h"
 #include "vtkPointSplatChoices.h"
+#include "vtkPointSplatCrowding.h"
 
+#include <cstring>
 #include <functional>
+#include <glm/gtc/matrix_transform.hpp>
 #include <set>
 #include <sstream>
 
@@ -34,6 +37,9 @@ Facts Translucent(double splats, double depth, double spacing, double error)
 {
   Facts facts = Dense();
   facts.Translucent = true;
+  facts.Opacity = 0.5;
+  facts.Contrast = 0.6;
+  facts.Crowding = 0.0;
   facts.Splats = splats;
   facts.Depth = depth;
   facts.SpacingPixels = spacing;
@@ -184,6 +190,12 @@ void TestTable(Checks& checks)
       with(Translucent(80000, 6, 4.5, Good), [](Facts&) {}), two, peel, 32, 0, true },
     { "translucent, dense, 1/16",
       with(Translucent(640000, 3, 1.2, Rough), [](Facts&) {}), image, peel, 32, 1, true },
+    { "the same, black and white, 1/32: silhouettes",
+      with(Translucent(640000, 3, 1.2, 1.0 / 32.0), [](Facts& f) { f.Contrast = 1.0; }), two, peel, 32,
+      0, true },
+    { "the same, but layers merge, 1/16",
+      with(Translucent(640000, 3, 1.2, Rough), [](Facts& f) { f.Crowding = 1.0; }), two, peel, 32, 0,
+      true },
     { "translucent, many layers of few splats, 1/16",
       with(Translucent(80000, 6, 4.5, Rough), [](Facts&) {}), two, sort, 0, 0, true },
     { "the same, refracting, which magnifies errors",
@@ -196,8 +208,41 @@ void TestTable(Checks& checks)
           f.Transparency = Mapper::SORTED;
         }),
       two, sort, 1, 0, true },
-    { "the same, 1/32: the nearest layer exact",
-      with(Translucent(80000, 6, 4.5, 1.0 / 32.0), [](Facts&) {}), two, exact, 1, 0, true },
+    { "the same, 1/32", with(Translucent(80000, 6, 4.5, 1.0 / 32.0), [](Facts&) {}), two, sort, 0, 0,
+      true },
+    { "the same, 1/64: the nearest layer exact",
+      with(Translucent(80000, 6, 4.5, Fair), [](Facts&) {}), two, exact, 1, 0, true },
+    { "the same, but black and white",
+      with(Translucent(80000, 6, 4.5, Fair), [](Facts& f) { f.Contrast = 1.0; }), two, peel, 32, 0,
+      true },
+    { "the same, several splats to a pixel",
+      with(Translucent(80000, 6, 2.0, Fair), [](Facts&) {}), two, peel, 32, 0, true },
+    { "the same, but some surfaces crowd",
+      with(Translucent(80000, 6, 4.5, Fair), [](Facts& f) { f.Crowding = 0.1; }), two, peel, 32, 0,
+      true },
+    { "the same, few surfaces",
+      with(Translucent(80000, 2.5, 4.5, Fair), [](Facts&) {}), two, peel, 32, 0, true },
+    { "the same, hardly to be seen",
+      with(Translucent(80000, 6, 4.5, Fair), [](Facts& f) { f.Opacity = 0.03; }), two, sort, 0, 0,
+      true },
+    { "surfaces that all but touch, 1/16",
+      with(Translucent(80000, 6, 10.0, Rough),
+        [](Facts& f) {
+          f.Crowding = 0.5;
+          f.Contrast = 0.8;
+        }),
+      two, peel, 32, 0, true },
+    { "the same, 1/8",
+      with(Translucent(80000, 6, 10.0, 1.0 / 8.0),
+        [](Facts& f) {
+          f.Crowding = 0.5;
+          f.Contrast = 0.8;
+        }),
+      two, sort, 0, 0, true },
+    { "the same, nothing known of it, 1/16",
+      with(Translucent(80000, 6, 10.0, Rough),
+        [](Facts& f) { f.Opacity = f.Contrast = f.Crowding = Facts().Crowding; }),
+      two, peel, 32, 0, true },
     { "the same, 1/16, among other translucent props",
       with(Translucent(80000, 6, 10.0, Rough), [](Facts& f) { f.Sortable = false; }), two, peel, 32,
       0, true },
@@ -251,16 +296,79 @@ void TestTable(Checks& checks)
 
 void TestShadowSamples(Checks& checks)
 {
-  auto samples = [](int wanted, bool interacting, double error) {
+  auto samples = [](int wanted, bool interacting, double error, double light = 1.0 / 3.0) {
     std::string reason;
-    return vtkPointSplatChoices::ShadowSamples(wanted, 1, interacting, error, reason);
+    return vtkPointSplatChoices::ShadowSamples(wanted, 1, interacting, error, light, reason);
   };
   checks.Expect(samples(1000, false, 1.0 / 256.0) == 1000, "full quality takes all samples");
   checks.Expect(samples(16, false, 1.0 / 64.0) == 2, "samples for 1/64");
   checks.Expect(samples(16, false, 1.0 / 128.0) == 7, "samples for 1/128");
+  checks.Expect(samples(16, false, 1.0 / 64.0, 1.0) == 15, "samples for 1/64 on white");
+  checks.Expect(samples(16, false, 1.0 / 64.0, 2.0) == 16, "samples for 1/64 in glaring light");
+  checks.Expect(samples(16, false, 1.0 / 64.0, 0.0) == 1, "samples for 1/64 on black");
   checks.Expect(samples(4, false, 1.0 / 128.0) == 4, "no more than were asked for");
   checks.Expect(samples(16, false, 1.0 / 16.0) == 1, "samples for 1/16");
   checks.Expect(samples(16, true, 1.0 / 256.0) == 1, "samples while dragging");
+}
+
+/// A plane of points 1 apart at a height, its normals up or down, as vtkPointSplatCloud packs them.
+std::vector<uint32_t> Sheet(float height, bool up, int side = 60)
+{
+  std::vector<uint32_t> words;
+  for (int i = 0; i < side * side; ++i)
+  {
+    const float splat[4] = { static_cast<float>(i % side), static_cast<float>(i / side), height,
+      1.0f };
+    const size_t at = words.size();
+    words.resize(at + 8, 0u);
+    std::memcpy(&words[at], splat, sizeof(splat));
+    words[at + 5] = up ? 0u : 0x7fff7fffu;
+    words[at + 7] = static_cast<uint32_t>(i);
+  }
+  return words;
+}
+
+void TestCrowding(Checks& checks)
+{
+  const glm::dmat4 here(1.0);
+  auto share = [&](const std::vector<std::vector<uint32_t>>& sheets, double spacing = 1.0) {
+    std::vector<vtkPointSplatCrowding::Cloud> clouds;
+    for (const std::vector<uint32_t>& sheet : sheets)
+    {
+      clouds.push_back({ &sheet, 8, here });
+    }
+    return vtkPointSplatCrowding::Share(clouds, spacing);
+  };
+  auto together = [](std::vector<uint32_t> a, const std::vector<uint32_t>& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+  };
+  checks.Expect(share({ Sheet(0.3f, true) }) == 0.0, "one sheet does not crowd");
+  checks.Expect(share({ Sheet(0.3f, true), Sheet(3.0f, true) }) == 0.0, "two sheets far apart");
+  checks.Expect(share({ Sheet(0.3f, true), Sheet(0.6f, true) }) == 1.0, "two close together");
+  checks.Expect(share({ Sheet(0.3f, true), Sheet(0.6f, true), Sheet(9.0f, true) }) > 0.6 &&
+      share({ Sheet(0.3f, true), Sheet(0.6f, true), Sheet(9.0f, true) }) < 0.7,
+    "two of three close together");
+  checks.Expect(share({ together(Sheet(0.3f, true), Sheet(0.35f, true)) }) == 0.0,
+    "one rough sheet does not crowd");
+  checks.Expect(share({ together(Sheet(0.1f, true), Sheet(1.0f, true)) }) == 1.0,
+    "two sheets of one cloud");
+  checks.Expect(share({ together(Sheet(0.3f, true), Sheet(0.35f, false)) }) == 1.0,
+    "two sides of one cloud's wall");
+  const std::vector<std::vector<uint32_t>> large = { Sheet(0.3f, true, 400),
+    Sheet(0.6f, true, 400), Sheet(9.0f, true, 400) };
+  checks.AtMost(std::abs(share(large) - 2.0 / 3.0), 0.03, "drawn by lot");
+  checks.Expect(share(large) == share(large), "the same each time");
+  // The sheets in other places: one turned over and pushed away, both far from the origin.
+  const std::vector<uint32_t> a = Sheet(0.3f, true), b = Sheet(0.6f, true);
+  const glm::dmat4 far = glm::translate(here, glm::dvec3(4e5, 5e6, 0.0));
+  checks.Expect(vtkPointSplatCrowding::Share(
+                  { { &a, 8, far }, { &b, 8, glm::translate(far, glm::dvec3(0, 0, 5)) } }, 1.0) == 0.0 &&
+      vtkPointSplatCrowding::Share({ { &a, 8, far }, { &b, 8, far } }, 1.0) == 1.0,
+    "matrices count");
+  checks.Expect(share({}) == 0.0 && share({ {} }) == 0.0 && share({ a }, 0.0) == 1.0 &&
+      share({ a }, std::nan("")) == 1.0,
+    "nothing, and no spacing");
 }
 
 /// A drag on a machine on which a choice takes so many seconds.
@@ -446,6 +554,7 @@ int TestSplatsChoices(int, char*[])
   Checks checks;
   TestTable(checks);
   TestShadowSamples(checks);
+  TestCrowding(checks);
   TestBudget(checks);
   TestMapper(checks);
   return checks.Result();
