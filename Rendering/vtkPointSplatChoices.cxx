@@ -10,13 +10,16 @@
 
 namespace
 {
-// Image space against two passes, on tori and orbitals 0.5 to 8 pixels apart (PointError()):
+// Image space against two passes (PointError()). Opaque, on tori and spheres 0.7 to 5.4 pixels apart:
+// squared errors over the spacing in pixels and the outlines' share of the covered pixels, and the
+// part of that where one step fills the holes. Translucent, on tori and orbitals 0.5 to 8 pixels apart:
 // squared errors of silhouettes, times the side in pixels of the square that is covered, and of
-// shading, over the square of the spacing in pixels. Both are the upper ends of what was seen.
-constexpr double SilhouetteError = 0.06;
+// shading, over the square of the spacing in pixels. All are the upper ends of what was seen.
+constexpr double ContourError = 0.036;
+constexpr double OneStepPart = 0.35;
 constexpr double TranslucentSilhouetteError = 0.2;
 constexpr double ShadingError = 6e-5;
-// Both were seen at this contrast; translucent scenes of more have more. Layers that crowd merge: of
+// All were seen at this contrast; scenes of more have more. Layers that crowd merge: of
 // shells, times contrast and the share that is crowded.
 constexpr double PointContrast = 0.6;
 constexpr double CrowdedPointError = 0.13;
@@ -25,11 +28,9 @@ constexpr double MostSpacing = 8.0;
 // While the user drags, a method once taken stays for spacings and errors that are by so much worse.
 constexpr double Hysteresis = 1.25;
 
-// Points at most this far apart, in pixels, leave holes of single pixels only, ...
-constexpr double OneStepPixels = 0.5;
-// ... and up to this distance a second step changes the picture by less than 0.005.
-constexpr double RoughOneStepPixels = 4.0;
-constexpr double RoughFill = 1.0 / 64.0;
+// Points at most this far apart, in pixels, leave holes of single pixels only, be they spread at
+// random. A second step would widen silhouettes; from 1.3 pixels on it is needed.
+constexpr double OneStepPixels = 1.0;
 
 // One pass over groups by quads beats two of them, by up to a fifth, where there are this many
 // splats a pixel of the viewport; compute shaders beat both (Testing/Benchmark/deferred_benchmark.py).
@@ -98,14 +99,19 @@ std::string vtkPointSplatChoices::Text(double error)
 //------------------------------------------------------------------------------
 double vtkPointSplatChoices::PointError(const vtkPointSplatSceneFacts& facts)
 {
-  const double silhouettes =
-    facts.Translucent ? TranslucentSilhouetteError : SilhouetteError;
-  const double error = std::sqrt(silhouettes / std::sqrt(std::max(facts.Covered, 1.0)) +
-    ShadingError * facts.SpacingPixels * facts.SpacingPixels);
-  return facts.Translucent
-    ? std::hypot(error * std::max(1.0, facts.Contrast / PointContrast),
-        CrowdedPointError * facts.Contrast * facts.Crowding)
-    : error;
+  const double contrast = std::max(1.0, facts.Contrast / PointContrast);
+  const double side = std::sqrt(std::max(facts.Covered, 1.0));
+  const double spacing = facts.SpacingPixels;
+  if (facts.Translucent)
+  {
+    return std::hypot(
+      contrast * std::sqrt(TranslucentSilhouetteError / side + ShadingError * spacing * spacing),
+      CrowdedPointError * facts.Contrast * facts.Crowding);
+  }
+  // What is flat has its border for an outline.
+  const double contours = std::max(facts.Contours, 4.0 / side);
+  return contrast *
+    std::sqrt(ContourError * contours * (spacing > OneStepPixels ? spacing : OneStepPart));
 }
 
 //------------------------------------------------------------------------------
@@ -310,8 +316,7 @@ void ChooseLayers(const vtkPointSplatSceneFacts& facts, double tolerance,
 }
 
 //------------------------------------------------------------------------------
-void ChooseFill(const vtkPointSplatSceneFacts& facts, double tolerance,
-  vtkPointSplatChoice& choice)
+void ChooseFill(const vtkPointSplatSceneFacts& facts, vtkPointSplatChoice& choice)
 {
   if (!facts.AsksPoints && choice.Method != vtkPointSplatMapper::IMAGE_SPACE)
   {
@@ -319,11 +324,10 @@ void ChooseFill(const vtkPointSplatSceneFacts& facts, double tolerance,
     choice.FillReason = "splats leave no holes";
     return;
   }
-  const double enough = tolerance < RoughFill ? OneStepPixels : RoughOneStepPixels;
-  const bool one = facts.SpacingPixels > 0.0 && facts.SpacingPixels <= enough;
+  const bool one = facts.SpacingPixels > 0.0 && facts.SpacingPixels <= OneStepPixels;
   choice.FillSteps = one ? 1 : facts.MaximumFillSteps;
   choice.FillReason = "points are " + Number(facts.SpacingPixels) + " pixels apart; up to " +
-    Number(enough) + " one step does";
+    Number(OneStepPixels) + " one step does";
 }
 }
 
@@ -336,7 +340,7 @@ vtkPointSplatChoice vtkPointSplatChoices::Make(const vtkPointSplatSceneFacts& fa
   ChooseProjection(facts, choice);
   ChooseMethod(facts, tolerance, choice);
   ChooseLayers(facts, tolerance, choice);
-  ChooseFill(facts, tolerance, choice);
+  ChooseFill(facts, choice);
   return choice;
 }
 

@@ -44,6 +44,7 @@ struct vtkPointSplatSceneFacts
   double Pixels = 0.0;        // of the viewport
   double Covered = 0.0;       // of these, what the splats' bounding boxes cover
   double SpacingPixels = 0.0; // of the sparsest points at their nearest; 0: not known
+  double Contours = 0.0;      // of a smooth body's image: outline by area, pixels; 0: not known
   double Depth = 0.0;         // surfaces behind one another, a covered pixel; 0: not known
   double Opacity = 1.0;       // the greatest of translucent splats
   double Contrast = 1.0;      // of colours that may mix (vtkPointSplatContrast.h)
@@ -117,9 +118,9 @@ public:
   static std::vector<vtkPointSplatChoice> Ladder(vtkPointSplatSceneFacts facts);
 
   /**
-   * The error to be expected of image space. At silhouettes points mark all of their pixel, and of
-   * the covered pixels those are the more the smaller the picture; between points, shading is
-   * interpolated the farther; translucent layers that crowd become one.
+   * The error to be expected of image space. At silhouettes points mark all of their pixel, and where
+   * they are sparse that of their neighbours; of the covered pixels those are the more the smaller
+   * the picture, and the more bodies there are in it; translucent layers that crowd become one.
    */
   static double PointError(const vtkPointSplatSceneFacts& facts);
 

@@ -120,6 +120,7 @@ void vtkPointSplatCloud::BuildSplats(
   this->Circular = true;
   this->Sized = true;
   this->Spacing = 0.0;
+  this->MeanCurvature = -1.0;
   this->MedianRadius = this->MaximumRadius = 0.0;
   this->Bounds = { { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 } };
 
@@ -408,6 +409,36 @@ double vtkPointSplatCloud::GetSpacing()
   const double mean = static_cast<double>(this->Count) / filled;
   this->Spacing = cell / std::sqrt(CellsPerFilledCell * std::min(mean, Scatter * sparse));
   return this->Spacing;
+}
+
+//------------------------------------------------------------------------------
+double vtkPointSplatCloud::GetMeanCurvature()
+{
+  if (this->MeanCurvature >= 0.0)
+  {
+    return this->MeanCurvature;
+  }
+  constexpr vtkIdType Sampled = 10000;
+  const vtkIdType step = std::max<vtkIdType>(1, this->Count / Sampled);
+  double sum = 0.0;
+  double magnitudes = 0.0;
+  vtkIdType count = 0;
+  for (vtkIdType i = 0; i < this->Count && this->Circular; i += step)
+  {
+    const uint32_t* words = this->Splats.data() + 8 * static_cast<size_t>(i);
+    float radius;
+    std::memcpy(&radius, words + 3, sizeof(radius));
+    if (radius > 0.0f)
+    {
+      const double curvature = vtkPointSplatPacking::MeanBend(words[6]) / radius;
+      sum += curvature;
+      magnitudes += std::abs(curvature);
+      ++count;
+    }
+  }
+  this->MeanCurvature =
+    count > 0 ? 0.5 * (std::abs(sum) + magnitudes) / static_cast<double>(count) : 0.0;
+  return this->MeanCurvature;
 }
 
 //------------------------------------------------------------------------------

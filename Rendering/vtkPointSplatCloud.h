@@ -152,6 +152,13 @@ public:
   /// The mean distance of neighbouring points, world units, roughly; where the sampling changes over
   /// the surface, their distance where it is sparsest but for a tenth of the area.
   double GetSpacing();
+
+  /**
+   * The mean of the splats' mean curvatures, as far as these are known, over the input's unit of
+   * length: the outline of a convex body is on average half its surface times that (Minkowski,
+   * Cauchy). Dents, which hide some of the outlines that bumps have, count half.
+   */
+  double GetMeanCurvature();
   const std::array<double, 3>& GetOrigin() const { return this->Origin; }
   const std::array<double, 6>& GetBounds() const { return this->Bounds; }
   vtkMTimeType GetMTime() const;
@@ -188,6 +195,7 @@ private:
   bool Circular = true;
   bool Sized = true;    // whether all splats have a radius
   double Spacing = 0.0; // 0: not yet found
+  double MeanCurvature = -1.0; // less than 0: not yet found
   double MedianRadius = 0.0;
   double MaximumRadius = 0.0;
   std::array<double, 3> Origin{ { 0.0, 0.0, 0.0 } };

@@ -122,14 +122,16 @@ vtkPointSplatSceneFacts vtkPointSplatCompositor::Describe(vtkRenderer* renderer,
       const double pixels = found.Pixels;
       spacing = std::max(spacing, found.World);
       facts.SpacingPixels = std::max(facts.SpacingPixels, pixels);
+      // Half the surface times the curvature, over a quarter of the surface, which is the image.
+      facts.Contours = std::max(facts.Contours, 2.0 * found.Curvature * found.LargestPixel);
       // On average a surface is seen at half its area.
       facts.Depth += 0.5 * static_cast<double>(entry.Mapper->GetNumberOfSplats()) * pixels *
         pixels / std::max(facts.Covered, 1.0);
     }
   }
+  facts.Contrast = rough ? vtkPointSplatContrast::Of(renderer) : 1.0;
   if (translucent && rough)
   {
-    facts.Contrast = vtkPointSplatContrast::Of(renderer);
     facts.Crowding = this->FindCrowding(entries, spacing);
   }
   return facts;

@@ -250,9 +250,11 @@ vtkPointSplatSpacing vtkPointSplatMapper::FindSpacing(
   vtkPointSplatCloud& cloud = this->Internals->Cloud;
   const glm::dvec2 pixels = view.PixelSizes(item.MCWC, cloud.GetBounds().data());
   vtkPointSplatSpacing spacing;
-  spacing.World = Stretch(item.MCWC) / std::sqrt(3.0) * cloud.GetSpacing();
+  const double stretch = Stretch(item.MCWC) / std::sqrt(3.0);
+  spacing.World = stretch * cloud.GetSpacing();
   spacing.Pixels = spacing.World / pixels.x;
   spacing.LargestPixel = pixels.y;
+  spacing.Curvature = stretch > 0.0 ? cloud.GetMeanCurvature() / stretch : 0.0;
   return spacing;
 }
 

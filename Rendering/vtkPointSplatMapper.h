@@ -328,9 +328,8 @@ public:
   /**
    * Of Method ImageSpace: how often holes are filled in a frame at most, each time by a pixel from
    * their rims, and no oftener than something changes. Default: 2; more close wider holes, and fill
-   * creases. Points twice as dense as pixels take one step, and with a TargetError of 1/64 those up
-   * to 4 pixels apart. How often it was done in the last
-   * frame is GetNumberOfFillSteps().
+   * creases. Points as dense as pixels take one step. How often it was done in the last frame is
+   * GetNumberOfFillSteps().
    * GetProjectedSpacing() is how far apart, in pixels, points were at the nearest corner of their
    * bounding box: holes may stay where it is more than 8.
    */

@@ -67,6 +67,9 @@ void DecodeNormal(uint32_t code, double n[3])
   vtkMath::Normalize(n);
 }
 
+constexpr double LargestBend = 1.0; // as in vtkPointSplatProjection.glsl
+constexpr double BendSteps = 511.0;
+
 /**
  * The matrix K of vtkPointSplatProjection.glsl, the second fundamental form times
  * the radius in the basis of the splat's tangents: elements 11, 12 and 22, 10 bits
@@ -75,7 +78,6 @@ void DecodeNormal(uint32_t code, double n[3])
  */
 uint32_t CodeBend(uint32_t planeCode, const double curvature[6], double radius)
 {
-  constexpr double LargestBend = 1.0;
   double n[3];
   DecodeNormal(planeCode, n);
   const bool slanted = std::abs(n[2]) < 0.7;
@@ -105,7 +107,7 @@ uint32_t CodeBend(uint32_t planeCode, const double curvature[6], double radius)
   const double scale = root > 0.0 ? 0.5 * (greater - lesser) / root : 0.0;
   const double middle = 0.5 * (greater + lesser);
   const auto quantise = [](double v) {
-    return static_cast<uint32_t>(std::lround(v / LargestBend * 511.0)) & 1023u;
+    return static_cast<uint32_t>(std::lround(v / LargestBend * BendSteps)) & 1023u;
   };
   return quantise(middle + scale * half) | (quantise(scale * mixed) << 10) |
     (quantise(middle - scale * half) << 20);
@@ -336,4 +338,13 @@ void vtkPointSplatPacking::Pack(const std::array<double, 3>& origin, bool circul
   {
     worker(this->Points.Get(), this->Normals.Get(), *this, origin, circular, splats, valid);
   }
+}
+
+//------------------------------------------------------------------------------
+double vtkPointSplatPacking::MeanBend(uint32_t code)
+{
+  const auto element = [code](int shift) {
+    return static_cast<double>(static_cast<int32_t>(code << (22 - shift)) >> 22);
+  };
+  return 0.5 * (element(0) + element(20)) * LargestBend / BendSteps;
 }

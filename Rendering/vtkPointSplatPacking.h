@@ -43,6 +43,11 @@ struct vtkPointSplatPacking
    */
   void Pack(const std::array<double, 3>& origin, bool circular, uint32_t* splats,
     unsigned char* valid) const;
+
+  /**
+   * Of a bend as Pack() codes it, the mean of its eigenvalues: over the radius, the mean curvature.
+   */
+  static double MeanBend(uint32_t code);
 };
 
 #endif

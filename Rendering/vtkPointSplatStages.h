@@ -35,6 +35,7 @@ struct vtkPointSplatSpacing
   double World = 0.0;        // world units
   double Pixels = 0.0;       // where they are nearest to the eye
   double LargestPixel = 0.0; // of their bounding box, world units
+  double Curvature = 0.0;    // the mean of the surface's mean curvatures, over world units
 };
 
 /**

@@ -29,6 +29,8 @@ Facts Dense()
   facts.Pixels = 512 * 512;
   facts.Covered = 180000;
   facts.SpacingPixels = 1.0;
+  facts.Contours = 0.01;
+  facts.Contrast = 0.6;
   facts.Depth = 1.4;
   return facts;
 }
@@ -87,6 +89,20 @@ void TestTable(Checks& checks)
           f.SpacingPixels = 5.0;
         }),
       image, peel, 1, 2, true },
+    { "as many points of many small bodies, 1/64: outlines",
+      with(dense,
+        [](Facts& f) {
+          f.TargetError = Fair;
+          f.Contours = 0.05;
+        }),
+      two, peel, 1, 0, true },
+    { "in black and white, 1/64",
+      with(dense,
+        [](Facts& f) {
+          f.TargetError = Fair;
+          f.Contrast = 1.0;
+        }),
+      two, peel, 1, 0, true },
     { "too sparse for image space",
       with(dense,
         [](Facts& f) {
@@ -120,6 +136,7 @@ void TestTable(Checks& checks)
         [](Facts& f) {
           f.AllAutomatic = false;
           f.AsksPoints = true;
+          f.SpacingPixels = 1.3;
         }),
       two, peel, 1, 2, true },
     { "image space by hand, denser than pixels",
@@ -189,7 +206,7 @@ void TestTable(Checks& checks)
     { "translucent, full quality",
       with(Translucent(80000, 6, 4.5, Good), [](Facts&) {}), two, peel, 32, 0, true },
     { "translucent, dense, 1/16",
-      with(Translucent(640000, 3, 1.2, Rough), [](Facts&) {}), image, peel, 32, 1, true },
+      with(Translucent(640000, 3, 1.2, Rough), [](Facts&) {}), image, peel, 32, 2, true },
     { "the same, black and white, 1/32: silhouettes",
       with(Translucent(640000, 3, 1.2, 1.0 / 32.0), [](Facts& f) { f.Contrast = 1.0; }), two, peel, 32,
       0, true },
