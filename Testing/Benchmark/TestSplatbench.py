@@ -67,18 +67,32 @@ class TestSplatbench(unittest.TestCase):
         cls.folder = tempfile.mkdtemp(prefix="splatbench-")
         cls.addClassCleanup(shutil.rmtree, cls.folder)
         environment = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
-        cls.done = subprocess.run(
-            [sys.executable, os.path.join(HERE, "splatbench.py"), "--smoke", "--output", cls.folder],
-            capture_output=True, text=True, env=environment, check=False)
-        if cls.done.returncode:
-            raise AssertionError(cls.done.stdout + cls.done.stderr)
-        with open(os.path.join(cls.folder, "splatbench.json"), encoding="utf-8") as file:
-            cls.report = json.load(file)
+
+        def run(folder, *arguments):
+            done = subprocess.run(
+                [sys.executable, os.path.join(HERE, "splatbench.py"), "--smoke", "--output", folder,
+                 *arguments],
+                capture_output=True, text=True, env=environment, check=False)
+            if done.returncode:
+                raise AssertionError(done.stdout + done.stderr)
+            with open(os.path.join(folder, "splatbench.json"), encoding="utf-8") as file:
+                return done, json.load(file)
+
+        cls.done, cls.report = run(cls.folder)
+        _, cls.hurried = run(os.path.join(cls.folder, "hurried"), "--minutes", "0.001")
         cls.rows = [one for one in cls.report["rows"] if one["status"] == "measured"]
 
     def test_no_warnings(self):
         """VTK's or Python's; drivers may have something to say."""
         self.assertNotRegex(self.done.stderr, "ERROR: In|Warning: In|RuntimeWarning|Traceback")
+
+    def test_minutes(self):
+        """Out of time, what is not begun is left out and listed."""
+        self.assertEqual(self.report["left_out"], [])
+        cells = {(one["scene"], one["points"], one["size"]) for one in self.report["rows"]}
+        begun = {(one["scene"], one["points"], one["size"]) for one in self.hurried["rows"]}
+        self.assertEqual(len(begun), 1)
+        self.assertEqual(len(self.hurried["left_out"]), len(cells) - 1)
 
     def test_json_and_csv(self):
         machine = self.report["machine"]

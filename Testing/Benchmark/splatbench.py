@@ -5,10 +5,13 @@
 scenes whose truth is known, numbers of points and sizes of window.
 
   splatbench.py [--quick | --full | --smoke] [--output FOLDER] [--mesh FILE ...] [--only WORD]
-                [--pictures]
+                [--pictures] [--minutes N]
   splatbench.py --choices [--output FOLDER] [--only WORD]
 
---quick (the default) takes some minutes, --full about an hour, --smoke seconds.
+--quick (the default) takes a quarter of an hour on two cores, --full an hour, --smoke seconds.
+--minutes: after so many no further scene, number of points and size is begun; 60 by default with
+--full. First comes what the charts of error over time show, then cheap ones before dear ones, and the
+report lists what was left out.
 --mesh FILE.ply or .vtp adds a scanned mesh, whose truth Embree tells (Debian's libembree3-3).
 --pictures keeps a picture of each setting beside the truth.
 FOLDER (default: splatbench) gets splatbench.csv, splatbench.json, the report splatbench.md, and
@@ -57,6 +60,7 @@ def parsed():
     parser.add_argument("--mesh", action="append", default=[])
     parser.add_argument("--only", help="scenes with this in their names, and no others")
     parser.add_argument("--pictures", action="store_true")
+    parser.add_argument("--minutes", type=float)
     options = parser.parse_args()
     for name in options.mesh:
         if not os.path.isfile(name):
@@ -89,15 +93,23 @@ def main():
         scene = scanned_scene(name)
         cells += [(scene, scene.count, size, OPAQUE) for size in sorted({plan.size, *plan.sizes})]
     cells = [cell for cell in cells if not options.only or options.only in cell[0].name]
+    # Of one scene and number of points one after the other, since a cloud is made for them.
+    cells.sort(key=lambda cell: (cell[1:3] != (plan.points, plan.size), cell[1]))
+    minutes = plan.minutes if options.minutes is None else options.minutes
     cloud, made = None, None
+    left = []
     for number, (scene, count, size, settings) in enumerate(cells, 1):
+        if number > 1 and minutes and time.perf_counter() - start > 60 * minutes:
+            left = cells[number - 1:]
+            break
         if made != (scene.name, count):
             cloud, made = None, (scene.name, count)
             cloud = Cloud(scene, count)
         print(f"[{time.perf_counter() - start:5.0f} s] {number}/{len(cells)}: {scene.name}, "
               f"{cloud.points} points, {size} x {size}", file=sys.stderr, flush=True)
         report.add(measure(scene, cloud, size, settings, truths, predictor, plan))
-    report.write(time.perf_counter() - start)
+    report.write(time.perf_counter() - start, [
+        f"{scene.name}, {count} points, {size} x {size}" for scene, count, size, _ in left])
 
 
 if __name__ == "__main__":

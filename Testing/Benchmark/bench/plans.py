@@ -14,17 +14,19 @@ class Plan:
     points at that size and of sizes at that number of points. which: how many scenes are swept,
     SMOKE (one, and few others are there), SOME or ALL. runs: frames of each setting. limit_ms: frames
     expected to take longer are not drawn; cell_ms: a cell that took longer than this draws no more
-    than three frames of each setting. all_errors: whether errors are found at every size."""
+    than three frames of each setting. all_errors: whether errors are found at every size. minutes:
+    after these no further cell is begun; 0: all are."""
 
     SMOKE, SOME, ALL = range(3)
 
     def __init__(self, which, points, size, point_counts, sizes, layers, samples, runs,
-                 supersampling, shadow_samples, limit_ms, cell_ms, all_errors):
+                 supersampling, shadow_samples, limit_ms, cell_ms, all_errors, minutes=0):
         self.which, self.points, self.size = which, points, size
         self.point_counts, self.sizes = point_counts, sizes
         self.layers, self.samples, self.runs = layers, samples, runs
         self.supersampling, self.shadow_samples = supersampling, shadow_samples
         self.limit_ms, self.cell_ms, self.all_errors = limit_ms, cell_ms, all_errors
+        self.minutes = minutes
 
     def cells(self):
         """(scene, points, size, settings), each once; those of a scene and number of points one
@@ -58,7 +60,7 @@ PLANS = {
                  point_counts=(10000, 40000, 160000, 640000, 2500000, 6000000),
                  sizes=(512, 768, 1024, 1536, 2048), layers=(1, 2, 4, 8, 12),
                  samples=(1, 4, 16, 64), runs=9, supersampling=3, shadow_samples=64,
-                 limit_ms=20000, cell_ms=40000, all_errors=True),
+                 limit_ms=20000, cell_ms=40000, all_errors=True, minutes=60),
     "smoke": Plan(Plan.SMOKE, points=4000, size=96, point_counts=(1000, 4000), sizes=(64, 96),
                   layers=(1, 2, 4), samples=(1, 4), runs=2, supersampling=1, shadow_samples=4,
                   limit_ms=2000, cell_ms=500, all_errors=True),

@@ -73,17 +73,20 @@ class Report:
             writer.writeheader()
             writer.writerows(self.rows)
 
-    def write(self, seconds):
+    def write(self, seconds, left_out=()):
+        """left_out: what there was no time for, in words."""
         self.colours = charts.Colours(
             dict.fromkeys((row["family"], row["peer"], row["kind"]) for row in self.rows))
         self.say(f"# splatbench --{self.name}: {seconds / 60:.0f} minutes")
         self.say()
         for key, value in self.machine.items():
             self.say(f"- {key}: {value}")
+        for words in left_out:
+            self.say(f"- left out, for want of time: {words}")
         found = {"growth": self.growths(), "scenes": self.scenes()}
         self.gaps()
         with open(self.path("splatbench.json"), "w", encoding="utf-8") as file:
-            json.dump({"machine": self.machine, "plan": self.name, "seconds": seconds,
+            json.dump({"machine": self.machine, "plan": self.name, "seconds": seconds, "left_out": list(left_out),
                        "columns": dict(COLUMNS), **found, "rows": self.rows}, file, indent=1)
         with open(self.path("splatbench.md"), "w", encoding="utf-8") as file:
             file.write("\n".join(self.text) + "\n")
