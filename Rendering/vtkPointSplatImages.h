@@ -81,10 +81,10 @@ public:
   bool HasColours() const { return this->Colours || !this->Compute; }
   int GetSumStride() const // ints a pixel, compute
   {
-    return this->Colours || this->Factors > 3 ? 8 : 4;
+    return this->Colours || this->Factors > 2 ? 8 : 4;
   }
   int GetFactorCount() const { return this->Factors; }
-  /// Of the words of the second light's factors and further ones the first, compute.
+  /// Of the words of factors the first, compute.
   int GetFactorWord() const { return this->Colours ? 5 : 3; }
   vtkIdType GetMemorySize() const; // bytes
 

@@ -89,14 +89,13 @@ float fetchRawSums(ivec2 pixel, out vec4 normalAndBehind, out vec4 colour)
 {
   int at = (pixel.y * ImageWidth + pixel.x) * TexelsPerPixel;
   ivec4 a = texelFetch(Sums, at);
-  float weight = float(unpackWeight(a.x));
   normalAndBehind = vec4(unpackSums(a.y), unpackSums(a.z));
-  colour = vec4(weight);
+  colour = vec4(float(a.x));
   if (TexelsPerPixel > 1)
   {
     colour = vec4(unpackSums(a.w), unpackSums(texelFetch(Sums, at + 1).r));
   }
-  return weight;
+  return float(a.x);
 }
 
 #else
@@ -166,22 +165,21 @@ vec4 fetchFactors(ivec2 pixel)
 #endif
 #else
 #ifdef COMPUTE_IMAGES
-uniform int FactorWord; // 3, or 5 with colours: of the second light and further ones
+uniform int FactorWord; // 3, or 5 with colours
 
 // Sums of weights, and of weighted factors.
 float fetchRawFactors(ivec2 pixel, out LightFactors factors)
 {
   int at = (pixel.y * ImageWidth + pixel.x) * TexelsPerPixel;
   ivec4 a = texelFetch(Sums, at);
-  float first = float(uint(a.x) >> WeightBits);
-#if FACTORS > 1
   ivec4 b = TexelsPerPixel > 1 ? texelFetch(Sums, at + 1) : ivec4(0);
   ivec2 words = FactorWord == 3 ? ivec2(a.w, b.x) : b.yz;
-  factors = vec4(first, unpackSums(words.x), float(words.y));
+#if FACTORS > 1
+  factors = vec4(unpackSums(words.x), unpackSums(words.y));
 #else
-  factors = first;
+  factors = unpackSums(words.x).x;
 #endif
-  return float(unpackWeight(a.x));
+  return float(a.x);
 }
 #else
 uniform sampler2D Factors;

@@ -4,36 +4,22 @@
 // The integer sums of compute shaders. What counts is how many words are added
 // to, so two values share one: the upper one is shifted by 16 bits and the lower
 // one, which may be negative, is added to the whole.
-//   word 0  weight; with factors the first light's above it
+//   word 0  weight
 //   word 1  normal x, normal y
 //   word 2  normal z, depth behind the nearest
 //   word 3  red, green        (words 3 and 4 only with colours)
 //   word 4  blue, opacity
-//   then    the factors of the second and the third light, of the fourth
-// each times the weight. FACTORS is defined where there are such, as the number of lights.
+//   then    the factors of the first and the second light, of the third and the fourth
+// each times the weight. FACTORS is defined where there are such, as the number of lights: as many
+// words as they fill, from word 3 or 5 on. Each word has to itself what all of a GPU's threads may
+// add at once before they take it back.
 
-#ifdef FACTORS
-// A weight of 1, coarse enough for two sums in a word: the lower one has room for 2000 splats that
-// come at once and are taken back.
-const float WeightScale = 128.0;
-const int WeightBits = 18;
-#else
 // A weight of 1. Sums of 127 such fit into 16 bits.
 const float WeightScale = 256.0;
-#endif
 // Past this sum of weights a pixel takes no more.
-const int WeightLimit = 64 * int(WeightScale);
+const int WeightLimit = 64 * 256;
 // Depths behind the nearest one are counted in this unit, world units.
 uniform float DepthUnit;
-
-int unpackWeight(int word)
-{
-#ifdef FACTORS
-  return word & ((1 << WeightBits) - 1);
-#else
-  return word;
-#endif
-}
 
 int packSums(int upper, int lower)
 {

@@ -12,7 +12,7 @@ layout(std430, binding = 2) readonly buffer Colours { uint colours[]; };
 layout(std430, binding = 6) readonly buffer Factors { uint factors[]; };
 
 uniform bool HasFactors;
-uniform int FactorWord; // where those of further lights begin
+uniform int FactorWord; // where they begin
 #endif
 uniform vec4 ItemColour; // multiplies the points' colours
 uniform bool HasColours;
@@ -31,15 +31,9 @@ void addToSums(int at, uint index, float kernel, vec3 normal, float behind, bool
   kernel *= gather ? colour.a : 1.0;
 #endif
   float weight = max(floor(WeightScale * kernel + 0.5), 1.0);
-  int word = int(weight);
-#ifdef FACTORS
-  ivec4 lit =
-    ivec4(round(weight * (HasFactors ? unpackUnorm4x8(factors[index]) : vec4(1.0))));
-  word += lit.x << WeightBits;
-#endif
-  if (unpackWeight(atomicAdd(sums[at], word)) > WeightLimit)
+  if (atomicAdd(sums[at], int(weight)) > WeightLimit)
   {
-    atomicAdd(sums[at], -word);
+    atomicAdd(sums[at], -int(weight));
     return; // so many splats share this pixel that no further one can be seen
   }
   ivec3 n = ivec3(round(weight * normal));
@@ -54,10 +48,12 @@ void addToSums(int at, uint index, float kernel, vec3 normal, float behind, bool
     atomicAdd(sums[at + 4], packSums(sum.b, sum.a));
   }
 #endif
-#if defined(FACTORS) && FACTORS > 1
-  atomicAdd(sums[at + FactorWord], packSums(lit.y, lit.z));
+#ifdef FACTORS
+  ivec4 lit =
+    ivec4(round(weight * (HasFactors ? unpackUnorm4x8(factors[index]) : vec4(1.0))));
+  atomicAdd(sums[at + FactorWord], packSums(lit.x, lit.y));
+#if FACTORS > 2
+  atomicAdd(sums[at + FactorWord + 1], packSums(lit.z, lit.w));
 #endif
-#if defined(FACTORS) && FACTORS > 3
-  atomicAdd(sums[at + FactorWord + 1], lit.w);
 #endif
 }
