@@ -311,9 +311,13 @@ bool intersect(Splat q, vec2 pixel, float reach, out Hit hit)
     return false;
   }
 #ifdef CLIPPING
+  // From the pixel, not from the splat: of one that is huge, rounding would leave nothing.
+  float z = -(hit.depth + DepthRange.x);
+  vec2 across = pixel * (PixelW.z * z + PixelW.w) -
+    vec2(PixelX.z * z + PixelX.w, PixelY.z * z + PixelY.w);
+  vec3 position = vec3(inverse(mat2(PixelX.x, PixelY.x, PixelX.y, PixelY.y)) * across, z);
   for (int i = 0; i < ClipPlaneCount; ++i)
   {
-    vec3 position = q.positionVC + x.x * q.sVC + x.y * q.tVC + x.z * q.mVC;
     if (!(dot(ClipPlanes[i], vec4(position, 1.0)) >= 0.0)) // NaN, too, is cut away
     {
       return false;
