@@ -25,6 +25,8 @@ inline constexpr const char* PlaneNormal = "SplatPlaneNormal";
 inline constexpr const char* Curvature = "SplatCurvature";
 /// 1 int: the minimal independent group that a splat belongs to.
 inline constexpr const char* Group = "SplatGroup";
+/// Field data, 1 double for each group: the share of the surface that its disks cover by themselves.
+inline constexpr const char* GroupCoverage = "SplatGroupCoverage";
 /// A float for each light, 0 (in its shadow) to 1 (lit): vtkPointShadowTexture.
 inline constexpr const char* Shadow = "ShadowFactor";
 /// 1 double: the isovalue of the surface that a point lies on.

@@ -4,6 +4,8 @@
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -269,6 +271,14 @@ void vtkPointSplatGrouping::Cover(const Splats& splats, const std::vector<int>& 
     figures.After = coverage.CoveredArea(groups[k], figures.Scale) / area;
   }
   this->NumberOfDuplicates = static_cast<vtkIdType>(copies.size());
+  vtkNew<vtkDoubleArray> shares;
+  shares->SetName(vtkPointSplatArrays::GroupCoverage);
+  for (int k = 0; k < this->NumberOfGroups; ++k)
+  {
+    shares->InsertNextValue(
+      coverage.CoveredArea(groups[k], this->Figures[k].Scale / this->Reach) / area);
+  }
+  output->GetFieldData()->AddArray(shares);
 
   const vtkIdType count = input->GetNumberOfPoints();
   auto* group = vtkIntArray::SafeDownCast(
@@ -473,6 +483,7 @@ int vtkPointSplatGrouping::RequestData(
   {
     group->SetValue(splats.Ids[i], found[i]);
   }
+  output->GetFieldData()->RemoveArray(vtkPointSplatArrays::GroupCoverage);
   if (this->Coverage != AsIs)
   {
     this->Cover(splats, found, input, output);

@@ -20,6 +20,9 @@
  * - `SplatGroup` (1 int): 0 to GetNumberOfGroups() - 1, or -1 for a point that is no splat;
  * - with Coverage Duplicate: further points at the end, copies of others in another group;
  * - with Coverage Enlarge: sizes multiplied by GetGroupRadiusScale() of each group;
+ * - with either: the field array `SplatGroupCoverage` (1 double a group), the share of the
+ *   surface that each group covers by itself with disks of its SplatRadius, whatever Reach is;
+ *   without it, or below 0.95, groups are not taken for sorted transparency;
  * - with either: `vtkOriginalPointIds` (1 vtkIdType), the input's point that each point is,
  *   unless the input has this array already, which then goes on naming what it named.
  *
