@@ -13,9 +13,7 @@
 #include "vtkPointSet.h"
 #include "vtkPointSplatArrays.h"
 #include "vtkPointSplatCloud.h"
-#include "vtkPointSplatMapper.h"
 #include "vtkPointSplatShadows.h"
-#include "vtkPointSplatStages.h"
 #include "vtkPolyData.h"
 #include "vtkTrivialProducer.h"
 
@@ -175,13 +173,6 @@ int vtkPointShadowTexture::RequestData(
 bool vtkPointShadowTexture::Compute(
   vtkPointSet* input, vtkInformationVector* meshes, vtkPolyData* output)
 {
-  // Splats of the input, as a mapper has them; its errors and warnings are the filter's.
-  vtkNew<vtkPointSplatMapper> mapper;
-  mapper->ScalarVisibilityOff();
-  vtkPointSplatCloud cloud;
-  cloud.Update(mapper, input);
-  this->UpdateProgress(0.3);
-
   if (!this->Internals->Given && !this->Internals->Own)
   {
     this->Internals->Own = vtkSmartPointer<vtkEGLHeadlessRenderWindow>::New();
@@ -202,22 +193,29 @@ bool vtkPointShadowTexture::Compute(
     vtkErrorMacro("There is no OpenGL context: give SetRenderWindow() a window that has one.");
     return false;
   }
+  const vtkPointSplatContextScope scope(window);
 
-  std::vector<vtkPointSplatShadowMesh> occluders;
+  vtkPointSplatCloud cloud;
+  vtkPointSplatCloudInput points;
+  points.Data = input;
+  points.Owner = this;
+  cloud.Update(points);
+  this->UpdateProgress(0.3);
+  vtkPointSplatShadowScene scene;
+  scene.Clouds.resize(1);
+  scene.Clouds[0].Cloud = &cloud;
   for (int i = 0; i < meshes->GetNumberOfInformationObjects(); ++i)
   {
     if (vtkPolyData* mesh = vtkPolyData::GetData(meshes, i))
     {
-      occluders.push_back({ mesh, glm::dmat4(1.0), {} });
+      scene.Meshes.push_back({ mesh, glm::dmat4(1.0), {} });
     }
   }
   vtkPointSplatShadowSettings settings;
   settings.Samples = this->NumberOfSamples;
   settings.LayerDistance = this->LayerDistance;
   settings.Resolution = this->Resolution;
-  settings.Compute = this->UseComputeShaders && vtkPointSplatStages::ComputeSupported(window);
-  std::vector<vtkPointSplatShadowCloud> clouds(1);
-  clouds[0].Cloud = &cloud;
+  settings.Compute = this->UseComputeShaders;
 
   const int lights = this->GetNumberOfLights();
   vtkNew<vtkFloatArray> factors;
@@ -231,9 +229,8 @@ bool vtkPointShadowTexture::Compute(
   {
     settings.Seed = static_cast<unsigned int>(this->Seed + i);
     std::vector<std::vector<float>> result;
-    good = shadows.Cast(window,
-      vtkPointSplatShadowLight::From(this->GetLight(i), this->LightRadius), clouds, occluders,
-      settings, result);
+    good = shadows.Cast(vtkPointSplatShadowLight::From(this->GetLight(i), this->LightRadius),
+      scene, settings, result);
     for (size_t k = 0; k < result[0].size(); ++k)
     {
       factors->SetTypedComponent(cloud.GetPointId(static_cast<vtkIdType>(k)), i, result[0][k]);
@@ -255,8 +252,6 @@ bool vtkPointShadowTexture::Compute(
   {
     vtkErrorMacro("OpenGL cannot compute the shadows: " << shadows.GetError());
   }
-  shadows.Release();
-  cloud.Release(window);
   return good;
 }
 

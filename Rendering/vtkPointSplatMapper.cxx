@@ -12,20 +12,14 @@
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
-#include "vtkPointData.h"
-#include "vtkPointSplatCloud.h"
-#include "vtkPointSplatCompositor.h"
-#include "vtkProperty.h"
+#include "vtkPointSplatFrame.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkWeakPointer.h"
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -33,82 +27,172 @@
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkPointSplatMapper);
 
-namespace
+/**
+ * What the frame knows of the mapper.
+ */
+class vtkPointSplatMapper::vtkInternals : public vtkPointSplatSource
 {
-// As many as the shaders take; VTK's own mappers take six.
-constexpr int MaximumClipPlanes = 6;
-
-/// How much a matrix stretches, at most.
-double Stretch(const glm::dmat4& matrix)
-{
-  const glm::dmat3 linear(matrix);
-  double sum = 0.0;
-  for (int k = 0; k < 3; ++k)
+public:
+  explicit vtkInternals(vtkPointSplatMapper* mapper)
+    : vtkPointSplatSource(mapper)
+    , Self(mapper)
   {
-    sum += glm::dot(linear[k], linear[k]);
   }
-  return std::sqrt(sum);
-}
-}
+  bool Update(const vtkPointSplatSettings& settings) override;
+  vtkPointSplatSettings GetSettings() const override;
+  /// Brings the splats up to date with an input that is.
+  void UpdateCloud(vtkDataObject* data, const vtkPointSplatSettings& settings);
 
-struct vtkPointSplatMapper::vtkInternals
-{
-  /// What the user has been told of drawing in a renderer: once, not at every frame.
-  struct Told
+  /**
+   * A renderer that the mapper was drawn in, and what the user was told of that: once, not at every
+   * frame.
+   */
+  struct Drawn
   {
-    vtkWeakPointer<vtkRenderer> Renderer;
+    std::shared_ptr<vtkPointSplatFrame> Frame;
     std::string Error;
-    bool Refused = false;       // deferred blending, and still so
-    bool NoEnvironment = false; // and still there is none
+    bool Refused = false;       // deferred blending
+    bool NoEnvironment = false;
   };
-  /// A mapper may be drawn by several renderers in turn, of which each has reasons of its own.
-  Told& ToldOf(vtkRenderer* renderer)
-  {
-    this->AllTold.erase(std::remove_if(this->AllTold.begin(), this->AllTold.end(),
-                          [](const Told& told) { return !told.Renderer; }),
-      this->AllTold.end());
-    auto found = std::find_if(this->AllTold.begin(), this->AllTold.end(),
-      [renderer](const Told& told) { return told.Renderer == renderer; });
-    if (found == this->AllTold.end())
-    {
-      found = this->AllTold.emplace(found);
-      found->Renderer = renderer;
-    }
-    return *found;
-  }
+  Drawn& DrawnIn(vtkRenderer* renderer);
 
-  std::vector<Told> AllTold;
-  vtkPointSplatCloud Cloud;
-  std::shared_ptr<vtkPointSplatCompositor> Compositor; // that drew last
-  bool WarnedOfClipPlanes = false;
-  const char* ProjectionUsed = "none"; // by the last frame
-  const char* MethodUsed = "none";
-  vtkPointSplatChoice Choice;
+  vtkPointSplatReport Report;
   std::string Choices;
-  bool Points = false; // drawn in image space
-  int LayersDrawn = 0;
-  int FillSteps = 0;
-  double ProjectedSpacing = 0.0;
-  vtkIdType PointsProjected = 0;
-  const char* TransparencyUsed = "none";
-  int ShadowSamplesUsed = 0;
-  std::string ShadowReason;
-  unsigned long ShadowUpdates = 0;
+  bool WarnedOfClipPlanes = false;
+  std::vector<Drawn> AllDrawn;
+
+private:
+  vtkSmartPointer<vtkUnsignedCharArray> MapColours(vtkDataSet* data, int& cellFlag);
+  std::string GetColourKey();
+
+  vtkPointSplatMapper* Self;
 };
 
 //------------------------------------------------------------------------------
+vtkPointSplatMapper::vtkInternals::Drawn& vtkPointSplatMapper::vtkInternals::DrawnIn(
+  vtkRenderer* renderer)
+{
+  this->AllDrawn.erase(std::remove_if(this->AllDrawn.begin(), this->AllDrawn.end(),
+                         [](const Drawn& drawn) { return !drawn.Frame->GetRenderer(); }),
+    this->AllDrawn.end());
+  auto found = std::find_if(this->AllDrawn.begin(), this->AllDrawn.end(),
+    [renderer](const Drawn& drawn) { return drawn.Frame->GetRenderer() == renderer; });
+  if (found == this->AllDrawn.end())
+  {
+    found = this->AllDrawn.emplace(found);
+    found->Frame = vtkPointSplatFrame::Of(renderer);
+  }
+  return *found;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatMapper::vtkInternals::Update(const vtkPointSplatSettings& settings)
+{
+  if (this->Self->GetNumberOfInputConnections(0) == 0)
+  {
+    return false;
+  }
+  if (!this->Self->Static)
+  {
+    this->Self->GetInputAlgorithm()->UpdateInformation();
+    this->Self->GetInputAlgorithm()->UpdatePiece(this->Self->Piece,
+      this->Self->NumberOfPieces * this->Self->NumberOfSubPieces, this->Self->GhostLevel);
+  }
+  vtkDataObject* data = this->Self->GetExecutive()->GetInputData(0, 0);
+  if (data)
+  {
+    this->UpdateCloud(data, settings);
+  }
+  return data && this->GetCloud().GetNumberOfSplats() > 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatMapper::vtkInternals::UpdateCloud(
+  vtkDataObject* data, const vtkPointSplatSettings& settings)
+{
+  vtkPointSplatCloudInput input;
+  input.Data = data;
+  input.Owner = this->Self;
+  input.NeedSizes = settings.Method != vtkPointSplatSettings::ImageSpace;
+  if (this->Self->ScalarVisibility)
+  {
+    input.MapColours = [this](vtkDataSet* block, int& cellFlag) {
+      return this->MapColours(block, cellFlag);
+    };
+    input.FindScalars = [this](vtkDataSet* block) {
+      int cellFlag = 0;
+      return vtkAbstractMapper::GetAbstractScalars(block, this->Self->ScalarMode,
+        this->Self->ArrayAccessMode, this->Self->ArrayId, this->Self->ArrayName, cellFlag);
+    };
+    input.ColourKey = [this] { return this->GetColourKey(); };
+  }
+  this->GetCloud().Update(input);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkPointSplatMapper::vtkInternals::GetColourKey()
+{
+  const vtkPointSplatMapper& m = *this->Self;
+  vtkScalarsToColors* table = this->Self->GetLookupTable();
+  std::ostringstream key;
+  key << m.ScalarMode << ' ' << m.ColorMode << ' ' << m.ArrayAccessMode << ' ' << m.ArrayId << ' '
+      << m.ArrayName << ' ' << m.ArrayComponent << ' ' << m.UseLookupTableScalarRange << ' '
+      << m.ScalarRange[0] << ' ' << m.ScalarRange[1] << ' ' << table << ' '
+      << (table ? table->GetMTime() : 0);
+  return key.str();
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatSettings vtkPointSplatMapper::vtkInternals::GetSettings() const
+{
+  const vtkPointSplatMapper& m = *this->Self;
+  vtkPointSplatSettings s;
+  s.TargetError = m.TargetError;
+  s.Method = m.Method;
+  s.Transparency = m.Transparency;
+  s.Projection = m.Projection;
+  s.TileLists = m.TileLists;
+  s.MaximumNumberOfLayers = m.MaximumNumberOfLayers;
+  s.GatherRemaining = m.GatherRemaining;
+  s.PickOpacityThreshold = m.PickOpacityThreshold;
+  s.LayerDistance = m.LayerDistance;
+  s.RadiusScale = m.RadiusScale;
+  s.MaximumImageMemory = m.MaximumImageMemory;
+  s.PlateauKernel = m.Kernel == PLATEAU;
+  s.KernelSigma = m.KernelSigma;
+  s.PlateauFalloff = m.PlateauFalloff;
+  s.PlateauExponent = m.PlateauExponent;
+  s.KernelSupport = m.KernelSupport;
+  s.OverlapFactor = m.OverlapFactor;
+  s.VoronoiDepth = m.VoronoiDepth;
+  s.MaximumNumberOfFillSteps = m.MaximumNumberOfFillSteps;
+  s.AntiAliasing = m.AntiAliasing;
+  s.Refraction = m.Refraction;
+  s.RefractiveIndex = m.RefractiveIndex;
+  s.Dispersion = m.Dispersion;
+  s.Absorption = { { m.Absorption[0], m.Absorption[1], m.Absorption[2] } };
+  s.Shadows = m.Shadows;
+  s.NumberOfShadowSamples = m.NumberOfShadowSamples;
+  s.NumberOfInteractiveShadowSamples = m.NumberOfInteractiveShadowSamples;
+  s.ShadowLightRadius = m.ShadowLightRadius;
+  s.ShadowSeed = m.ShadowSeed;
+  s.ShadowLayerDistance = m.ShadowLayerDistance;
+  s.ShadowResolution = m.ShadowResolution;
+  return s;
+}
+
+//------------------------------------------------------------------------------
 vtkPointSplatMapper::vtkPointSplatMapper()
-  : Internals(new vtkInternals)
+  : Internals(new vtkInternals(this))
 {
 }
 
 //------------------------------------------------------------------------------
 vtkPointSplatMapper::~vtkPointSplatMapper()
 {
-  // The OpenGL resources go with ReleaseGraphicsResources(), as in every mapper.
-  if (this->Internals->Compositor)
+  for (vtkInternals::Drawn& drawn : this->Internals->AllDrawn)
   {
-    this->Internals->Compositor->Leave(this, nullptr);
+    drawn.Frame->Leave(*this->Internals, nullptr);
   }
 }
 
@@ -134,40 +218,6 @@ bool vtkPointSplatMapper::HasCompositeInput()
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatMapper::UpdateInput()
-{
-  if (!this->Static && this->GetNumberOfInputConnections(0) > 0)
-  {
-    this->GetInputAlgorithm()->UpdateInformation();
-    this->GetInputAlgorithm()->UpdatePiece(
-      this->Piece, this->NumberOfPieces * this->NumberOfSubPieces, this->GhostLevel);
-  }
-}
-
-//------------------------------------------------------------------------------
-bool vtkPointSplatMapper::UpdateCloud()
-{
-  if (this->GetNumberOfInputConnections(0) == 0)
-  {
-    return false;
-  }
-  this->UpdateInput();
-  vtkDataObject* input = this->GetExecutive()->GetInputData(0, 0);
-  if (!input)
-  {
-    return false;
-  }
-  this->Internals->Cloud.Update(this, input);
-  return this->Internals->Cloud.GetNumberOfSplats() > 0;
-}
-
-//------------------------------------------------------------------------------
-vtkPointSplatCloud* vtkPointSplatMapper::GetCloud()
-{
-  return &this->Internals->Cloud;
-}
-
-//------------------------------------------------------------------------------
 void vtkPointSplatMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 {
   if (this->GetNumberOfInputConnections(0) == 0)
@@ -185,8 +235,9 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   {
     return;
   }
+  vtkInternals& internals = *this->Internals;
   this->InvokeEvent(vtkCommand::StartEvent, nullptr);
-  const bool some = this->UpdateCloud();
+  const bool some = internals.Update(internals.GetSettings());
   this->InvokeEvent(vtkCommand::EndEvent, nullptr);
   if (!some)
   {
@@ -195,167 +246,76 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   if (vtkHardwareSelector* selector = renderer->GetSelector())
   {
     // Tells it how many passes the ids need.
-    selector->UpdateMaximumPointId(this->Internals->Cloud.GetNumberOfPoints());
-    selector->UpdateMaximumCellId(this->Internals->Cloud.GetNumberOfPoints());
+    selector->UpdateMaximumPointId(internals.GetCloud().GetNumberOfPoints());
+    selector->UpdateMaximumCellId(internals.GetCloud().GetNumberOfPoints());
   }
-  auto compositor = vtkPointSplatCompositor::Of(renderer);
-  if (this->Internals->Compositor && this->Internals->Compositor != compositor)
+  vtkPlaneCollection* planes = this->GetClippingPlanes();
+  const int many = planes ? planes->GetNumberOfItems() - vtkPointSplatItem::MostClipPlanes : 0;
+  if (many > 0 && !internals.WarnedOfClipPlanes)
   {
-    this->Internals->Compositor->Leave(this, nullptr);
+    vtkErrorMacro("Only " << vtkPointSplatItem::MostClipPlanes
+                          << " clipping planes are honoured; remove " << many << ".");
   }
-  this->Internals->Compositor = compositor;
+  internals.WarnedOfClipPlanes = many > 0;
   this->TimeToDraw = 0.0;
-  vtkInternals::Told& told = this->Internals->ToldOf(renderer);
-  if (!compositor->Present(renderer, actor, this) && told.Error != compositor->GetError())
+  vtkInternals::Drawn& drawn = internals.DrawnIn(renderer);
+  if (!drawn.Frame->Present(actor, internals, internals.Report) &&
+    drawn.Error != drawn.Frame->GetError())
   {
-    told.Error = compositor->GetError();
-    vtkErrorMacro("OpenGL cannot draw the splats: " << told.Error);
+    drawn.Error = drawn.Frame->GetError();
+    vtkErrorMacro("OpenGL cannot draw the splats: " << drawn.Error);
   }
-  this->Internals->ProjectionUsed = compositor->IsCompute() ? "compute" : "quads";
-  this->Internals->Choice = compositor->GetChoice();
-  this->Internals->MethodUsed = compositor->IsDeferred() ? "deferred"
-    : this->Internals->Points                             ? "image-space"
-                                                          : "two-pass";
-  this->Internals->FillSteps = compositor->GetNumberOfFillSteps();
-  this->Internals->LayersDrawn = compositor->GetNumberOfLayers();
-  this->Internals->TransparencyUsed = compositor->GetTransparencyUsed();
-  this->Internals->ShadowSamplesUsed =
-    this->Shadows ? compositor->GetShadows().GetSamplesUsed() : 0;
-  this->Internals->ShadowReason = compositor->GetShadows().GetSamplesReason();
-  this->Internals->ShadowUpdates = compositor->GetShadows().GetNumberOfUpdates();
-  const bool refused = this->Method == DEFERRED && this->Internals->Choice.Refused;
-  if (refused && !told.Refused)
+  if (!renderer->GetSelector())
   {
-    vtkWarningMacro("Two passes instead of deferred blending: " << this->GetMethodReason() << ".");
+    const bool refused =
+      internals.Report.Settings.Method == DEFERRED && internals.Report.Choice.Refused;
+    if (refused && !drawn.Refused)
+    {
+      vtkWarningMacro(
+        "Two passes instead of deferred blending: " << this->GetMethodReason() << ".");
+    }
+    drawn.Refused = refused;
+    const bool noEnvironment = this->Refraction && !internals.Report.HasEnvironment;
+    if (noEnvironment && !drawn.NoEnvironment)
+    {
+      vtkWarningMacro("Nothing is refracted: the renderer has no environment texture, or one "
+                      "without a picture, or a cube map whose six faces are not of one size and "
+                      "type, of 3 or 4 components of unsigned char (or of float, with "
+                      "vtkTexture::SetColorModeToDirectScalars()). Call "
+                      "vtkRenderer::SetEnvironmentTexture().");
+    }
+    drawn.NoEnvironment = noEnvironment;
   }
-  told.Refused = refused;
-  const bool noEnvironment =
-    this->Refraction && !renderer->GetSelector() && !compositor->HasEnvironment();
-  if (noEnvironment && !told.NoEnvironment)
-  {
-    vtkWarningMacro("Nothing is refracted: the renderer has no environment texture, or one without "
-                    "a picture, or a cube map whose six faces are not of one size and type, of 3 "
-                    "or 4 components of unsigned char (or of float, with "
-                    "vtkTexture::SetColorModeToDirectScalars()). Call "
-                    "vtkRenderer::SetEnvironmentTexture().");
-  }
-  told.NoEnvironment = noEnvironment || (told.NoEnvironment && renderer->GetSelector());
   this->UpdateProgress(1.0);
 }
 
 //------------------------------------------------------------------------------
-vtkPointSplatSpacing vtkPointSplatMapper::FindSpacing(
-  const vtkPointSplatView& view, const vtkPointSplatItem& item)
-{
-  vtkPointSplatCloud& cloud = this->Internals->Cloud;
-  const glm::dvec2 pixels = view.PixelSizes(item.MCWC, cloud.GetBounds().data());
-  vtkPointSplatSpacing spacing;
-  const double stretch = Stretch(item.MCWC) / std::sqrt(3.0);
-  spacing.World = stretch * cloud.GetSpacing();
-  spacing.Pixels = spacing.World / pixels.x;
-  spacing.LargestPixel = pixels.y;
-  spacing.Curvature = stretch > 0.0 ? cloud.GetMeanCurvature() / stretch : 0.0;
-  return spacing;
-}
-
-//------------------------------------------------------------------------------
-void vtkPointSplatMapper::FillItem(vtkActor* actor, const vtkPointSplatView& view,
-  const vtkPointSplatChoice& choice, vtkPointSplatItem& item)
-{
-  vtkPointSplatCloud& cloud = this->Internals->Cloud;
-  item.Cloud = &cloud;
-  vtkProperty* property = actor->GetProperty();
-  item.Culling =
-    (property->GetBackfaceCulling() ? 1 : 0) | (property->GetFrontfaceCulling() ? 2 : 0);
-  item.RadiusScale = this->RadiusScale;
-  const double stretch = Stretch(item.MCWC);
-  const double largest = stretch * this->RadiusScale * cloud.GetMaximumRadius();
-  item.LayerDistance = this->LayerDistance > 0.0 ? this->LayerDistance : -choice.LayerRadii;
-  // The unit of depths in the sums; a few splats that are much larger than the
-  // others must not coarsen it for all.
-  const double common =
-    std::min(largest, 1.5 * stretch * this->RadiusScale * cloud.GetMedianRadius());
-  item.LargestLayer = this->LayerDistance > 0.0 ? this->LayerDistance : choice.LayerRadii * common;
-  item.KernelType = this->Kernel;
-  item.KernelShape = this->Kernel == GAUSSIAN
-    ? glm::vec2(0.5 / (this->KernelSigma * this->KernelSigma), 0.0)
-    : glm::vec2(this->PlateauFalloff, this->PlateauExponent);
-  item.KernelSupport = this->KernelSupport;
-  item.Points = this->Method == IMAGE_SPACE ||
-    (this->Method == AUTOMATIC_METHOD && choice.Method == IMAGE_SPACE);
-  this->Internals->Points = item.Points;
-  if (item.Points)
-  {
-    const vtkPointSplatSpacing spacing = this->FindSpacing(view, item);
-    item.PointLayer =
-      this->LayerDistance > 0.0 ? this->LayerDistance : choice.LayerSpacings * spacing.World;
-    item.PointLayerPixels = this->LayerDistance > 0.0 ? 0.0 : choice.LayerPixels;
-    item.LargestLayer = std::max(item.PointLayer, item.PointLayerPixels * spacing.LargestPixel);
-    item.Spacing = spacing.World;
-    item.SpacingPixels = spacing.Pixels;
-    item.Silhouettes = this->AntiAliasing;
-    this->Internals->ProjectedSpacing = item.SpacingPixels;
-  }
-  const double* colour = property->GetColor();
-  item.Colour = cloud.HasColours()
-    ? glm::vec4(1.0, 1.0, 1.0, property->GetOpacity())
-    : glm::vec4(colour[0], colour[1], colour[2], property->GetOpacity());
-  item.ClipPlanes.clear();
-  if (vtkPlaneCollection* planes = this->GetClippingPlanes())
-  {
-    vtkCollectionSimpleIterator it;
-    planes->InitTraversal(it);
-    while (vtkPlane* plane = planes->GetNextPlane(it))
-    {
-      const double* n = plane->GetNormal();
-      const double* o = plane->GetOrigin();
-      if (item.ClipPlanes.size() == MaximumClipPlanes)
-      {
-        if (!this->Internals->WarnedOfClipPlanes)
-        {
-          vtkErrorMacro("Only " << MaximumClipPlanes << " clipping planes are honoured; remove "
-                                << planes->GetNumberOfItems() - MaximumClipPlanes << ".");
-          this->Internals->WarnedOfClipPlanes = true;
-        }
-        break;
-      }
-      item.ClipPlanes.emplace_back(n[0], n[1], n[2], -vtkMath::Dot(n, o));
-    }
-  }
-  // Splats that bend rise at their rim by half the squared support, in radii, at most.
-  const double farthest =
-    std::hypot(this->KernelSupport, 0.5 * this->KernelSupport * this->KernelSupport);
-  item.Window = view.Cover(item.MCWC, cloud.GetBounds().data(), farthest * largest);
-  item.Batches = item.Points ? cloud.GetBatches().Select(view, item) : nullptr;
-  this->Internals->PointsProjected =
-    item.Points ? cloud.GetBatches().CountPoints(item.Batches.get()) : 0;
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkUnsignedCharArray> vtkPointSplatMapper::MapPointColours(
+vtkSmartPointer<vtkUnsignedCharArray> vtkPointSplatMapper::vtkInternals::MapColours(
   vtkDataSet* data, int& cellFlag)
 {
   // vtkMapper does not survive a lookup table that can make no colours of an array.
+  vtkPointSplatMapper* m = this->Self;
   vtkAbstractArray* scalars = vtkAbstractMapper::GetAbstractScalars(
-    data, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
-  const bool direct = this->ColorMode == VTK_COLOR_MODE_DIRECT_SCALARS ||
-    (this->ColorMode == VTK_COLOR_MODE_DEFAULT && vtkUnsignedCharArray::SafeDownCast(scalars));
+    data, m->ScalarMode, m->ArrayAccessMode, m->ArrayId, m->ArrayName, cellFlag);
+  const bool direct = m->ColorMode == VTK_COLOR_MODE_DIRECT_SCALARS ||
+    (m->ColorMode == VTK_COLOR_MODE_DEFAULT && vtkUnsignedCharArray::SafeDownCast(scalars));
   if (scalars && direct &&
     (scalars->GetNumberOfComponents() > 4 || scalars->GetDataType() == VTK_BIT ||
       scalars->GetDataType() == VTK_CHAR || scalars->GetDataType() == VTK_SIGNED_CHAR))
   {
-    vtkErrorMacro("The array " << (scalars->GetName() ? scalars->GetName() : "(without name)")
-                               << " of bits, of signed char, or of more than 4 components, cannot "
-                                  "be colours: choose "
-                                  "another one, or SetColorModeToMapScalars().");
+    vtkErrorWithObjectMacro(m,
+      << "The array " << (scalars->GetName() ? scalars->GetName() : "(without name)")
+      << " of bits, of signed char, or of more than 4 components, cannot be colours: choose another "
+         "one, or SetColorModeToMapScalars().");
     return nullptr;
   }
   // Colours are interpolated, not texture coordinates.
-  const vtkTypeBool interpolate = this->InterpolateScalarsBeforeMapping;
-  this->InterpolateScalarsBeforeMapping = 0;
-  this->MapScalars(data, 1.0, cellFlag);
-  this->InterpolateScalarsBeforeMapping = interpolate;
-  vtkSmartPointer<vtkUnsignedCharArray> colours = this->Colors;
+  const vtkTypeBool interpolate = m->InterpolateScalarsBeforeMapping;
+  m->InterpolateScalarsBeforeMapping = 0;
+  m->ClearColorArrays(); // else those of the block before are taken for this one's
+  m->MapScalars(data, 1.0, cellFlag);
+  m->InterpolateScalarsBeforeMapping = interpolate;
+  vtkSmartPointer<vtkUnsignedCharArray> colours = m->Colors;
   return colours;
 }
 
@@ -402,12 +362,7 @@ bool vtkPointSplatMapper::HasTranslucentPolygonalGeometry()
 //------------------------------------------------------------------------------
 double* vtkPointSplatMapper::GetBounds()
 {
-  if (this->GetNumberOfInputConnections(0) == 0)
-  {
-    vtkMath::UninitializeBounds(this->Bounds);
-    return this->Bounds;
-  }
-  this->UpdateInput();
+  this->Internals->Update(this->Internals->GetSettings());
   this->ComputeBounds();
   return this->Bounds;
 }
@@ -418,14 +373,15 @@ void vtkPointSplatMapper::ComputeBounds()
   // The points' own bounds, as a mesh through them has: splats reach no farther
   // than the surface does. Of what is drawn only: a NaN or a ghost far off must
   // not spoil the camera's reset.
-  vtkDataObject* input = this->GetExecutive()->GetInputData(0, 0);
+  vtkDataObject* input =
+    this->GetNumberOfInputConnections(0) > 0 ? this->GetExecutive()->GetInputData(0, 0) : nullptr;
   vtkMath::UninitializeBounds(this->Bounds);
   if (input)
   {
-    this->Internals->Cloud.Update(this, input);
-    if (this->Internals->Cloud.GetNumberOfSplats() > 0)
+    this->Internals->UpdateCloud(input, this->Internals->GetSettings());
+    if (this->Internals->GetCloud().GetNumberOfSplats() > 0)
     {
-      std::copy_n(this->Internals->Cloud.GetBounds().data(), 6, this->Bounds);
+      std::copy_n(this->Internals->GetCloud().GetBounds().data(), 6, this->Bounds);
     }
   }
 }
@@ -433,15 +389,25 @@ void vtkPointSplatMapper::ComputeBounds()
 //------------------------------------------------------------------------------
 void vtkPointSplatMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (window)
+  auto own = vtkOpenGLRenderWindow::SafeDownCast(window);
+  if (own)
   {
-    window->MakeCurrent();
-  }
-  this->Internals->Cloud.Release(window);
-  if (this->Internals->Compositor)
-  {
-    this->Internals->Compositor->Leave(this, window);
-    this->Internals->Compositor.reset();
+    own->MakeCurrent();
+    const vtkPointSplatContextScope scope(own);
+    this->Internals->GetCloud().Release(own);
+    std::vector<vtkInternals::Drawn>& all = this->Internals->AllDrawn;
+    for (vtkInternals::Drawn& drawn : all)
+    {
+      vtkRenderer* renderer = drawn.Frame->GetRenderer();
+      if (!renderer || renderer->GetRenderWindow() == own)
+      {
+        drawn.Frame->Leave(*this->Internals, own);
+        drawn.Frame.reset();
+      }
+    }
+    all.erase(std::remove_if(all.begin(), all.end(),
+                [](const vtkInternals::Drawn& drawn) { return !drawn.Frame; }),
+      all.end());
   }
   this->Superclass::ReleaseGraphicsResources(window);
 }
@@ -464,57 +430,52 @@ void vtkPointSplatMapper::SetAbsorption(double red, double green, double blue)
 //------------------------------------------------------------------------------
 const char* vtkPointSplatMapper::GetMethodUsed()
 {
-  return this->Internals->MethodUsed;
-}
-
-//------------------------------------------------------------------------------
-int vtkPointSplatMapper::GetNumberOfLayersDrawn()
-{
-  return this->Internals->LayersDrawn;
-}
-
-//------------------------------------------------------------------------------
-const char* vtkPointSplatMapper::GetTransparencyUsed()
-{
-  return this->Internals->TransparencyUsed;
-}
-
-//------------------------------------------------------------------------------
-int vtkPointSplatMapper::GetNumberOfShadowSamplesUsed()
-{
-  return this->Internals->ShadowSamplesUsed;
-}
-
-//------------------------------------------------------------------------------
-unsigned long vtkPointSplatMapper::GetNumberOfShadowUpdates()
-{
-  return this->Internals->ShadowUpdates;
+  return this->Internals->Report.Method;
 }
 
 //------------------------------------------------------------------------------
 const char* vtkPointSplatMapper::GetMethodReason()
 {
-  return this->Internals->Choice.MethodReason.c_str();
+  return this->Internals->Report.Choice.MethodReason.c_str();
+}
+
+//------------------------------------------------------------------------------
+const char* vtkPointSplatMapper::GetProjectionUsed()
+{
+  return this->Internals->Report.Projection;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkPointSplatMapper::GetTransparencyUsed()
+{
+  return this->Internals->Report.Transparency;
+}
+
+//------------------------------------------------------------------------------
+int vtkPointSplatMapper::GetNumberOfLayersDrawn()
+{
+  return this->Internals->Report.Layers;
 }
 
 //------------------------------------------------------------------------------
 const char* vtkPointSplatMapper::GetChoices()
 {
-  const vtkInternals& is = *this->Internals;
+  const vtkPointSplatReport& r = this->Internals->Report;
   std::ostringstream text;
-  text << "method: " << is.MethodUsed << ", " << is.Choice.MethodReason
-       << "\nprojection: " << is.ProjectionUsed << ", " << is.Choice.ProjectionReason
-       << "\ntransparency: " << is.TransparencyUsed << ", " << is.Choice.TransparencyReason
-       << "\nlayers: " << is.LayersDrawn << ", " << is.Choice.LayersReason
+  text << "method: " << r.Method << ", " << r.Choice.MethodReason
+       << "\nprojection: " << r.Projection << ", " << r.Choice.ProjectionReason
+       << "\ntransparency: " << r.Transparency << ", " << r.Choice.TransparencyReason
+       << "\nlayers: " << r.Layers << ", " << r.Choice.LayersReason
        << "\nlayer distance: " << this->GetLayerDistanceUsed() << ", "
-       << (this->LayerDistance > 0.0 ? "it was asked for"
-              : is.Points            ? "the spacing of points, and at least three pixels"
-                                     : "the radius of each splat; this is the median")
-       << "\nfill steps: " << is.FillSteps << ", " << is.Choice.FillReason
-       << "\nshadow samples: " << is.ShadowSamplesUsed << ", "
-       << (this->Shadows ? is.ShadowReason : "shadows are off")
-       << "\nerror allowed: " << vtkPointSplatChoices::Text(is.Choice.Tolerance) << ", "
-       << is.Choice.BudgetReason;
+       << (r.Settings.LayerDistance > 0.0         ? "it was asked for"
+              : r.Settings.Method == IMAGE_SPACE ? "the spacing of points, and at least three pixels"
+                                               : "the radius of each splat; this is the median")
+       << "\nsplats: one of " << this->GetStride() << ", " << r.Choice.SplatsReason
+       << "\nfill steps: " << r.FillSteps << ", " << r.Choice.FillReason
+       << "\nshadow samples: " << r.ShadowSamples << ", "
+       << (this->Shadows ? r.ShadowReason : "shadows are off")
+       << "\nerror allowed: " << vtkPointSplatChoices::Text(r.Choice.Tolerance) << ", "
+       << r.Choice.BudgetReason;
   this->Internals->Choices = text.str();
   return this->Internals->Choices.c_str();
 }
@@ -522,80 +483,75 @@ const char* vtkPointSplatMapper::GetChoices()
 //------------------------------------------------------------------------------
 int vtkPointSplatMapper::GetNumberOfFillSteps()
 {
-  return this->Internals->FillSteps;
+  return this->Internals->Report.FillSteps;
 }
 
 //------------------------------------------------------------------------------
 double vtkPointSplatMapper::GetProjectedSpacing()
 {
-  return this->Internals->ProjectedSpacing;
+  return this->Internals->Report.ProjectedSpacing;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkPointSplatMapper::GetNumberOfPointsProjected()
 {
-  return this->Internals->PointsProjected;
+  return this->Internals->Report.PointsProjected;
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatMapper::MakeGroups()
+int vtkPointSplatMapper::GetNumberOfShadowSamplesUsed()
 {
-  return this->Internals->Cloud.MakeGroups(
-    this->OverlapFactor, this->RadiusScale * this->KernelSupport);
+  return this->Shadows ? this->Internals->Report.ShadowSamples : 0;
 }
 
 //------------------------------------------------------------------------------
-double vtkPointSplatMapper::MakeCoveringGroups(const vtkPointSplatChoice& choice)
+unsigned long vtkPointSplatMapper::GetNumberOfShadowUpdates()
 {
-  this->Internals->Cloud.MakeGroups(1.0, this->RadiusScale, choice.CoveringGroups);
-  return this->Internals->Cloud.HasGivenGroups() ? 1.0 : choice.CoveringScale;
+  return this->Internals->Report.ShadowUpdates;
 }
 
 //------------------------------------------------------------------------------
 int vtkPointSplatMapper::GetNumberOfGroups()
 {
-  return this->Internals->Cloud.GetNumberOfGroups();
+  return this->Internals->GetCloud().GetGroups().GetNumberOfGroups();
 }
 
 //------------------------------------------------------------------------------
 vtkMTimeType vtkPointSplatMapper::GetGroupMTime()
 {
-  return this->Internals->Cloud.GetGroupMTime();
-}
-
-//------------------------------------------------------------------------------
-const char* vtkPointSplatMapper::GetProjectionUsed()
-{
-  return this->Internals->ProjectionUsed;
+  return this->Internals->GetCloud().GetGroups().GetMTime();
 }
 
 //------------------------------------------------------------------------------
 double vtkPointSplatMapper::GetLayerDistanceUsed()
 {
-  const vtkPointSplatChoice& choice = this->Internals->Choice;
-  vtkPointSplatCloud& cloud = this->Internals->Cloud;
-  return this->LayerDistance > 0.0 ? this->LayerDistance
-    : this->Internals->Points || this->Method == IMAGE_SPACE
-    ? choice.LayerSpacings * cloud.GetSpacing()
-    : choice.LayerRadii * this->RadiusScale * cloud.GetMedianRadius();
+  const vtkPointSplatReport& r = this->Internals->Report;
+  return vtkPointSplatCollection::LayerDistanceOf(
+    r.Settings, r.Choice, this->Internals->GetCloud());
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkPointSplatMapper::GetNumberOfSplats()
 {
-  return this->Internals->Cloud.GetNumberOfSplats();
+  return this->Internals->GetCloud().GetNumberOfSplats();
+}
+
+//------------------------------------------------------------------------------
+int vtkPointSplatMapper::GetStride()
+{
+  return 1 << this->Internals->Report.StrideShift;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkPointSplatMapper::GetNumberOfSkippedPoints()
 {
-  return this->Internals->Cloud.GetNumberOfSkippedPoints();
+  return this->Internals->GetCloud().GetNumberOfSkippedPoints();
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkPointSplatMapper::GetImageMemorySize()
 {
-  return this->Internals->Compositor ? this->Internals->Compositor->GetMemorySize() : 0;
+  return this->Internals->Report.ImageMemory;
 }
 
 VTK_ABI_NAMESPACE_END

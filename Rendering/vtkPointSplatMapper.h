@@ -4,102 +4,47 @@
  * @class   vtkPointSplatMapper
  * @brief   draws an oriented point cloud as the smooth surface that it samples
  *
- * Put this mapper where a vtkPolyDataMapper stood and give it points with
- * normals: the picture is the one that a fine mesh of the same surface gives,
- * with the same actor property, lights, lookup table, camera and picking. There
- * is no meshing, and nothing has to be set.
+ * Put this mapper where a vtkPolyDataMapper stood and give it points with normals: the picture is
+ * the one that a fine mesh of the same surface gives, with the same actor property, lights, lookup
+ * table, camera and picking. There is no meshing, and nothing has to be set.
  *
- * The algorithm, each frame:
- * 1. Select. Splats outside the view are left out.
- * 2. Visibility splatting. Each splat is a disk in its tangent plane that bends as
- *    the surface does: the cap of a paraboloid h = -K(q, q) / 2 over the plane,
- *    where K is the second fundamental form. The depth of the nearest cap at each
- *    pixel is kept. Caps are projected perspectively correct, with their depth, by
- *    the ray's intersection in the splat's own coordinates, as for flat disks
- *    Guennebaud, Barthe, Paulin 2006 do it (section 3, equations 3 to 7). So
- *    silhouettes lie where the surface's are, but for third order; flat disks stand
- *    out by r^2 / 2R. Splats thinner than the prefilter are widened (section 4),
- *    but those that have a silhouette on them.
- * 3. Attribute accumulation. Every splat within the least layer distance of that
- *    depth, measured along its normal, adds its normal, depth and colour, weighted
- *    by a kernel: Gaussian, or the plateau family psi_E (Pajarola, Sainz, Guidotti
- *    2004, section 5.2, equations 9 and 10). The normal changes over the splat by
- *    half of what K says, with which the mean is right to second order. Splats that
- *    show their other side belong to another layer where they are seen at less than
- *    some 45 degrees: behind a silhouette lies the far side of the body. Else their
- *    normals are turned: thin walls and normals that point the wrong way do not cancel.
- * 4. Normalisation and deferred shading (Zhang, Pajarola 2006, equation 1), once a
- *    pixel, by VTK's own lighting formulas.
- * 5. Presentation: colour, opacity and depth go to the framebuffer as ordinary
- *    geometry does, so that meshes, volumes, SSAO, EDL and FXAA compose with it.
+ * The algorithm, each frame, for all splat actors of a renderer together:
+ * 1. Select. Blocks of 128 splats that are out of view are left out.
+ * 2. Project. Each splat is the cap of a paraboloid over its tangent plane, which bends as the
+ *    surface does. It is projected perspectively correct (Guennebaud, Barthe, Paulin 2006, section
+ *    3, equations 3 to 7), once, and listed in the tiles of the image that it touches.
+ * 3. Reconstruct. In each tile the depth of the nearest cap at each pixel is found, and then the
+ *    mean of the normals, depths and colours of all splats within the least layer distance of it,
+ *    weighted by a kernel (Pajarola, Sainz, Guidotti 2004, equations 9 and 10). Splats narrower
+ *    than a pixel are widened (Guennebaud, section 4). Where surfaces are translucent the next
+ *    layer is made of what is left (Guennebaud, section 6), until nothing more can be seen.
+ * 4. Shade, by VTK's own lighting formulas, once a pixel and layer (Zhang, Pajarola 2006, equation 1).
+ * 5. Present. Colour, opacity and depth go to the framebuffer as ordinary geometry does, so that
+ *    meshes, volumes, SSAO, EDL, FXAA and depth peeling compose with it.
  *
- * With Method Deferred, stages 2 and 3 are one pass over the splats: groups that do not
- * overlap among themselves go to an image each, and compositing these images does both
- * (Zhang, Pajarola 2006, section 3.2, Algorithm 1); see vtkPointSplatGrouping.
+ * Without compute shaders (OpenGL 3.2 to 4.2) stage 3 is two passes of quads, with the same
+ * picture. Other methods may be asked for: deferred blending (SetMethodToDeferred()), points of one
+ * pixel with holes filled in image space (SetMethodToImageSpace()), sorted layers
+ * (SetTransparencyToSorted(), SetTransparencyToNearestExact()).
  *
- * With Method ImageSpace (Dobrev, Rosenthal, Linsen 2010, section 3), stage 2 projects points as
- * single pixels, whatever their size, and stage 3 sums up those within the least layer distance of
- * each pixel's nearest one; batches of 128 points that are out of view are left out. Then holes
- * are filled in the image by the eight masks, from coarser levels where points are farther apart
- * than pixels, and attributes are smoothed by the alleviated Gaussian; silhouettes, which the
- * Laplacian of the depth finds, are blended with what is beyond. No sizes are estimated. The least
- * layer distance is the points' spacing then, or three pixels where these are wider. Such actors
- * and splatted ones share layers. Filled layers are one image each: RGBA32UI, see
- * vtkPointSplatTexel.glsl, and one of R32UI where lights cast shadows.
- *
- * All opaque splat actors of a renderer share stages 2 and 3. All translucent ones share theirs,
- * which are repeated for one layer after the other: what lies within the least layer distance of
- * a layer, measured along the normal, belongs to it, and what is behind makes the next one
- * (Guennebaud, Barthe, Paulin 2006, section 6; Dobrev, Rosenthal, Linsen 2010, sections 4 and 5).
- * Layers are presented from the back, each with its own depth, so that VTK's depth peeling, its
- * order-independent pass and plain blending interleave them with translucent meshes; where there
- * are none, they are flattened to one layer first.
- *
- * With Refraction On (Zhang, Pajarola 2006, section 5.2.3), in view coordinates, eye ray I, unit
- * normal N out of the body, index n:
- * 6. Reflection. What shows its front reflects the share F of the environment in the direction
- *    I - 2 (I N) N, by Fresnel's equations for unpolarised light; at normal incidence F =
- *    ((n - 1) / (n + 1))^2. All else is dimmed by 1 - F. Opaque surfaces do no more than that.
- * 7. Refraction of translucent layers: sin T = sin I / n where a ray enters a body, sin T = n sin I
- *    where it leaves one, or total reflection. The peeled layers tell where in the body the bent
- *    ray arrives, and light is absorbed on the way by exp(-a d). Cracks and open surfaces, that
- *    have a front and no back, bend it once. Layers that Transparency sorts are but counted,
- *    and sin T = eta^l sin I with eta = 1 / n and l layers (equation 12).
- * 8. The environment in the direction in which the ray leaves is put behind the last layer, with
- *    opacity 1: what is translucent and lies behind does not show, and the layers' own
- *    colours and opacities come over it, as far as they have some: (1 - alpha)^l of it are left
- *    (equation 11). Clear glass has opacity 0. Where the opaque scene lies behind, that
- *    is seen straight through instead.
- * Normals must point out of the body. Bodies may lie in one another; each reflects as in the air.
- * VTK picks no actor of opacity 0; 0.001 shows the same. The environment is an equirectangular
- * picture or a cube map, turned by vtkRenderer::SetEnvironmentUp() and SetEnvironmentRight() as
- * image-based lighting has it; a vtkSkybox of it, projected as a sphere, shows it there with
- * FloorRight (0, 0, 1). A picture of floats, or with vtkTexture::UseSRGBColorSpace, is encoded
- * for display by a gamma of 2.2.
- *
- * Input: vtkPolyData (or any vtkPointSet), or a composite data set of them. Only
- * points count; cells serve cell selection and cell scalars.
+ * Input: vtkPolyData (or any vtkPointSet), or a composite data set of them. Only points count;
+ * cells serve cell selection and cell scalars.
  * - Point normals, 3 components. Missing ones are estimated.
- * - `SplatRadius`, 1 component, world units; or `SplatAxis1` and `SplatAxis2`, 3
- *   components, world units, in the tangent plane. Missing ones are estimated.
- * - `SplatGroup`, 1 component, for deferred blending. Missing ones are made.
- * - `SplatCurvature`, 6 components XX, YY, ZZ, XY, YZ, XZ, 1 / world units, beside
- *   `SplatRadius` and the normals that it belongs to: the second fundamental form,
- *   whose eigenvalues are 1 / R on a sphere with outward normals. It is estimated
- *   with the radius; where only that is given, and for ellipses, splats are flat.
+ * - `SplatRadius`, 1 component, world units; or `SplatAxis1` and `SplatAxis2`, 3 components, world
+ *   units, in the tangent plane. Missing ones are estimated.
+ * - `SplatCurvature`, 6 components XX, YY, ZZ, XY, YZ, XZ, 1 / world units, beside `SplatRadius`:
+ *   the second fundamental form, whose eigenvalues are 1 / R on a sphere with outward normals. It
+ *   is estimated with the radius; where only that is given, and for ellipses, splats are flat.
+ * - `SplatGroup`, 1 component, for deferred blending; for sorted transparency where each group
+ *   covers the surface (vtkPointSplatGrouping with a Coverage and a Reach of 1). Missing ones are
+ *   made.
  * - `ShadowFactor`, 1 to 4 components, 0 in a light's shadow, 1 lit: see Shadows.
  * - Scalars, as vtkMapper takes them: through the lookup table, or direct.
  *   InterpolateScalarsBeforeMapping is not honoured: colours are interpolated.
- * Points that are ghosts, or whose coordinates, normal or size are not finite or
- * not positive, are left out; their number is reported once, and by
- * GetNumberOfSkippedPoints().
  *
- * Images (compute; w x h are the viewport's): coded depths, 1 uint a pixel; sums,
- * 8 ints a pixel. Images (quads): the same as R32UI and two RGBA32F textures, and one more where
- * lights cast shadows. Deferred blending has besides, for each group, a layer of RGBA32UI and one
- * of 32-bit depth, and one of R32UI where lights cast shadows; image space, for each layer, one of
- * RGBA32UI, and one of R32UI where lights cast shadows; refraction, for each layer up to
- * the twelfth, one of RGBA32F.
+ * Bad input: points that are ghosts, or whose coordinates, normal or size are not finite or not
+ * positive, are left out; their number is reported once, and by GetNumberOfSkippedPoints(). Arrays
+ * of a wrong shape are refused with an error that names them.
  *
  * @sa vtkPointSplatPass vtkPointSplatEstimation vtkIsosurfacePoints
  */
@@ -109,23 +54,12 @@
 
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderingPointSplattingModule.h" // For export macro
-#include "vtkSmartPointer.h"                  // For a return value
 
 #include "vtkPointSplattingABI.h"
 
 #include <memory> // For std::unique_ptr
 
-struct vtkPointSplatChoice;
-struct vtkPointSplatItem;
-struct vtkPointSplatSpacing;
-struct vtkPointSplatView;
-class vtkPointSplatCloud;
-class vtkPointSplatCompositor;
-class vtkPointSplatContrast;
-class vtkPointSplatShadowCache;
-
 VTK_ABI_NAMESPACE_BEGIN
-class vtkUnsignedCharArray;
 
 class VTKRENDERINGPOINTSPLATTING_EXPORT vtkPointSplatMapper : public vtkPolyDataMapper
 {
@@ -154,6 +88,12 @@ public:
     COMPUTE = 1,
     QUADS = 2
   };
+  enum TileListsType
+  {
+    AUTOMATIC_LISTS = 0,
+    PROCESSOR = 1,
+    DEVICE = 2
+  };
   enum KernelKind
   {
     GAUSSIAN = 0,
@@ -163,15 +103,14 @@ public:
   ///@{
   /**
    * The largest error, as rms difference of colour (of 1) over the covered pixels, that leaving
-   * work out may make against this module's best picture of the scene: two passes, all layers
-   * peeled, all that NumberOfShadowSamples allows. What is automatic takes the fastest setting that
-   * is expected to keep to it; of all splat mappers of a renderer the least holds. 1/256, the
-   * default, is full quality; 1/64 takes image space where points are denser than pixels, 1/16 also
-   * where they are up to some 8 pixels apart, and sorts layers.
-   * While the user drags (the window's desired update rate is higher than the interactor's still
-   * one) and frames take longer than the actors' AllocatedRenderTime, greater errors are allowed
-   * step by step, as far as that makes frames fit; at rest all is drawn in full quality.
-   * GetChoices() tells what the last frame chose and why, a line each: `method: two-pass, ...`.
+   * work out may make against this module's best picture of the scene; of all splat mappers of a
+   * renderer the least holds. 1/256, the default, is full quality. A greater one lets splats that
+   * are much denser than pixels be fewer and larger, layers that hardly show be left out, and
+   * shadows have fewer samples. While the user drags (the window's desired update rate is higher
+   * than the interactor's still one) and frames take longer than the actors' AllocatedRenderTime,
+   * errors up to 1/32 are allowed, where that saves a quarter of the frame at least; at rest all is
+   * drawn in full quality. GetChoices() tells what the last frame chose and why, a line each:
+   * `method: two-pass, ...`.
    */
   vtkSetClampMacro(TargetError, double, 0.0, 1.0);
   vtkGetMacro(TargetError, double);
@@ -180,11 +119,13 @@ public:
 
   ///@{
   /**
-   * How surfaces are reconstructed: from splats, by two passes over them or by deferred blending
-   * in one; or in image space from points without a size, for points that are denser than pixels
-   * or change every frame. Automatic, the default, takes the fastest that keeps to TargetError.
-   * GetMethodUsed() tells what the last frame took, and GetMethodReason() why. One splat mapper of
-   * a renderer that wants deferred blending decides for all.
+   * How surfaces are reconstructed. Automatic, the default, takes two passes over the splats of
+   * each tile: the nearest surface, then the mean of what belongs to it. Deferred draws splats once,
+   * in groups that overlap little, to an image each (Zhang, Pajarola 2006, section 3.2); one splat
+   * mapper of a renderer that wants it decides for all, and where it cannot be had there is a
+   * warning. ImageSpace projects points without a size as single pixels and fills the holes between
+   * them in the image (Dobrev, Rosenthal, Linsen 2010, section 3): for points that are denser than
+   * pixels. GetMethodUsed() tells what the last frame took, and GetMethodReason() why.
    */
   vtkSetClampMacro(Method, int, AUTOMATIC_METHOD, IMAGE_SPACE);
   vtkGetMacro(Method, int);
@@ -198,12 +139,12 @@ public:
 
   ///@{
   /**
-   * How translucent splat actors are drawn: by peeling layer after layer, each in full quality;
-   * sorted, by one pass over groups of splats, averaged (Zhang, Pajarola 2006, Algorithm 2); or
-   * with the nearest layer exact and the others sorted (Algorithm 3). Sorted layers cannot be
-   * interleaved with other translucent props: where there are some, layers are peeled. Automatic,
-   * the default, peels unless TargetError allows more; GetTransparencyUsed() tells what was done. One mapper of a renderer that
-   * wants another way than automatic decides for all.
+   * How translucent splat actors are drawn. Automatic, the default, peels layer after layer, each in
+   * full quality. Sorted draws groups of splats once, from the back, and averages them (Zhang,
+   * Pajarola 2006, Algorithm 2); NearestExact peels the nearest layer and sorts the others (Algorithm
+   * 3). Sorted layers cannot be interleaved with other translucent props: where there are some,
+   * layers are peeled. One mapper of a renderer that wants another way than automatic decides for
+   * all. GetTransparencyUsed() tells what was done.
    */
   vtkSetClampMacro(Transparency, int, AUTOMATIC_TRANSPARENCY, NEAREST_EXACT);
   vtkGetMacro(Transparency, int);
@@ -248,11 +189,14 @@ public:
 
   ///@{
   /**
-   * Whether the surface reflects and refracts the renderer's environment texture
-   * (vtkRenderer::SetEnvironmentTexture(); UseImageBasedLighting is not needed), as the boundary of
-   * a dielectric does; stages 6 to 8 above. Off by default. Without an environment texture,
-   * or with a cube map whose faces differ in size or type or must be mapped to colours first
-   * (VTK loads no such ones), it stays off, with a warning.
+   * Whether the surface reflects and refracts the renderer's environment texture, as the boundary
+   * of a dielectric does (vtkRenderer::SetEnvironmentTexture(), an equirectangular picture or a cube
+   * map, turned by SetEnvironmentUp() and SetEnvironmentRight(); UseImageBasedLighting is not
+   * needed). Off by default. Normals must point out of the body. Clear glass has opacity 0; VTK
+   * picks no actor of opacity 0, 0.001 shows the same. The surface's own colours come over what is
+   * refracted; where the opaque scene lies behind, that is seen straight through. Without an
+   * environment texture, or with a cube map whose faces differ in size or type or must be mapped
+   * to colours first (VTK loads no such ones), it stays off, with a warning.
    */
   vtkSetMacro(Refraction, bool);
   vtkGetMacro(Refraction, bool);
@@ -340,10 +284,10 @@ public:
   ///@}
 
   /**
-   * Of Method ImageSpace: how many points the last frame projected, 0 with other methods. Points
-   * that follow each other in the input make batches of 128; those whose bounding boxes lie out
-   * of view or beyond a clipping plane are left out. So close-ups are faster where the
-   * input's points are in an order that keeps neighbours together.
+   * How many points the last frame projected. Points that are near each other make blocks of 128;
+   * those whose bounding boxes lie out of view or beyond a clipping plane are left out. Where there
+   * are so many points that parts of the window are drawn one after the other, a block counts for
+   * each part that shows it.
    */
   vtkIdType GetNumberOfPointsProjected();
 
@@ -386,8 +330,8 @@ public:
   ///@{
   /**
    * Of area lights: how many samples are taken of each, 16 by default, and how many while the
-   * user drags, 1 by default; fewer if they keep to TargetError. Shadows that were computed with more stay as long as they
-   * are right. The largest numbers of all mappers in the renderer hold.
+   * user drags, 1 by default; fewer if they keep to TargetError. Shadows that were computed with
+   * more stay as long as they are right. The largest numbers of all mappers in the renderer hold.
    * GetNumberOfShadowSamplesUsed() tells what the last frame had, GetNumberOfShadowUpdates() how
    * often shadows were computed.
    */
@@ -416,9 +360,9 @@ public:
 
   ///@{
   /**
-   * How splats become pixels: by compute shaders, which need OpenGL 4.3, or by
-   * quads through the rasteriser. Automatic, the default, takes compute shaders
-   * where they are to be had; GetProjectionUsed() tells what the last frame took.
+   * How splats become pixels: by compute shaders, tile after tile of the image, which need OpenGL
+   * 4.3, or by quads through the rasteriser. Automatic, the default, takes compute shaders where they
+   * are to be had; GetProjectionUsed() tells what the last frame took.
    */
   vtkSetClampMacro(Projection, int, AUTOMATIC_PROJECTION, QUADS);
   vtkGetMacro(Projection, int);
@@ -426,6 +370,19 @@ public:
   void SetProjectionToCompute() { this->SetProjection(COMPUTE); }
   void SetProjectionToQuads() { this->SetProjection(QUADS); }
   const char* GetProjectionUsed();
+  ///@}
+
+  ///@{
+  /**
+   * Of compute shaders: whether the processor or the device lists the splats of each tile. The
+   * picture is the same. Automatic, the default, takes the processor where the driver runs on it
+   * anyway, as Mesa's llvmpipe does, else the device.
+   */
+  vtkSetClampMacro(TileLists, int, AUTOMATIC_LISTS, DEVICE);
+  vtkGetMacro(TileLists, int);
+  void SetTileListsToAutomatic() { this->SetTileLists(AUTOMATIC_LISTS); }
+  void SetTileListsToProcessor() { this->SetTileLists(PROCESSOR); }
+  void SetTileListsToDevice() { this->SetTileLists(DEVICE); }
   ///@}
 
   ///@{
@@ -487,9 +444,11 @@ public:
 
   ///@{
   /**
-   * Of the input when last drawn: splats, and points that are not drawn.
+   * Of the input when last drawn: splats, and points that are not drawn. Where TargetError or a drag
+   * lets splats be fewer, only every GetStride()-th of them was drawn.
    */
   vtkIdType GetNumberOfSplats();
+  int GetStride();
   vtkIdType GetNumberOfSkippedPoints();
   ///@}
 
@@ -527,35 +486,6 @@ private:
   vtkPointSplatMapper(const vtkPointSplatMapper&) = delete;
   void operator=(const vtkPointSplatMapper&) = delete;
 
-  friend class vtkPointSplatCompositor;
-  friend class vtkPointSplatCloud;
-  friend class vtkPointSplatContrast;
-  friend class vtkPointSplatShadowCache;
-
-  /**
-   * Brings the pipeline and the splats up to date; false where there is nothing
-   * to draw.
-   */
-  bool UpdateCloud();
-  vtkPointSplatCloud* GetCloud();
-  void UpdateInput();
-  void FillItem(vtkActor* actor, const vtkPointSplatView& view,
-    const vtkPointSplatChoice& choice, vtkPointSplatItem& item);
-  /**
-   * How far apart points are in that view, with the actor's matrix (world from data coordinates).
-   */
-  vtkPointSplatSpacing FindSpacing(const vtkPointSplatView& view, const vtkPointSplatItem& item);
-  vtkSmartPointer<vtkUnsignedCharArray> MapPointColours(vtkDataSet* data, int& cellFlag);
-
-  /**
-   * Groups the splats as deferred blending wants them; false where that cannot be done.
-   */
-  bool MakeGroups();
-  /**
-   * Groups the splats for sorted transparency; how much larger they are drawn then.
-   */
-  double MakeCoveringGroups(const vtkPointSplatChoice& choice);
-
   double TargetError = 1.0 / 256.0;
   int Method = AUTOMATIC_METHOD;
   int Transparency = AUTOMATIC_TRANSPARENCY;
@@ -579,6 +509,7 @@ private:
   double ShadowLayerDistance = 0.0;
   int ShadowResolution = 0;
   int Projection = AUTOMATIC_PROJECTION;
+  int TileLists = AUTOMATIC_LISTS;
   int Kernel = GAUSSIAN;
   double KernelSigma = 0.6;
   double PlateauFalloff = 4.0;
@@ -587,7 +518,7 @@ private:
   double RadiusScale = 1.0;
   double LayerDistance = 0.0;
 
-  struct vtkInternals;
+  class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
 };
 

@@ -35,6 +35,7 @@ void vtkPointSplatMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetShadowLayerDistance(other->ShadowLayerDistance);
     this->SetShadowResolution(other->ShadowResolution);
     this->SetProjection(other->Projection);
+    this->SetTileLists(other->TileLists);
     this->SetKernel(other->Kernel);
     this->SetKernelSigma(other->KernelSigma);
     this->SetPlateauFalloff(other->PlateauFalloff);
@@ -91,6 +92,7 @@ void vtkPointSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ShadowResolution: " << this->ShadowResolution << "\n";
   os << indent << "Projection: " << this->Projection << " (used: " << this->GetProjectionUsed()
      << ")\n";
+  os << indent << "TileLists: " << this->TileLists << "\n";
   os << indent << "Kernel: " << (this->Kernel == GAUSSIAN ? "Gaussian" : "plateau") << "\n";
   os << indent << "KernelSigma: " << this->KernelSigma << "\n";
   os << indent << "PlateauFalloff: " << this->PlateauFalloff << "\n";
@@ -100,6 +102,7 @@ void vtkPointSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LayerDistance: " << this->LayerDistance
      << " (used: " << this->GetLayerDistanceUsed() << ")\n";
   os << indent << "NumberOfSplats: " << this->GetNumberOfSplats() << "\n";
+  os << indent << "Stride: " << this->GetStride() << "\n";
   os << indent << "NumberOfSkippedPoints: " << this->GetNumberOfSkippedPoints() << "\n";
   os << indent << "ImageMemorySize: " << this->GetImageMemorySize() << "\n";
 }

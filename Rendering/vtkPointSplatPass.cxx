@@ -4,6 +4,7 @@
 
 #include "vtkActor.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointSplatFrame.h"
 #include "vtkPointSplatMapper.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
@@ -28,30 +29,26 @@ void vtkPointSplatPass::Render(const vtkRenderState* s)
       actors.push_back(actor);
     }
   }
-  for (vtkActor* actor : actors)
+  this->NumberOfLayersDrawn = 0;
+  if (actors.empty())
   {
-    auto mapper = static_cast<vtkPointSplatMapper*>(actor->GetMapper());
-    if (this->Method >= 0)
-    {
-      mapper->SetMethod(this->Method);
-    }
-    if (this->Transparency >= 0)
-    {
-      mapper->SetTransparency(this->Transparency);
-    }
-    if (this->MaximumNumberOfLayers > 0)
-    {
-      mapper->SetMaximumNumberOfLayers(this->MaximumNumberOfLayers);
-    }
-    if (this->LayerDistance >= 0.0)
-    {
-      mapper->SetLayerDistance(this->LayerDistance);
-    }
-    if (this->TargetError >= 0.0)
-    {
-      mapper->SetTargetError(this->TargetError);
-    }
+    return;
   }
+  const vtkPointSplatWishes wishes{ actors,
+    [this](vtkPointSplatSettings& settings)
+    {
+      settings.Method = this->Method >= 0 ? this->Method : settings.Method;
+      settings.Transparency =
+        this->Transparency >= 0 ? this->Transparency : settings.Transparency;
+      settings.MaximumNumberOfLayers = this->MaximumNumberOfLayers > 0
+        ? this->MaximumNumberOfLayers
+        : settings.MaximumNumberOfLayers;
+      settings.LayerDistance =
+        this->LayerDistance >= 0.0 ? this->LayerDistance : settings.LayerDistance;
+      settings.TargetError = this->TargetError >= 0.0 ? this->TargetError : settings.TargetError;
+    } };
+  const std::shared_ptr<vtkPointSplatFrame> frame = vtkPointSplatFrame::Of(s->GetRenderer());
+  frame->SetWishes(&wishes);
   for (vtkActor* actor : actors)
   {
     this->NumberOfRenderedProps += actor->RenderOpaqueGeometry(s->GetRenderer());
@@ -60,7 +57,7 @@ void vtkPointSplatPass::Render(const vtkRenderState* s)
   {
     this->NumberOfRenderedProps += actor->RenderTranslucentPolygonalGeometry(s->GetRenderer());
   }
-  this->NumberOfLayersDrawn = 0;
+  frame->SetWishes(nullptr);
   for (vtkActor* actor : actors)
   {
     auto mapper = static_cast<vtkPointSplatMapper*>(actor->GetMapper());

@@ -12,7 +12,8 @@
  * The algorithm, each frame:
  * 1. Of the props of the render state, those are taken whose mapper is a
  *    vtkPointSplatMapper.
- * 2. Their opaque geometry is drawn, then their translucent geometry: stages 2 to 5
+ * 2. The renderer's frame is told that only these draw, and with which settings.
+ * 3. Their opaque geometry is drawn, then their translucent geometry: stages 1 to 5
  *    of vtkPointSplatMapper, done for all of them together.
  *
  * Lights and camera must be set before, as for every pass that draws: put a
@@ -41,8 +42,8 @@ public:
 
   ///@{
   /**
-   * Properties of vtkPointSplatMapper, imposed on the mappers of all actors that this pass draws;
-   * they keep them. -1, the default: each mapper's own.
+   * Properties of vtkPointSplatMapper that hold for all actors while this pass draws them; their
+   * mappers' own stay as they are. -1, the default: each mapper's own.
    */
   vtkSetClampMacro(Method, int, -1, 3);
   vtkGetMacro(Method, int);

@@ -52,6 +52,20 @@ void Look(Window& window, const View& view)
   window.Renderer->ResetCameraClippingRange();
 }
 
+/// Pixels that b draws and a does not.
+int CountBeyond(const Picture& a, const Picture& b)
+{
+  int count = 0;
+  for (int y = 0; y < a.Height; ++y)
+  {
+    for (int x = 0; x < a.Width; ++x)
+    {
+      count += a.IsBackground(x, y) && !b.IsBackground(x, y);
+    }
+  }
+  return count;
+}
+
 /**
  * The worst of all views' likeness to two passes.
  */
@@ -78,7 +92,8 @@ double Likeness(vtkPolyData* cloud, double factor, bool voronoi, Checks& checks)
     const Picture pa = a.Draw();
     const Picture pb = b.Draw();
     worst = std::min(worst, Psnr(pa, pb));
-    checks.AtMost(CountDifferentCoverage(pa, pb), voronoi ? pa.CountDrawn() / 50 : Size * Size,
+    // Flaps, without Voronoi depth, hide what is behind them, but stand out nowhere.
+    checks.AtMost(voronoi ? CountDifferentCoverage(pa, pb) : CountBeyond(pa, pb), 10,
       "other silhouettes, c = " + std::to_string(factor));
     checks.Expect(grouped == 0 || grouped == deferred->GetGroupMTime(), "grouped again");
     grouped = deferred->GetGroupMTime();
@@ -94,11 +109,11 @@ void TestLikeness(Checks& checks)
 {
   for (const auto& cloud : { MeshTorus(120), RandomTorus(20000), Cloud(MakeSphereMesh()) })
   {
-    checks.AtLeast(Likeness(cloud, 1.0, true, checks), 38.0, "c = 1");
+    checks.AtLeast(Likeness(cloud, 1.0, true, checks), 44.0, "c = 1");
     const double with = Likeness(cloud, 0.4, true, checks);
     const double without = Likeness(cloud, 0.4, false, checks);
-    checks.AtLeast(with, 32.0, "c = 0.4 with Voronoi depth");
-    checks.AtLeast(with, without + 3.0, "Voronoi depth, against flaps");
+    checks.AtLeast(with, 43.0, "c = 0.4 with Voronoi depth");
+    checks.AtLeast(with, without + 10.0, "Voronoi depth, against flaps");
   }
 }
 
@@ -193,7 +208,7 @@ void TestGivenGroups(Checks& checks)
   mapper->SetInputData(shuffled);
   const Picture second = window.Draw();
   checks.Expect(mapper->GetNumberOfGroups() == grouping->GetNumberOfGroups(), "shuffled groups");
-  checks.AtLeast(Psnr(first, second), 50.0, "shuffled points");
+  checks.AtLeast(Psnr(first, second), 60.0, "shuffled points");
 
   // Picking names the input's points, whatever order they are drawn in.
   vtkNew<vtkHardwareSelector> selector;
@@ -256,14 +271,13 @@ void TestChanges(Checks& checks)
   const Picture unbounded = window.Draw();
   checks.Expect(std::string(mapper->GetMethodUsed()) == "deferred" && !observer->GetWarning(),
     "no bound on memory, and nothing to warn of");
-  checks.AtLeast(Psnr(bounded, unbounded), 30.0, "bounded and unbounded");
+  checks.AtLeast(Psnr(bounded, unbounded), 48.0, "bounded and unbounded");
   checks.AtLeast(mapper->GetImageMemorySize(),
     vtkIdType(20) * 200 * 250 * mapper->GetNumberOfGroups(), "reported memory");
 }
 
 /**
- * Automatic: deferred where only quads draw more than one splat to two pixels, and the target error
- * allows it: on this cloud it differs from two passes by 0.007, which is more than 1/256.
+ * By hand only: automatic takes two passes, by quads and for a rough target error too.
  */
 void TestAutomatic(Checks& checks)
 {
@@ -273,21 +287,14 @@ void TestAutomatic(Checks& checks)
   window.Add(mapper);
   auto used = [&]() {
     window.Draw();
-    return std::string(mapper->GetMethodUsed());
+    return std::string(mapper->GetMethodUsed()) + ", " + mapper->GetProjectionUsed();
   };
+  checks.Expect(used() == "two-pass, compute", "full quality");
   mapper->SetProjectionToQuads();
-  checks.Expect(used() == "two-pass", "full quality");
   mapper->SetTargetError(1.0 / 64.0);
-  checks.Expect(used() == "deferred", "many splats by quads");
-  mapper->SetMethodToTwoPass();
-  checks.Expect(used() == "two-pass", "two passes because they are asked for");
-  mapper->SetMethodToAutomatic();
-  window.Win->SetSize(400, 400);
-  checks.Expect(used() == "two-pass", "few splats by quads");
-  mapper->SetProjectionToAutomatic();
-  window.Win->SetSize(272, 272);
-  checks.Expect(used() == "two-pass" || std::string(mapper->GetProjectionUsed()) == "quads",
-    "compute shaders take two passes");
+  checks.Expect(used() == "two-pass, quads", "quads");
+  mapper->SetMethodToDeferred();
+  checks.Expect(used().find("deferred") == 0, "deferred because it is asked for");
 }
 
 /**
@@ -313,7 +320,7 @@ void TestSeveralActors(Checks& checks)
     window.Renderer->ResetCamera();
     pictures[deferred] = window.Draw();
   }
-  checks.AtLeast(Psnr(pictures[0], pictures[1]), 38.0, "two actors");
+  checks.AtLeast(Psnr(pictures[0], pictures[1]), 43.0, "two actors");
 }
 }
 

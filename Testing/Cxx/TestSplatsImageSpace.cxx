@@ -315,10 +315,10 @@ void TestLikeMesh(Checks& checks)
     const std::string kind = parallel ? "parallel" : "perspective";
     const double psnr = Psnr(pictures[0], pictures[1]);
     std::cout << "a dense sphere, " << kind << ": " << psnr << " dB\n";
-    checks.AtLeast(psnr, 38.0, "a dense sphere against its mesh, " + kind);
-    // Points mark the pixel that they fall in, even at its rim.
+    // Points mark the pixel that they fall in, even at its rim: there are 421 and 461 more.
+    checks.AtLeast(psnr, parallel ? 38.0 : 34.0, "a dense sphere against its mesh, " + kind);
     checks.AtMost(
-      CountDifferentCoverage(pictures[0], pictures[1]), 900, "outline of a dense sphere");
+      CountDifferentCoverage(pictures[0], pictures[1]), 500, "outline of a dense sphere");
   }
 }
 

@@ -15,7 +15,10 @@ using namespace SplatScene;
 
 // What the pictures must reach, dB; the shading formulas agree to far more, so
 // that a term left out shows.
-constexpr double LeastPsnr = 40.0;
+// dB, outlines and all: 47 at least is what each case has, but for the one that says so.
+constexpr double LeastPsnr = 45.0;
+// Pixels: none as a rule, and 15 where the sphere is scaled unevenly.
+constexpr int MostOfOutline = 32;
 
 using Change = std::function<void(vtkRenderer*, vtkActor*)>;
 
@@ -69,13 +72,12 @@ void Compare(Checks& checks, const std::string& name, const Change& change, bool
     window.Renderer->ResetCameraClippingRange();
     pictures[kind] = window.Draw();
   }
-  const int drawn = pictures[0].CountDrawn();
   for (int kind = 1; kind < 3; ++kind)
   {
     const std::string label = name + (kind == 1 ? ", automatic" : ", quads");
     checks.AtLeast(Psnr(pictures[0], pictures[kind]), least, label + ": psnr");
-    checks.AtMost(CountDifferentCoverage(pictures[0], pictures[kind]),
-      std::max(60, drawn / 50), label + ": pixels of the outline");
+    checks.AtMost(CountDifferentCoverage(pictures[0], pictures[kind]), MostOfOutline,
+      label + ": pixels of the outline");
   }
 }
 
@@ -122,7 +124,7 @@ int TestSplatsLikeMesh(int, char*[])
     b->SetPosition(-1, 0, 1);
     b->SetConeAngle(180);
     b->SetAttenuationValues(0.5, 0.3, 0.2);
-  }, false, 36.0); // the spot's rim is a sharp edge
+  });
   Compare(checks, "unlit", [](vtkRenderer*, vtkActor* a) { a->GetProperty()->LightingOff(); });
   Compare(checks, "material", [](vtkRenderer*, vtkActor* a) {
     a->GetProperty()->SetAmbientColor(0, 0, 1);
@@ -165,6 +167,6 @@ int TestSplatsLikeMesh(int, char*[])
     a->RotateX(40);
     a->SetPosition(0.1, 0.2, -0.3);
     r->ResetCamera();
-  });
+  }, false, 40.0); // its outline is some pixels off
   return checks.Result();
 }

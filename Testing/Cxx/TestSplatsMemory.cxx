@@ -5,11 +5,15 @@
 #include "SplatScene.h"
 
 #include "vtkHardwareSelector.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
 #include "vtkPointSplattingOpenGL.h"
 #include "vtkSelection.h"
+#include "vtkTexture.h"
 
 #include <fstream>
 #include <memory>
+#include <set>
 
 #if defined(__GLIBC__)
 #include <malloc.h>
@@ -109,19 +113,50 @@ struct Objects
 };
 
 /**
+ * What takes turns in the window.
+ */
+struct Cast
+{
+  vtkActor* Steady;
+  vtkActor* Guest;
+  vtkPolyData* Small;
+  vtkPolyData* Large;
+  vtkLight* Lamp;
+  vtkTexture* Environment;
+};
+
+vtkSmartPointer<vtkTexture> MakeEnvironment()
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(8, 4, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  image->GetPointData()->GetScalars()->Fill(150.0);
+  auto texture = vtkSmartPointer<vtkTexture>::New();
+  texture->SetInputData(image);
+  return texture;
+}
+
+/**
  * What one frame in a cycle changes.
  */
-void Change(Window& window, int frame, vtkActor* steady, vtkActor* guest, vtkPolyData* small,
-  vtkPolyData* large)
+void Change(Window& window, int frame, const Cast& cast)
 {
+  vtkActor* steady = cast.Steady;
+  vtkActor* guest = cast.Guest;
+  vtkPolyData* small = cast.Small;
+  vtkPolyData* large = cast.Large;
   vtkPointSplatMapper* mapper = vtkPointSplatMapper::SafeDownCast(steady->GetMapper());
   switch (frame % Cycle)
   {
     case 0:
       window.Win->SetSize(24, 20);
       break;
+    case 2:
+      mapper->SetMethodToImageSpace();
+      break;
     case 4:
       window.Win->SetSize(20, 24);
+      mapper->SetMethodToTwoPass();
       break;
     case 6:
       mapper->SetInputData(large);
@@ -143,6 +178,9 @@ void Change(Window& window, int frame, vtkActor* steady, vtkActor* guest, vtkPol
     case 10:
       mapper->SetProjectionToQuads();
       break;
+    case 11:
+      mapper->SetMethodToImageSpace();
+      break;
     case 12:
       mapper->SetMethodToDeferred();
       break;
@@ -163,7 +201,14 @@ void Change(Window& window, int frame, vtkActor* steady, vtkActor* guest, vtkPol
       mapper->SetTransparencyToPeeling();
       window.Renderer->AddActor(guest);
       break;
+    case 23:
+      // Glass, with what it reflects.
+      mapper->RefractionOn();
+      window.Renderer->SetEnvironmentTexture(cast.Environment);
+      break;
     case 24:
+      mapper->RefractionOff();
+      window.Renderer->SetEnvironmentTexture(nullptr);
       steady->GetProperty()->SetOpacity(1.0);
       large->GetPointData()->SetScalars(nullptr);
       break;
@@ -175,6 +220,15 @@ void Change(Window& window, int frame, vtkActor* steady, vtkActor* guest, vtkPol
       guest->SetMapper(other);
       break;
     }
+    case 28:
+      // A point light, and an area light.
+      mapper->ShadowsOn();
+      window.Renderer->AddLight(cast.Lamp);
+      break;
+    case 29:
+      mapper->SetNumberOfShadowSamples(3);
+      mapper->SetShadowLightRadius(0.2);
+      break;
     case 30:
     {
       vtkNew<vtkHardwareSelector> selector;
@@ -184,7 +238,15 @@ void Change(Window& window, int frame, vtkActor* steady, vtkActor* guest, vtkPol
       vtkSmartPointer<vtkSelection>::Take(selector->Select());
       break;
     }
+    case 31:
+      mapper->SetMethodToImageSpace();
+      break;
     case 32:
+      mapper->SetMethodToTwoPass();
+      mapper->ShadowsOff();
+      mapper->SetNumberOfShadowSamples(1);
+      mapper->SetShadowLightRadius(0.0);
+      window.Renderer->RemoveLight(cast.Lamp);
       window.Renderer->RemoveActor(guest);
       break;
     case 34:
@@ -215,14 +277,27 @@ int TestSplatsMemory(int, char*[])
   vtkSmartPointer<vtkActor> guest = window.Add(guestMapper);
   window.Renderer->RemoveActor(guest);
   window.Renderer->ResetCamera();
+  window.Renderer->CreateLight(); // of its own; there is none where others are
+  vtkNew<vtkLight> lamp;
+  lamp->SetLightTypeToSceneLight();
+  lamp->SetPosition(3, 2, 4);
+  lamp->PositionalOn();
+  const vtkSmartPointer<vtkTexture> environment = MakeEnvironment();
+  const Cast cast{ steady, guest, small, large, lamp, environment };
 
   long resident = 0;
   long allocated = 0;
   std::unique_ptr<Objects> objects;
+  std::set<std::string> done;
   for (int frame = 0; frame <= Frames; ++frame)
   {
-    Change(window, frame, steady, guest, small, large);
+    Change(window, frame, cast);
     window.Win->Render();
+    if (frame < Cycle)
+    {
+      done.insert(std::string(mapper->GetMethodUsed()) + ", " + mapper->GetProjectionUsed());
+      done.insert(mapper->GetTransparencyUsed());
+    }
     if (frame != FirstFrames && frame != Frames)
     {
       continue;
@@ -246,5 +321,11 @@ int TestSplatsMemory(int, char*[])
     resident = residentNow;
     allocated = allocatedNow;
   }
+  for (const char* what : { "two-pass, compute", "two-pass, quads", "image-space, compute",
+         "image-space, quads", "deferred, quads", "none", "peeling", "sorted", "nearest-exact" })
+  {
+    checks.Expect(done.count(what) == 1, std::string("never drawn: ") + what);
+  }
+  checks.AtLeast(mapper->GetNumberOfShadowUpdates(), 2ul, "updates of shadows");
   return checks.Result();
 }

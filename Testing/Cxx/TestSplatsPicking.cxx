@@ -158,6 +158,26 @@ void PickBlocks(Checks& checks)
     checks.Expect(hit.Composite == (b == 0 ? 1u : 3u),
       "blocks: composite index is " + std::to_string(hit.Composite));
   }
+
+  // Blocks that share all of their points, as those of a mesh cut up share some: the id is that of
+  // the point in the block that was picked, not in the other one.
+  vtkSmartPointer<vtkPolyData> turned = Square(0.0);
+  const vtkIdType last = turned->GetNumberOfPoints() - 1;
+  for (vtkIdType i = Lost; i <= last; ++i)
+  {
+    turned->GetPoints()->SetPoint(i, Square(0.0)->GetPoint(last + Lost - i));
+  }
+  for (int first = 0; first < 2; ++first)
+  {
+    blocks->SetBlock(0, first == 0 ? turned.Get() : Square(0.0).Get());
+    blocks->SetBlock(2, first == 0 ? Square(0.0).Get() : turned.Get());
+    window.Draw();
+    const Hit hit = Pick(window, vtkDataObject::FIELD_ASSOCIATION_POINTS, 4.0, 3.0);
+    const bool isTurned = hit.Composite == (first == 0 ? 1u : 3u);
+    checks.Expect(hit.Ids == std::set<vtkIdType>{ isTurned ? last + Lost - id : id },
+      "shared points: block " + std::to_string(hit.Composite) + ", id " +
+        (hit.Ids.empty() ? std::string("none") : std::to_string(*hit.Ids.begin())));
+  }
 }
 }
 

@@ -492,8 +492,6 @@ void TestUpdates(Checks& checks)
   mesh->VisibilityOff();
   expect(true, 8, "A mesh that went");
   mapper->SetMethodToDeferred();
-  view.Win.Win->Render();
-  updates = mapper->GetNumberOfShadowUpdates();
   expect(false, 8, "Deferred blending");
 
   // A headlight casts none, and nothing but its light is drawn.

@@ -94,14 +94,19 @@ class TestSplatviewPicture(SplatviewTest):
         best = self.draw("globe.xyz")[0]["surfaces"][0]["choices"]
         self.assertEqual(
             list(best),
-            ["method", "projection", "transparency", "layers", "layer distance", "fill steps",
-             "shadow samples", "error allowed"],
+            ["method", "projection", "transparency", "layers", "layer distance", "splats",
+             "fill steps", "shadow samples", "error allowed"],
         )  # fmt: skip
-        self.assertRegex(best["method"], "^two-pass, .*1/256")
+        self.assertRegex(best["method"], "^two-pass, no other takes less time")
         self.assertRegex(best["error allowed"], "^1/256, at rest")
+        # Of coloured points none may be left out.
         rough = self.draw("globe.xyz", "--target-error", "1")[0]["surfaces"][0]
-        self.assertEqual(rough["method"], "image-space")
-        self.assertRegex(rough["choices"]["method"], "^image-space, points .* pixels apart")
+        self.assertRegex(rough["choices"]["splats"], "^one of 1, ")
+        plain = [" ".join(line.split()[:6]) for line in globe().splitlines()]
+        self.write("plain.xyz", "\n".join(plain) + "\n")
+        rough = self.draw("plain.xyz", "--target-error", "1")[0]["surfaces"][0]
+        self.assertRegex(best["splats"], "^one of 1, ")
+        self.assertRegex(rough["choices"]["splats"], "^one of [2-9][0-9]*, fewer, larger ones")
 
     def test_lists_go_on_with_the_next_surface(self):
         files = ["globe.xyz"] * 3

@@ -98,7 +98,7 @@ def did(drawing):
     mapper = drawing.mappers[0]
     return (mapper.GetMethodUsed(), mapper.GetProjectionUsed(), mapper.GetTransparencyUsed(),
             mapper.GetNumberOfFillSteps(), mapper.GetNumberOfShadowSamplesUsed(),
-            mapper.GetNumberOfLayersDrawn())
+            mapper.GetStride(), mapper.GetNumberOfLayersDrawn())
 
 
 def measured(scene, cloud, size, settings, runs, on_processor=True):

@@ -1,0 +1,248 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatChoices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace
+{
+// Fewer splats against all of them, of smooth clouds: of splats that are then this many pixels apart
+// the error is at most this much, and proportional to it. Testing/Benchmark/fit_strides.py fits it.
+constexpr double StrideErrorPerPixel = 0.012;
+// Outlines change sides here and there, however dense splats are: of bodies of 200 pixels that is an
+// error of 0.018.
+constexpr double LeastStrideError = 1.0 / 32.0;
+constexpr int MostStrideShift = 6;
+
+// Peeling draws more than this even where time is short.
+constexpr double MostContribution = 1.0 / 8.0;
+
+// Points at most this far apart, in pixels, leave holes of single pixels only, be they spread at
+// random. A second step would widen silhouettes; from 1.3 pixels on it is needed.
+constexpr double OneStepPixels = 1.0;
+
+// Of one jittered sample of an area light that shines on white, against many; n samples have it over
+// the root of n. A ball over a torus has 0.02 to 0.055, by lamps of a tenth to eight tenths of the
+// torus' radius.
+constexpr double ShadowSampleError = 0.06;
+
+std::string Number(double value)
+{
+  std::ostringstream text;
+  text.precision(2);
+  text << value;
+  return text.str();
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatChoice::IsLike(const vtkPointSplatChoice& other) const
+{
+  return this->Compute == other.Compute && this->Deferred == other.Deferred &&
+    this->Transparency == other.Transparency && this->MaximumLayers == other.MaximumLayers &&
+    this->LeastContribution == other.LeastContribution && this->FillSteps == other.FillSteps &&
+    this->StrideShifts == other.StrideShifts;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkPointSplatChoices::Text(double error)
+{
+  const double inverse = std::round(1.0 / error);
+  return error < 1.0 && std::abs(inverse * error - 1.0) < 1e-6
+    ? "1/" + std::to_string(static_cast<long>(inverse))
+    : Number(error);
+}
+
+//------------------------------------------------------------------------------
+int vtkPointSplatChoices::StrideShift(double spacingPixels, double tolerance)
+{
+  int shift = 0;
+  while (tolerance >= LeastStrideError && spacingPixels > 0.0 && shift < MostStrideShift &&
+    StrideErrorPerPixel * spacingPixels * std::exp2(0.5 * (shift + 1)) <= tolerance)
+  {
+    ++shift;
+  }
+  return shift;
+}
+
+namespace
+{
+//------------------------------------------------------------------------------
+void ChooseProjection(const vtkPointSplatFacts& facts, vtkPointSplatChoice& choice)
+{
+  choice.Compute = facts.Compute && !facts.AsksQuads;
+  choice.ProjectionReason = choice.Compute ? "by tiles of the image"
+    : facts.AsksQuads                      ? "quads were asked for"
+                                           : "compute shaders need OpenGL 4.3 and images that fit";
+}
+
+//------------------------------------------------------------------------------
+/// Whether deferred blending can be had; else why not.
+bool CanDefer(const vtkPointSplatFacts& facts, std::string& why)
+{
+  if (facts.Translucent)
+  {
+    why = "deferred blending makes opaque layers only";
+  }
+  else if (facts.Groups == 0)
+  {
+    why = "the splats cannot be grouped";
+  }
+  else if (!facts.GroupsFit)
+  {
+    why = "images for " + std::to_string(facts.Groups) +
+      " groups are more than MaximumImageMemory or the hardware allows; lower OverlapFactor";
+  }
+  else
+  {
+    return true;
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void ChooseMethod(const vtkPointSplatFacts& facts, vtkPointSplatChoice& choice)
+{
+  choice.Deferred = facts.AsksDeferred && CanDefer(facts, choice.MethodReason);
+  choice.Refused = facts.AsksDeferred && !choice.Deferred;
+  if (choice.MethodReason.empty())
+  {
+    choice.MethodReason = facts.AsksDeferred || facts.AsksPoints
+      ? "it was asked for"
+      : "no other takes less time for the same picture";
+  }
+}
+
+//------------------------------------------------------------------------------
+void ChooseLayers(const vtkPointSplatFacts& facts, double tolerance, vtkPointSplatChoice& choice)
+{
+  if (!facts.Translucent)
+  {
+    choice.LayersReason = "opaque surfaces have one";
+    choice.TransparencyReason = "all is opaque";
+    return;
+  }
+  choice.MaximumLayers = facts.MaximumLayers;
+  choice.LeastContribution = std::min(tolerance, std::max(facts.TargetError, MostContribution));
+  choice.LayersReason = "until nothing is left, or less than " +
+    vtkPointSplatChoices::Text(choice.LeastContribution) + " of the light behind";
+  if (facts.Transparency <= vtkPointSplatSettings::Peeling)
+  {
+    choice.TransparencyReason = facts.Transparency == vtkPointSplatSettings::Peeling
+      ? "peeling was asked for"
+      : "no other takes less time for the same picture";
+  }
+  else if (!facts.Sortable)
+  {
+    choice.TransparencyReason = "other translucent props may lie between the layers";
+  }
+  else if (facts.AsksPoints)
+  {
+    choice.TransparencyReason = "points without a size cannot be sorted";
+  }
+  else
+  {
+    choice.Transparency = facts.Transparency;
+    choice.TransparencyReason = "it was asked for";
+    // What the nearest layer reflects and refracts needs it, sorted or not.
+    choice.MaximumLayers =
+      choice.Transparency == vtkPointSplatSettings::Sorted && !facts.Refracts ? 0 : 1;
+    choice.LayersReason = "the others are sorted";
+  }
+}
+
+//------------------------------------------------------------------------------
+void ChooseFill(const vtkPointSplatFacts& facts, vtkPointSplatChoice& choice)
+{
+  if (!facts.AsksPoints)
+  {
+    choice.FillReason = "splats leave no holes";
+    return;
+  }
+  double spacing = 0.0;
+  for (const vtkPointSplatFacts::Cloud& cloud : facts.Clouds)
+  {
+    spacing = std::max(spacing, cloud.SpacingPixels);
+  }
+  const bool one = spacing > 0.0 && spacing <= OneStepPixels;
+  choice.FillSteps = one ? 1 : facts.MaximumFillSteps;
+  choice.FillReason = "points are " + Number(spacing) + " pixels apart; up to " +
+    Number(OneStepPixels) + " one step does";
+}
+
+//------------------------------------------------------------------------------
+void ChooseSplats(const vtkPointSplatFacts& facts, double tolerance, vtkPointSplatChoice& choice)
+{
+  double all = 0.0;
+  double drawn = 0.0;
+  const bool whole =
+    choice.Deferred || choice.Transparency != vtkPointSplatSettings::Peeling || facts.AsksPoints;
+  for (const vtkPointSplatFacts::Cloud& cloud : facts.Clouds)
+  {
+    const int shift =
+      whole || cloud.Painted ? 0
+                             : vtkPointSplatChoices::StrideShift(cloud.SpacingPixels, tolerance);
+    choice.StrideShifts.push_back(shift);
+    all += cloud.Splats;
+    drawn += std::ldexp(cloud.Splats, -shift);
+  }
+  choice.SplatsReason = drawn < all
+    ? "fewer, larger ones have an error of at most " + vtkPointSplatChoices::Text(tolerance)
+    : "fewer ones might have a greater error than " + vtkPointSplatChoices::Text(tolerance);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatChoice vtkPointSplatChoices::Make(const vtkPointSplatFacts& facts)
+{
+  const double tolerance = std::max(facts.TargetError, facts.Tolerance);
+  vtkPointSplatChoice choice;
+  choice.Tolerance = tolerance;
+  ChooseProjection(facts, choice);
+  ChooseMethod(facts, choice);
+  ChooseLayers(facts, tolerance, choice);
+  ChooseFill(facts, choice);
+  ChooseSplats(facts, tolerance, choice);
+  return choice;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkPointSplatChoice> vtkPointSplatChoices::Ladder(vtkPointSplatFacts facts)
+{
+  facts.Tolerance = 0.0;
+  std::vector<vtkPointSplatChoice> ladder{ vtkPointSplatChoices::Make(facts) };
+  for (const double error : { 1.0 / 64.0, 1.0 / 32.0 })
+  {
+    facts.Tolerance = error;
+    vtkPointSplatChoice looser = vtkPointSplatChoices::Make(facts);
+    if (error > facts.TargetError && !looser.IsLike(ladder.back()))
+    {
+      ladder.push_back(std::move(looser));
+    }
+  }
+  return ladder;
+}
+
+//------------------------------------------------------------------------------
+int vtkPointSplatChoices::ShadowSamples(const vtkPointSplatSettings& settings, bool interacting,
+  double light, std::string& reason)
+{
+  const int wanted = settings.NumberOfShadowSamples;
+  const int all =
+    interacting ? std::min(wanted, settings.NumberOfInteractiveShadowSamples) : wanted;
+  if (settings.TargetError <= FullQuality)
+  {
+    reason = interacting ? "while dragging" : "as many as were asked for";
+    return all;
+  }
+  const double error = ShadowSampleError * light;
+  const double needed = std::ceil(std::pow(error / settings.TargetError, 2.0));
+  const int samples = needed < all ? std::max(1, static_cast<int>(needed)) : all;
+  reason = samples < all ? "they have an error of " +
+      Number(error / std::sqrt(static_cast<double>(samples)))
+    : interacting ? "while dragging"
+                  : "as many as were asked for";
+  return samples;
+}

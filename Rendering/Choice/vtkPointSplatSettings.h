@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What a user sets, as the frame takes it: the properties of vtkPointSplatMapper, which says what
+// they mean.
+#ifndef vtkPointSplatSettings_h
+#define vtkPointSplatSettings_h
+
+#include "vtkType.h"
+
+#include <array>
+
+struct vtkPointSplatSettings
+{
+  enum MethodType
+  {
+    AutomaticMethod,
+    TwoPass,
+    Deferred,
+    ImageSpace
+  };
+  enum TransparencyType
+  {
+    AutomaticTransparency,
+    Peeling,
+    Sorted,
+    NearestExact
+  };
+  enum ProjectionType
+  {
+    AutomaticProjection,
+    Compute,
+    Quads
+  };
+  enum ListsType
+  {
+    AutomaticLists,
+    Processor,
+    Device
+  };
+
+  double TargetError = 1.0 / 256.0;
+  int Method = AutomaticMethod;
+  int Transparency = AutomaticTransparency;
+  int Projection = AutomaticProjection;
+  int TileLists = AutomaticLists;
+  int MaximumNumberOfLayers = 32;
+  bool GatherRemaining = false;
+  double PickOpacityThreshold = 0.0;
+  double LayerDistance = 0.0;
+  double RadiusScale = 1.0;
+  vtkIdType MaximumImageMemory = vtkIdType(1) << 30;
+
+  bool PlateauKernel = false;
+  double KernelSigma = 0.6;
+  double PlateauFalloff = 4.0;
+  double PlateauExponent = 5.0;
+  double KernelSupport = 1.5;
+
+  double OverlapFactor = 0.8;
+  bool VoronoiDepth = true;
+  int MaximumNumberOfFillSteps = 2;
+  bool AntiAliasing = true;
+
+  bool Refraction = false;
+  double RefractiveIndex = 1.5;
+  double Dispersion = 0.0;
+  std::array<double, 3> Absorption{ { 0.0, 0.0, 0.0 } };
+
+  bool Shadows = false;
+  int NumberOfShadowSamples = 16;
+  int NumberOfInteractiveShadowSamples = 1;
+  double ShadowLightRadius = 0.0;
+  int ShadowSeed = 1;
+  double ShadowLayerDistance = 0.0;
+  int ShadowResolution = 0;
+};
+
+#endif

@@ -1,0 +1,460 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatCloud.h"
+
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPointSplatArrays.h"
+#include "vtkPointSplatMorton.h"
+#include "vtkPointSplatPacking.h"
+#include "vtkPointSplatSpacing.h"
+#include "vtkPoints.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+//------------------------------------------------------------------------------
+std::vector<vtkPointSplatCloud::Block> vtkPointSplatCloud::Gather(vtkDataObject* input)
+{
+  std::vector<Block> blocks;
+  auto add = [&blocks](vtkDataObject* object, unsigned int flatIndex) {
+    vtkPointSet* data = vtkPointSet::SafeDownCast(object);
+    if (data && data->GetPoints() && data->GetNumberOfPoints() > 0)
+    {
+      blocks.push_back({ data, flatIndex, 0, 0 });
+    }
+  };
+  if (auto composite = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    vtkSmartPointer<vtkCompositeDataIterator> it;
+    it.TakeReference(composite->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      add(it->GetCurrentDataObject(), it->GetCurrentFlatIndex());
+    }
+  }
+  else
+  {
+    add(input, 0);
+  }
+  return blocks;
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatCloud::Key vtkPointSplatCloud::SplatKey(const std::vector<Block>& blocks)
+{
+  Key key;
+  for (const Block& block : blocks)
+  {
+    key.emplace_back(nullptr, block.FlatIndex);
+    vtkPoints* points = block.Data->GetPoints();
+    key.emplace_back(points->GetData(), std::max(points->GetMTime(), points->GetData()->GetMTime()));
+    vtkPointData* arrays = block.Data->GetPointData();
+    for (vtkDataArray* array : { arrays->GetNormals(),
+           arrays->GetArray(vtkPointSplatArrays::Radius),
+           arrays->GetArray(vtkPointSplatArrays::PlaneNormal),
+           arrays->GetArray(vtkPointSplatArrays::Curvature),
+           arrays->GetArray(vtkPointSplatArrays::Axis1),
+           arrays->GetArray(vtkPointSplatArrays::Axis2),
+           arrays->GetArray(vtkDataSetAttributes::GhostArrayName()) })
+    {
+      key.emplace_back(array, array ? array->GetMTime() : 0);
+    }
+  }
+  return key;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatCloud::Update(const vtkPointSplatCloudInput& input)
+{
+  std::vector<Block> blocks = vtkPointSplatCloud::Gather(input.Data);
+  this->Composite = vtkCompositeDataSet::SafeDownCast(input.Data) != nullptr;
+  Key splatKey = vtkPointSplatCloud::SplatKey(blocks);
+  if (this->SplatTime == 0 || splatKey != this->SplatsMadeFrom ||
+    (input.NeedSizes && !this->Sized))
+  {
+    this->BuildSplats(input, blocks);
+    this->Blocks = std::move(blocks);
+    this->SplatsMadeFrom = std::move(splatKey);
+    this->SplatTime.Modified();
+  }
+  else
+  {
+    // The same arrays, perhaps in data sets that are copies.
+    for (size_t b = 0; b < blocks.size(); ++b)
+    {
+      this->Blocks[b].Data = blocks[b].Data;
+    }
+  }
+
+  Key colourKey{ { nullptr, this->SplatTime.GetMTime() } };
+  Key factorKey = colourKey;
+  for (const Block& block : this->Blocks)
+  {
+    vtkAbstractArray* scalars = input.FindScalars ? input.FindScalars(block.Data) : nullptr;
+    colourKey.emplace_back(scalars, scalars ? scalars->GetMTime() : 0);
+    vtkDataArray* factors = block.Data->GetPointData()->GetArray(vtkPointSplatArrays::Shadow);
+    factorKey.emplace_back(factors, factors ? factors->GetMTime() : 0);
+  }
+  auto wanted = [&input] { return input.ColourKey ? input.ColourKey() : std::string(); };
+  if (colourKey != this->ColoursMadeFrom || wanted() != this->ColourKey)
+  {
+    this->BuildColours(input);
+    this->ColoursMadeFrom = std::move(colourKey);
+    this->ColourKey = wanted(); // to map colours may change the lookup table's range
+    this->ColourTime.Modified();
+  }
+  if (factorKey != this->FactorsMadeFrom)
+  {
+    this->BuildFactors(input.Owner);
+    this->FactorsMadeFrom = std::move(factorKey);
+    this->FactorTime.Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPointSplatCloud::BuildBlock(
+  const vtkPointSplatCloudInput& input, Block& block, const vtkPointSplatPacking& packing)
+{
+  const size_t words = this->GetWordsPerSplat();
+  const size_t n = static_cast<size_t>(block.Data->GetNumberOfPoints());
+  if (!packing.Normals || (input.NeedSizes && !(packing.Radius || packing.Axis1)) ||
+    static_cast<size_t>(packing.Normals->GetNumberOfTuples()) != n ||
+    packing.Normals->GetNumberOfComponents() != 3)
+  {
+    vtkErrorWithObjectMacro(input.Owner,
+      << "A block of " << n
+      << " points has no usable normals: give it point normals of 3 components, one a point.");
+    return 0;
+  }
+  std::vector<uint32_t> packed(words * n);
+  std::vector<unsigned char> valid(n, 0);
+  packing.Pack(this->Origin, this->Circular, packed.data(), valid.data());
+  size_t kept = 0;
+  for (size_t i = 0; i < n; ++i)
+  {
+    if (valid[i])
+    {
+      if (kept != i)
+      {
+        std::copy_n(packed.data() + words * i, words, packed.data() + words * kept);
+      }
+      ++kept;
+    }
+  }
+  const std::vector<uint32_t> order =
+    vtkPointSplatMorton(this->Low, this->High).Order(packed.data(), words, kept, this->Origin);
+  uint32_t* to = this->Splats.data() + words * static_cast<size_t>(block.First);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(kept), [&](vtkIdType begin, vtkIdType end) {
+    for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
+    {
+      std::copy_n(packed.data() + words * order[i], words, to + words * i);
+    }
+  });
+  return static_cast<vtkIdType>(kept);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatCloud::BuildSplats(
+  const vtkPointSplatCloudInput& input, std::vector<Block>& blocks)
+{
+  this->Splats.clear();
+  this->Count = this->Points = this->Skipped = 0;
+  this->Circular = true;
+  this->Sized = true;
+  this->Low = { { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, VTK_DOUBLE_MAX } };
+  this->High = { { -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } };
+  std::vector<vtkPointSplatPacking> packings;
+  for (const Block& block : blocks)
+  {
+    packings.push_back(
+      vtkPointSplatPacking::Collect(input.Owner, block.Data, input.NeedSizes));
+    this->Circular = this->Circular && !packings.back().Axis1;
+    this->Sized = this->Sized && (packings.back().Radius || packings.back().Axis1);
+    this->Points += block.Data->GetNumberOfPoints();
+    for (size_t k = 0; k < 3; ++k)
+    {
+      // Of finite coordinates: vtkPointSet's own bounds swallow NaN and infinity.
+      double range[2];
+      block.Data->GetPoints()->GetData()->GetFiniteRange(range, static_cast<int>(k));
+      if (range[0] <= range[1])
+      {
+        this->Low[k] = std::min(this->Low[k], range[0]);
+        this->High[k] = std::max(this->High[k], range[1]);
+      }
+    }
+  }
+  for (size_t k = 0; k < 3; ++k)
+  {
+    this->Origin[k] =
+      this->Low[k] <= this->High[k] ? 0.5 * this->Low[k] + 0.5 * this->High[k] : 0.0;
+  }
+  this->Splats.resize(this->GetWordsPerSplat() * static_cast<size_t>(this->Points));
+  for (size_t b = 0; b < blocks.size(); ++b)
+  {
+    blocks[b].First = this->Count;
+    blocks[b].Count = this->BuildBlock(input, blocks[b], packings[b]);
+    this->Count += blocks[b].Count;
+    this->Skipped += blocks[b].Data->GetNumberOfPoints() - blocks[b].Count;
+  }
+  this->Splats.resize(this->GetWordsPerSplat() * static_cast<size_t>(this->Count));
+  this->Measure();
+  if (this->Skipped > 0)
+  {
+    vtkWarningWithObjectMacro(input.Owner, << this->Skipped << " of " << this->Points
+                                           << " points are not drawn: ghosts, or coordinates, "
+                                              "normals or splat sizes that are not finite and "
+                                              "not zero.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatCloud::Measure()
+{
+  this->MedianRadius = this->MaximumRadius = 0.0;
+  this->Bounds = { { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 } };
+  std::vector<float> radii(static_cast<size_t>(this->Count));
+  for (size_t i = 0; i < radii.size(); ++i)
+  {
+    float splat[4];
+    std::memcpy(splat, this->Splats.data() + this->GetWordsPerSplat() * i, sizeof(splat));
+    radii[i] = splat[3];
+    for (size_t k = 0; k < 3; ++k)
+    {
+      const double x = splat[k] + this->Origin[k];
+      this->Bounds[2 * k] = i ? std::min(this->Bounds[2 * k], x) : x;
+      this->Bounds[2 * k + 1] = i ? std::max(this->Bounds[2 * k + 1], x) : x;
+    }
+  }
+  if (!radii.empty())
+  {
+    const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+    std::nth_element(radii.begin(), middle, radii.end());
+    this->MedianRadius = *middle;
+    this->MaximumRadius = *std::max_element(middle, radii.end());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatCloud::BuildColours(const vtkPointSplatCloudInput& input)
+{
+  this->Colours.clear();
+  if (!input.MapColours)
+  {
+    return;
+  }
+  const size_t words = this->GetWordsPerSplat();
+  for (const Block& block : this->Blocks)
+  {
+    int cellFlag = 0;
+    vtkSmartPointer<vtkUnsignedCharArray> colours = input.MapColours(block.Data, cellFlag);
+    if (!colours || colours->GetNumberOfComponents() != 4)
+    {
+      continue;
+    }
+    if (this->Colours.empty())
+    {
+      // Blocks without scalars stay white beside those with.
+      this->Colours.assign(static_cast<size_t>(this->Count), 0xffffffffu);
+    }
+    const std::vector<vtkIdType> cells =
+      cellFlag == 1 ? vtkPointSplatPacking::CellsOfPoints(block.Data) : std::vector<vtkIdType>();
+    const unsigned char* from = colours->GetPointer(0);
+    const vtkIdType tuples = colours->GetNumberOfTuples();
+    vtkSMPTools::For(block.First, block.First + block.Count, [&](vtkIdType begin, vtkIdType end) {
+      for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
+      {
+        vtkIdType id = this->Splats[words * i + 7];
+        id = cellFlag == 1 ? cells[static_cast<size_t>(id)] : id;
+        if (id >= 0 && id < tuples)
+        {
+          std::memcpy(&this->Colours[i], from + 4 * id, 4);
+        }
+      }
+    });
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatCloud::BuildFactors(vtkObject* owner)
+{
+  this->Factors.clear();
+  this->FactorCount = 0;
+  const size_t words = this->GetWordsPerSplat();
+  for (const Block& block : this->Blocks)
+  {
+    vtkDataArray* factors = block.Data->GetPointData()->GetArray(vtkPointSplatArrays::Shadow);
+    const int count = factors ? std::min(factors->GetNumberOfComponents(), 4) : 0;
+    if (factors && factors->GetNumberOfTuples() != block.Data->GetNumberOfPoints())
+    {
+      vtkErrorWithObjectMacro(owner, << "The point array " << vtkPointSplatArrays::Shadow << " has "
+                                     << factors->GetNumberOfTuples() << " tuples for "
+                                     << block.Data->GetNumberOfPoints()
+                                     << " points. It is not used: rename or remove it.");
+      continue;
+    }
+    if (count == 0)
+    {
+      continue;
+    }
+    if (this->Factors.empty())
+    {
+      // Blocks without factors stay lit beside those with.
+      this->Factors.assign(static_cast<size_t>(this->Count), 0xffffffffu);
+    }
+    this->FactorCount = std::max(this->FactorCount, count);
+    vtkSMPTools::For(block.First, block.First + block.Count, [&](vtkIdType begin, vtkIdType end) {
+      for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
+      {
+        const vtkIdType id = this->Splats[words * i + 7];
+        for (int k = 0; k < count; ++k)
+        {
+          const double factor = factors->GetComponent(id, k);
+          const double lit = std::isnan(factor) ? 1.0 : std::clamp(factor, 0.0, 1.0);
+          this->Factors[i] &= ~(255u << (8 * k));
+          this->Factors[i] |= static_cast<uint32_t>(std::lround(255.0 * lit)) << (8 * k);
+        }
+      }
+    });
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkPointSplatCloud::GetSpacing()
+{
+  if (this->SplatTime > this->SpacingTime)
+  {
+    double size = 0.0;
+    std::array<double, 3> low;
+    for (size_t k = 0; k < 3; ++k)
+    {
+      low[k] = this->Bounds[2 * k] - this->Origin[k];
+      size = std::max(size, this->Bounds[2 * k + 1] - this->Bounds[2 * k]);
+    }
+    this->Spacing = this->Count > 0
+      ? vtkPointSplatSpacing::Estimate(this->Splats, this->GetWordsPerSplat(), low, size)
+      : 0.0;
+    this->SpacingTime.Modified();
+  }
+  return this->Spacing;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkPointSplatCloud::GetMTime() const
+{
+  return std::max(
+    { this->SplatTime.GetMTime(), this->ColourTime.GetMTime(), this->FactorTime.GetMTime() });
+}
+
+//------------------------------------------------------------------------------
+const vtkPointSplatBlocks& vtkPointSplatCloud::GetBlocks()
+{
+  if (this->SplatTime > this->BlockTime)
+  {
+    this->SplatBlocks.Make(this->Splats, this->GetWordsPerSplat(), this->Count);
+    this->BlockTime.Modified();
+  }
+  return this->SplatBlocks;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatCloud::MakeGroups(const vtkPointSplatGroups::Request& request)
+{
+  vtkPointSplatGroups::Splats splats{ this->Splats, this->GetWordsPerSplat(), this->Origin, {} };
+  for (const Block& block : this->Blocks)
+  {
+    splats.Blocks.push_back({ block.Data, block.First, block.Count });
+  }
+  return this->Groups.Make(splats, this->SplatTime, request);
+}
+
+//------------------------------------------------------------------------------
+std::vector<uint32_t> vtkPointSplatCloud::MakeIds(IdKind kind) const
+{
+  std::vector<uint32_t> ids(static_cast<size_t>(this->Count));
+  for (const Block& block : this->Blocks)
+  {
+    // A cloud without cells: the cell id that VTK's selections carry is the point's.
+    const bool cells = kind == CellIds && block.Data->GetNumberOfCells() > 0;
+    const std::vector<vtkIdType> cellOf =
+      cells ? vtkPointSplatPacking::CellsOfPoints(block.Data) : std::vector<vtkIdType>();
+    for (vtkIdType i = block.First; i < block.First + block.Count; ++i)
+    {
+      const vtkIdType point = this->GetPointId(i);
+      const vtkIdType id = kind == CompositeIds ? block.FlatIndex
+        : cells                                 ? cellOf[static_cast<size_t>(point)]
+                                                : point;
+      ids[static_cast<size_t>(i)] = id < 0 ? 0xffffffffu : static_cast<uint32_t>(id);
+    }
+  }
+  return ids;
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatCloud::Buffers& vtkPointSplatCloud::Fill(ContextBuffers& all, bool grouped)
+{
+  const vtkPointSplatContext& context = vtkPointSplatContext::Entered();
+  all.remove_if([](const auto& entry) { return !entry.first.IsAlive(); });
+  auto found = std::find_if(
+    all.begin(), all.end(), [&context](const auto& entry) { return entry.first == context; });
+  if (found == all.end())
+  {
+    all.emplace_front();
+    found = all.begin();
+    found->first = context;
+    found->second.VertexArray.Make();
+  }
+  Buffers& buffers = found->second;
+  const vtkMTimeType order = grouped ? this->Groups.GetMTime() : 0;
+  auto fill = [&](vtkPointSplatBuffer& buffer, vtkTimeStamp& filled, vtkMTimeType changed,
+                const std::vector<uint32_t>& data, size_t words) {
+    if (std::max(changed, order) > filled)
+    {
+      if (grouped)
+      {
+        buffer.Upload(this->Groups.Ordered(data, words));
+      }
+      else
+      {
+        buffer.Upload(data);
+      }
+      filled.Modified();
+    }
+  };
+  fill(buffers.Splats, buffers.SplatTime, this->SplatTime, this->Splats, this->GetWordsPerSplat());
+  fill(buffers.Colours, buffers.ColourTime, this->ColourTime, this->Colours, 1);
+  fill(buffers.Factors, buffers.FactorTime, this->FactorTime, this->Factors, 1);
+  return buffers;
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatCloud::Buffers& vtkPointSplatCloud::UploadIds(IdKind kind)
+{
+  Buffers& buffers = this->Upload();
+  vtkMTimeType changed = this->SplatTime;
+  for (const Block& block : this->Blocks)
+  {
+    changed = std::max(changed, block.Data->GetMTime()); // of cells
+  }
+  if (changed > buffers.IdTime || buffers.IdsAre != kind)
+  {
+    buffers.Ids.Upload(this->MakeIds(kind));
+    buffers.IdsAre = kind;
+    buffers.IdTime.Modified();
+  }
+  return buffers;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatCloud::Release(vtkOpenGLRenderWindow* window)
+{
+  auto belongs = [window](const auto& entry) { return entry.first.GetWindow() == window; };
+  this->PerContext.remove_if(belongs);
+  this->GroupedPerContext.remove_if(belongs);
+}

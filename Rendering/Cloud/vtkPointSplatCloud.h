@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The splats of one input, in the form in which the stages read them, in main memory and in the
+// buffers of each OpenGL context that drew them.
+//
+// 1. The arrays of each block (a leaf of a composite data set, or the input itself) are packed;
+//    what is missing is estimated. Points that cannot be drawn are left out and counted.
+// 2. Each block's splats are put into Morton order, once: tiles, blocks and caches live on
+//    neighbours that lie together.
+// 3. Colours, factors of lights and groups are made for them, in the same order.
+// Each of these is made anew only when an array that it is made from is another one or was
+// modified; a data set that was copied shallowly, or whose scalars alone changed, keeps its splats.
+//
+// Splats, 32-bit words. Coordinates are relative to an origin in the middle of the data, so that
+// single precision keeps millimetres in UTM.
+//   circular:   x y z radius | plane's normal, normal, bend, point id
+//   elliptical: x y z longer axis | plane's normal, normal, 0, point id | axis 1, 0 | axis 2, 0
+// Normals are coded in two times 16 bits on an octahedron; the bend, the matrix K of
+// vtkPointSplatProjection.glsl, in three times 10. Without sizes the radius is 0.
+// Colours: RGBA, 8 bits each, one a splat, where scalars colour the points.
+// Factors: of up to four lights, 8 bits each, one a splat, where the input has `ShadowFactor`.
+#ifndef vtkPointSplatCloud_h
+#define vtkPointSplatCloud_h
+
+#include "vtkPointSplatBlocks.h"
+#include "vtkPointSplatBuffer.h"
+#include "vtkPointSplatCloudInput.h"
+#include "vtkPointSplatGroups.h"
+
+#include "vtkTimeStamp.h"
+
+#include <array>
+#include <list>
+#include <memory>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkPointSet;
+VTK_ABI_NAMESPACE_END
+
+class vtkPointSplatCloud
+{
+public:
+  /**
+   * What a hardware selection wants to know of a splat.
+   */
+  enum IdKind
+  {
+    PointIds,
+    CellIds,
+    CompositeIds
+  };
+
+  /**
+   * The buffers of one context: in Morton order, or group by group.
+   */
+  struct Buffers
+  {
+    vtkPointSplatBuffer Splats{ GL_RGBA32UI };
+    vtkPointSplatBuffer Colours{ GL_R32UI };
+    vtkPointSplatBuffer Factors{ GL_R32UI };
+    vtkPointSplatBuffer Ids{ GL_R32UI };
+    IdKind IdsAre = PointIds;
+    vtkPointSplatHandle VertexArray{ vtkPointSplatHandle::VertexArray };
+    vtkTimeStamp SplatTime;
+    vtkTimeStamp ColourTime;
+    vtkTimeStamp FactorTime;
+    vtkTimeStamp IdTime;
+  };
+
+  vtkPointSplatCloud() = default;
+  ~vtkPointSplatCloud() = default;
+  vtkPointSplatCloud(const vtkPointSplatCloud&) = delete;
+  void operator=(const vtkPointSplatCloud&) = delete;
+
+  /**
+   * Follows the input, doing anew only what changed.
+   */
+  void Update(const vtkPointSplatCloudInput& input);
+
+  ///@{
+  /**
+   * The buffers of the entered context, filled: in Morton order, or in that of the groups. With
+   * ids of a kind, which are made at need.
+   */
+  Buffers& Upload() { return this->Fill(this->PerContext, false); }
+  Buffers& UploadGrouped() { return this->Fill(this->GroupedPerContext, true); }
+  Buffers& UploadIds(IdKind kind);
+  ///@}
+
+  /// Deletes the window's buffers.
+  void Release(vtkOpenGLRenderWindow* window);
+
+  /// The groups of the splats, which belong to who asked for them last.
+  vtkPointSplatGroups& GetGroups() { return this->Groups; }
+  /**
+   * Divides the splats into groups: see vtkPointSplatGroups. False where that cannot be done.
+   */
+  bool MakeGroups(const vtkPointSplatGroups::Request& request);
+
+  const vtkPointSplatBlocks& GetBlocks();
+
+  vtkIdType GetNumberOfSplats() const { return this->Count; }
+  vtkIdType GetNumberOfSkippedPoints() const { return this->Skipped; }
+  vtkIdType GetNumberOfPoints() const { return this->Points; }
+  /// The point, of its block, that a splat was made from.
+  vtkIdType GetPointId(vtkIdType splat) const
+  {
+    return this->Splats[this->GetWordsPerSplat() * static_cast<size_t>(splat) + 7];
+  }
+  const std::vector<uint32_t>& GetSplats() const { return this->Splats; }
+  size_t GetWordsPerSplat() const { return this->Circular ? 8 : 16; }
+  bool IsCircular() const { return this->Circular; }
+  /// Whether the input has several blocks, or might have.
+  bool IsComposite() const { return this->Composite; }
+  bool HasColours() const { return !this->Colours.empty(); }
+  /// Of how many lights the input has factors.
+  int GetFactorCount() const { return this->FactorCount; }
+  double GetMedianRadius() const { return this->MedianRadius; }
+  double GetMaximumRadius() const { return this->MaximumRadius; }
+  /// The distance of neighbouring points, world units (vtkPointSplatSpacing.h).
+  double GetSpacing();
+  const std::array<double, 3>& GetOrigin() const { return this->Origin; }
+  const std::array<double, 6>& GetBounds() const { return this->Bounds; }
+  /// When splats, colours or factors changed.
+  vtkMTimeType GetMTime() const;
+  /// When splats changed.
+  vtkMTimeType GetSplatTime() const { return this->SplatTime; }
+
+private:
+  /// A block, and its splats.
+  struct Block
+  {
+    vtkPointSet* Data;
+    unsigned int FlatIndex;
+    vtkIdType First;
+    vtkIdType Count;
+  };
+  /// The objects that something was made from, and their times.
+  using Key = std::vector<std::pair<const vtkObject*, vtkMTimeType>>;
+  using ContextBuffers = std::list<std::pair<vtkPointSplatContext, Buffers>>;
+
+  static std::vector<Block> Gather(vtkDataObject* input);
+  static Key SplatKey(const std::vector<Block>& blocks);
+  void BuildSplats(const vtkPointSplatCloudInput& input, std::vector<Block>& blocks);
+  vtkIdType BuildBlock(const vtkPointSplatCloudInput& input, Block& block,
+    const class vtkPointSplatPacking& packing);
+  void Measure();
+  void BuildColours(const vtkPointSplatCloudInput& input);
+  void BuildFactors(vtkObject* owner);
+  std::vector<uint32_t> MakeIds(IdKind kind) const;
+  Buffers& Fill(ContextBuffers& all, bool grouped);
+
+  std::vector<uint32_t> Splats;
+  std::vector<uint32_t> Colours;
+  std::vector<uint32_t> Factors;
+  int FactorCount = 0;
+  std::vector<Block> Blocks;
+  vtkIdType Count = 0;
+  vtkIdType Points = 0;
+  vtkIdType Skipped = 0;
+  bool Circular = true;
+  bool Sized = true;
+  bool Composite = false;
+  double Spacing = 0.0;
+  vtkTimeStamp SpacingTime;
+  double MedianRadius = 0.0;
+  double MaximumRadius = 0.0;
+  std::array<double, 3> Low{ { 0.0, 0.0, 0.0 } };
+  std::array<double, 3> High{ { 0.0, 0.0, 0.0 } };
+  std::array<double, 3> Origin{ { 0.0, 0.0, 0.0 } };
+  std::array<double, 6> Bounds{ { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 } };
+  vtkPointSplatGroups Groups;
+  vtkPointSplatBlocks SplatBlocks;
+  vtkTimeStamp BlockTime;
+  Key SplatsMadeFrom;
+  Key ColoursMadeFrom;
+  std::string ColourKey;
+  Key FactorsMadeFrom;
+  vtkTimeStamp SplatTime;
+  vtkTimeStamp ColourTime;
+  vtkTimeStamp FactorTime;
+  ContextBuffers PerContext;
+  ContextBuffers GroupedPerContext;
+};
+
+#endif

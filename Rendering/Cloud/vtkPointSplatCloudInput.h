@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What a cloud is made from, by whoever has it: a mapper, or a filter.
+#ifndef vtkPointSplatCloudInput_h
+#define vtkPointSplatCloudInput_h
+
+#include "vtkDataSet.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <functional>
+#include <string>
+
+struct vtkPointSplatCloudInput
+{
+  /// Points: a point set, or a composite data set of such.
+  vtkDataObject* Data = nullptr;
+  /// Who errors and warnings are said to come from.
+  vtkObject* Owner = nullptr;
+  /// Whether splats need sizes; points that are projected as single pixels do not.
+  bool NeedSizes = true;
+  /// RGBA colours of a block's points, or of its cells (then cellFlag gets 1); null: of no worth.
+  std::function<vtkSmartPointer<vtkUnsignedCharArray>(vtkDataSet*, int& cellFlag)> MapColours;
+  /// The array of a block that colours come from, or null.
+  std::function<vtkAbstractArray*(vtkDataSet*)> FindScalars;
+  /// Changes with whatever colours depend on beside the scalars, or null.
+  std::function<std::string()> ColourKey;
+};
+
+#endif

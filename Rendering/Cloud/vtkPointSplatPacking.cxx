@@ -1,0 +1,361 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatPacking.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkCallbackCommand.h"
+#include "vtkDataArrayRange.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkIdList.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPointSplatArrays.h"
+#include "vtkPointSplatEstimation.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace
+{
+uint32_t Bits(double value)
+{
+  const float single = static_cast<float>(value);
+  uint32_t bits;
+  std::memcpy(&bits, &single, sizeof(bits));
+  return bits;
+}
+
+/**
+ * A unit vector as two coordinates on an octahedron, 16 bits each; see
+ * decodeNormal() in vtkPointSplatProjection.glsl.
+ */
+uint32_t CodeNormal(const double n[3])
+{
+  const double sum = std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]);
+  double x = n[0] / sum;
+  double y = n[1] / sum;
+  if (n[2] < 0.0)
+  {
+    const double folded = std::copysign(1.0 - std::abs(y), x);
+    y = std::copysign(1.0 - std::abs(x), y);
+    x = folded;
+  }
+  const auto quantise = [](double v) {
+    return static_cast<uint32_t>(static_cast<uint16_t>(static_cast<int16_t>(std::lround(v * 32767.0))));
+  };
+  return quantise(x) | (quantise(y) << 16);
+}
+
+/**
+ * The unit vector that decodeNormal() in vtkPointSplatProjection.glsl makes of a
+ * code: the tangents that go by it are then the same here and there.
+ */
+void DecodeNormal(uint32_t code, double n[3])
+{
+  n[0] = static_cast<int16_t>(code & 0xffffu) / 32767.0;
+  n[1] = static_cast<int16_t>(code >> 16) / 32767.0;
+  n[2] = 1.0 - std::abs(n[0]) - std::abs(n[1]);
+  const double fold = std::max(-n[2], 0.0);
+  n[0] += n[0] >= 0.0 ? -fold : fold;
+  n[1] += n[1] >= 0.0 ? -fold : fold;
+  vtkMath::Normalize(n);
+}
+
+constexpr double LargestBend = 1.0; // as in vtkPointSplatProjection.glsl
+constexpr double BendSteps = 511.0;
+
+/**
+ * The matrix K of vtkPointSplatProjection.glsl, the second fundamental form times
+ * the radius in the basis of the splat's tangents: elements 11, 12 and 22, 10 bits
+ * each. Eigenvalues are held within the largest that can be coded.
+ * curvature: the form as a tensor XX, YY, ZZ, XY, YZ, XZ.
+ */
+uint32_t CodeBend(uint32_t planeCode, const double curvature[6], double radius)
+{
+  double n[3];
+  DecodeNormal(planeCode, n);
+  const bool slanted = std::abs(n[2]) < 0.7;
+  const double other[3] = { slanted ? 0.0 : 1.0, 0.0, slanted ? 1.0 : 0.0 };
+  double s[3];
+  double t[3];
+  vtkMath::Cross(n, other, s);
+  vtkMath::Normalize(s);
+  vtkMath::Cross(n, s, t);
+  const double* c = curvature;
+  const auto form = [c, radius](const double a[3], const double b[3]) {
+    return radius *
+      (c[0] * a[0] * b[0] + c[1] * a[1] * b[1] + c[2] * a[2] * b[2] +
+        c[3] * (a[0] * b[1] + a[1] * b[0]) + c[4] * (a[1] * b[2] + a[2] * b[1]) +
+        c[5] * (a[0] * b[2] + a[2] * b[0]));
+  };
+  const double half = 0.5 * (form(s, s) - form(t, t));
+  const double mean = 0.5 * (form(s, s) + form(t, t));
+  const double mixed = form(s, t);
+  const double root = std::hypot(half, mixed);
+  if (!std::isfinite(root) || !std::isfinite(mean))
+  {
+    return 0;
+  }
+  const double greater = std::clamp(mean + root, -LargestBend, LargestBend);
+  const double lesser = std::clamp(mean - root, -LargestBend, LargestBend);
+  const double scale = root > 0.0 ? 0.5 * (greater - lesser) / root : 0.0;
+  const double middle = 0.5 * (greater + lesser);
+  const auto quantise = [](double v) {
+    return static_cast<uint32_t>(std::lround(v / LargestBend * BendSteps)) & 1023u;
+  };
+  return quantise(middle + scale * half) | (quantise(scale * mixed) << 10) |
+    (quantise(middle - scale * half) << 20);
+}
+
+bool Finite(const double v[3])
+{
+  return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+}
+
+/// Lengths that floats hold: vtkPointSplatEstimation goes no farther either.
+constexpr double LargestLength = 1e37;
+constexpr double SmallestLength = 1e-37;
+
+bool Holdable(const double v[3])
+{
+  // NaN compares false.
+  return std::abs(v[0]) <= LargestLength && std::abs(v[1]) <= LargestLength &&
+    std::abs(v[2]) <= LargestLength;
+}
+
+/**
+ * An array of the wanted shape, or an error that says what is wrong with it.
+ */
+vtkDataArray* Wanted(vtkObject* owner, vtkPointSet* data, vtkDataArray* array, int components)
+{
+  const char* name = array && array->GetName() ? array->GetName() : "Normals";
+  if (array &&
+    (array->GetNumberOfComponents() != components ||
+      array->GetNumberOfTuples() != data->GetNumberOfPoints()))
+  {
+    vtkErrorWithObjectMacro(owner, << "The point array " << name << " has "
+                                    << array->GetNumberOfTuples() << " tuples of "
+                                    << array->GetNumberOfComponents() << " components, not "
+                                    << data->GetNumberOfPoints() << " of " << components
+                                    << ". It is not used: rename or remove it.");
+    return nullptr;
+  }
+  return array;
+}
+
+/**
+ * See vtkPointSplatPacking::Pack().
+ */
+struct PackWorker
+{
+  template <typename PointArray, typename NormalArray>
+  void operator()(PointArray* pointArray, NormalArray* normalArray, const vtkPointSplatPacking& a,
+    const std::array<double, 3>& origin, bool circular, uint32_t* splats, unsigned char* valid)
+  {
+    const auto points = vtk::DataArrayTupleRange<3>(pointArray);
+    const auto normals = vtk::DataArrayTupleRange<3>(normalArray);
+    const vtkIdType words = circular ? 8 : 16;
+    vtkSMPTools::For(0, points.size(), [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        valid[i] = 0;
+        const double p[3] = { static_cast<double>(points[i][0]) - origin[0],
+          static_cast<double>(points[i][1]) - origin[1],
+          static_cast<double>(points[i][2]) - origin[2] };
+        double n[3] = { static_cast<double>(normals[i][0]), static_cast<double>(normals[i][1]),
+          static_cast<double>(normals[i][2]) };
+        const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+        const unsigned char ghost =
+          a.Ghosts ? a.Ghosts->GetValue(i) & (vtkDataSetAttributes::HIDDENPOINT |
+                                               vtkDataSetAttributes::DUPLICATEPOINT)
+                   : 0;
+        if (ghost || !Holdable(p) || !(length > 0.0) || !std::isfinite(length))
+        {
+          continue;
+        }
+        double radius = 0.0;
+        double axis1[3] = { 0.0, 0.0, 0.0 };
+        double axis2[3] = { 0.0, 0.0, 0.0 };
+        if (a.Axis1)
+        {
+          a.Axis1->GetTuple(i, axis1);
+          a.Axis2->GetTuple(i, axis2);
+          radius = std::sqrt(
+            std::max(axis1[0] * axis1[0] + axis1[1] * axis1[1] + axis1[2] * axis1[2],
+              axis2[0] * axis2[0] + axis2[1] * axis2[1] + axis2[2] * axis2[2]));
+          if (!Holdable(axis1) || !Holdable(axis2))
+          {
+            continue;
+          }
+        }
+        else
+        {
+          radius = a.Radius ? a.Radius->GetComponent(i, 0) : 0.0;
+          if (!circular)
+          {
+            // Beside blocks of ellipses, a disk is an ellipse of two equal axes.
+            const int least = std::abs(n[0]) < std::abs(n[1])
+              ? (std::abs(n[0]) < std::abs(n[2]) ? 0 : 2)
+              : (std::abs(n[1]) < std::abs(n[2]) ? 1 : 2);
+            double other[3] = { 0.0, 0.0, 0.0 };
+            other[least] = 1.0;
+            vtkMath::Cross(n, other, axis1);
+            vtkMath::Normalize(axis1);
+            vtkMath::Cross(n, axis1, axis2);
+            vtkMath::Normalize(axis2);
+            vtkMath::MultiplyScalar(axis1, radius);
+            vtkMath::MultiplyScalar(axis2, radius);
+          }
+        }
+        if ((a.Radius || a.Axis1) && !(radius >= SmallestLength && radius <= LargestLength))
+        {
+          continue;
+        }
+        valid[i] = 1;
+        const double normal[3] = { n[0] / length, n[1] / length, n[2] / length };
+        double plane[3] = { normal[0], normal[1], normal[2] };
+        if (a.Axis1)
+        {
+          // Whatever side the axes' product has, the plane shows the normal's.
+          vtkMath::Cross(axis1, axis2, plane);
+        }
+        else if (a.Plane)
+        {
+          a.Plane->GetTuple(i, plane);
+        }
+        if (!(vtkMath::Normalize(plane) > 0.0) || !Finite(plane))
+        {
+          std::copy_n(normal, 3, plane);
+        }
+        else if (vtkMath::Dot(plane, normal) < 0.0)
+        {
+          vtkMath::MultiplyScalar(plane, -1.0);
+        }
+        uint32_t* out = splats + words * i;
+        for (int k = 0; k < 3; ++k)
+        {
+          out[k] = Bits(p[k]);
+        }
+        out[4] = CodeNormal(plane);
+        out[5] = CodeNormal(normal);
+        out[6] = 0;
+        if (circular && a.Curvature)
+        {
+          double curvature[6];
+          a.Curvature->GetTuple(i, curvature);
+          out[6] = CodeBend(out[4], curvature, radius);
+        }
+        out[3] = Bits(radius);
+        out[7] = static_cast<uint32_t>(i);
+        if (!circular)
+        {
+          for (int k = 0; k < 3; ++k)
+          {
+            out[8 + k] = Bits(axis1[k]);
+            out[12 + k] = Bits(axis2[k]);
+          }
+          out[11] = out[15] = 0;
+        }
+      }
+    });
+  }
+};
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatPacking vtkPointSplatPacking::Collect(
+  vtkObject* owner, vtkPointSet* data, bool needSizes)
+{
+  vtkPointSplatPacking a;
+  a.Points = data->GetPoints()->GetData();
+  a.Ghosts = vtkArrayDownCast<vtkUnsignedCharArray>(
+    data->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  if (a.Ghosts &&
+    (a.Ghosts->GetNumberOfTuples() != data->GetNumberOfPoints() ||
+      a.Ghosts->GetNumberOfComponents() != 1))
+  {
+    a.Ghosts = nullptr;
+  }
+  vtkPointData* given = data->GetPointData();
+  a.Normals = Wanted(owner, data, given->GetNormals(), 3);
+  a.Radius = Wanted(owner, data, given->GetArray(vtkPointSplatArrays::Radius), 1);
+  a.Plane = Wanted(owner, data, given->GetArray(vtkPointSplatArrays::PlaneNormal), 3);
+  // It says how these normals change, and nothing of others.
+  a.Curvature = a.Normals
+    ? Wanted(owner, data, given->GetArray(vtkPointSplatArrays::Curvature), 6)
+    : nullptr;
+  a.Axis1 = Wanted(owner, data, given->GetArray(vtkPointSplatArrays::Axis1), 3);
+  a.Axis2 = Wanted(owner, data, given->GetArray(vtkPointSplatArrays::Axis2), 3);
+  if (!a.Axis1 || !a.Axis2)
+  {
+    a.Axis1 = a.Axis2 = nullptr;
+  }
+  if (!a.Normals || (needSizes && !a.Radius && !a.Axis1))
+  {
+    vtkNew<vtkPolyData> bare;
+    bare->SetPoints(data->GetPoints());
+    if (a.Normals)
+    {
+      bare->GetPointData()->SetNormals(a.Normals);
+    }
+    if (a.Ghosts)
+    {
+      bare->GetPointData()->AddArray(a.Ghosts);
+    }
+    vtkNew<vtkPointSplatEstimation> estimation;
+    // What it leaves out the mapper leaves out too, and reports: once is enough.
+    vtkNew<vtkCallbackCommand> silence;
+    estimation->AddObserver(vtkCommand::WarningEvent, silence);
+    estimation->SetInputData(bare);
+    estimation->Update();
+    vtkPointData* estimated = estimation->GetOutput()->GetPointData();
+    a.Normals = estimated->GetNormals();
+    if (!a.Radius && !a.Axis1)
+    {
+      a.Radius = estimated->GetArray(vtkPointSplatArrays::Radius);
+      a.Plane = estimated->GetArray(vtkPointSplatArrays::PlaneNormal);
+      a.Curvature = estimated->GetArray(vtkPointSplatArrays::Curvature);
+    }
+  }
+  return a;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatPacking::Pack(const std::array<double, 3>& origin, bool circular,
+  uint32_t* splats, unsigned char* valid) const
+{
+  using Reals = vtkArrayDispatch::Reals;
+  using Dispatcher = vtkArrayDispatch::Dispatch2ByValueType<Reals, Reals>;
+  PackWorker worker;
+  if (!Dispatcher::Execute(
+        this->Points.Get(), this->Normals.Get(), worker, *this, origin, circular, splats, valid))
+  {
+    worker(this->Points.Get(), this->Normals.Get(), *this, origin, circular, splats, valid);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkIdType> vtkPointSplatPacking::CellsOfPoints(vtkPointSet* data)
+{
+  std::vector<vtkIdType> cells(static_cast<size_t>(data->GetNumberOfPoints()), -1);
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType c = data->GetNumberOfCells() - 1; c >= 0; --c)
+  {
+    data->GetCellPoints(c, ids);
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+    {
+      const vtkIdType id = ids->GetId(k);
+      if (id >= 0 && id < data->GetNumberOfPoints())
+      {
+        cells[static_cast<size_t>(id)] = c;
+      }
+    }
+  }
+  return cells;
+}

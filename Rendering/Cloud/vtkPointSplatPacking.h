@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// From the arrays of one block of a mapper's input to packed splats, in the form
+// that vtkPointSplatCloud.h describes.
+#ifndef vtkPointSplatPacking_h
+#define vtkPointSplatPacking_h
+
+#include "vtkDataArray.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include "vtkPointSplattingABI.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkPointSet;
+VTK_ABI_NAMESPACE_END
+
+class vtkPointSplatPacking
+{
+public:
+  vtkSmartPointer<vtkDataArray> Points;
+  vtkSmartPointer<vtkDataArray> Normals;
+  vtkSmartPointer<vtkDataArray> Radius;
+  vtkSmartPointer<vtkDataArray> Plane;     // or none
+  vtkSmartPointer<vtkDataArray> Curvature; // or none
+  vtkSmartPointer<vtkDataArray> Axis1;
+  vtkSmartPointer<vtkDataArray> Axis2;
+  vtkUnsignedCharArray* Ghosts = nullptr;
+
+  /**
+   * The arrays of a block, what is missing estimated; sizes only if they are needed. owner: whose
+   * errors they are.
+   */
+  static vtkPointSplatPacking Collect(vtkObject* owner, vtkPointSet* data, bool needSizes);
+
+  /**
+   * Packs the block's splats, 8 words each if circular, otherwise 16; without sizes their
+   * radius is 0. valid gets 1 for each point that can be drawn; the caller closes the gaps
+   * that the others leave.
+   */
+  void Pack(const std::array<double, 3>& origin, bool circular, uint32_t* splats,
+    unsigned char* valid) const;
+
+  /**
+   * For each point the first cell that uses it, or -1. Cells may name points that are not there.
+   */
+  static std::vector<vtkIdType> CellsOfPoints(vtkPointSet* data);
+};
+
+#endif

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// One renderer's frame: all of its splat actors are collected, described, chosen for and built
+// together, once; actors only present.
+//
+// 1. The first splat actor that draws in a pass (opaque geometry, translucent geometry, one peel,
+//    one pass of a selection) collects all splat actors that the pass will draw.
+// 2. Facts of them make choices (vtkPointSplatChoices.h), and the choices a request, by which layers
+//    are built, or kept where they are still right (vtkPointSplatSurfaces.h). So actors hide one
+//    another before anything is accumulated, and layers are peeled over all of them.
+// 3. That actor presents the layers of all; the others of this pass find them presented. Only
+//    selections, and render passes whose shaders are made for each actor, present one by one.
+//    Translucent layers are flattened to one, where nothing else translucent can lie between them,
+//    or presented from the back, each with its own depth, to take part in the pass; before them
+//    what is seen through refracting bodies.
+//
+// A pass ends when an actor draws a second time, or another view, kind of geometry or framebuffer
+// comes. Actors that are no props of the renderer themselves (parts of vtkAssembly, vtkLODActor and
+// the like, whose matrices belong to them while they draw) are built and presented each for itself.
+#ifndef vtkPointSplatFrame_h
+#define vtkPointSplatFrame_h
+
+#include "vtkPointSplatCollection.h"
+#include "vtkPointSplatEnvironment.h"
+#include "vtkPointSplatFlat.h"
+#include "vtkPointSplatFrameShadows.h"
+#include "vtkPointSplatReconstruction.h"
+#include "vtkPointSplatResolve.h"
+#include "vtkPointSplatSceneDepth.h"
+#include "vtkPointSplatSurfaces.h"
+
+#include "vtkWeakPointer.h"
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkWindow;
+VTK_ABI_NAMESPACE_END
+
+/**
+ * What the last pass did for an actor, and why.
+ */
+struct vtkPointSplatReport
+{
+  vtkPointSplatSettings Settings; // the mapper's, or what a render pass made of them
+  vtkPointSplatChoice Choice;
+  const char* Method = "none";
+  const char* Projection = "none";
+  const char* Transparency = "none";
+  int Layers = 0;
+  int FillSteps = 0;
+  double ProjectedSpacing = 0.0;   // pixels, of image space
+  vtkIdType PointsProjected = 0;
+  vtkIdType ImageMemory = 0;       // bytes, of all actors of the renderer
+  int StrideShift = 0;
+  int ShadowSamples = 0;
+  std::string ShadowReason;
+  unsigned long ShadowUpdates = 0;
+  bool HasEnvironment = false;
+};
+
+class vtkPointSplatFrame
+{
+public:
+  explicit vtkPointSplatFrame(vtkRenderer* renderer);
+  ~vtkPointSplatFrame();
+  vtkPointSplatFrame(const vtkPointSplatFrame&) = delete;
+  void operator=(const vtkPointSplatFrame&) = delete;
+
+  /// The renderer's frame, made at need. It lives as long as somebody keeps it.
+  static std::shared_ptr<vtkPointSplatFrame> Of(vtkRenderer* renderer);
+
+  /**
+   * Draws the actor, whose mapper has this source, in the pass that is under way; report gets what
+   * was done. False, with GetError(), where OpenGL refuses.
+   */
+  bool Present(vtkActor* actor, vtkPointSplatSource& source, vtkPointSplatReport& report);
+
+  /// What a render pass wants of the actors that it draws from now on; null: nothing.
+  void SetWishes(const vtkPointSplatWishes* wishes);
+
+  /**
+   * A mapper that is drawn here goes, or has released its share of the window's resources; with
+   * the last one go the images and the programs.
+   */
+  void Leave(vtkPointSplatSource& source, vtkWindow* window);
+
+  vtkRenderer* GetRenderer() const { return this->Renderer; }
+  const std::string& GetError() const { return this->Error; }
+  vtkIdType GetMemorySize() const; // bytes
+
+private:
+  class Observer;
+  struct Pass
+  {
+    bool Translucent = false;
+    unsigned long Frame = 0;
+    vtkPointSplatView View;
+    GLint Framebuffer = 0;
+    int SelectionPass = -1;
+    vtkPointSplatCollection::Entries Entries;
+    std::unordered_map<vtkActor*, size_t> Own;
+    std::unordered_set<vtkActor*> Called;
+    bool Joint = true;   // else of an actor that is drawn for itself
+    bool Batched = true; // one actor presents all
+    bool Presented = false;
+    bool Good = true;
+    bool Flat = false;
+    vtkPointSplatFlat::SortedLayers Sorted = vtkPointSplatFlat::None;
+    vtkPointSplatChoice Choice;
+    vtkPointSplatSurfaces* Surfaces = nullptr;
+  };
+
+  void Begin(vtkActor* actor, bool translucent);
+  size_t MostEntries(const Pass& pass) const;
+  bool IsUnderWay(vtkActor* actor, bool translucent) const;
+  bool PresentAlone(vtkActor* actor, vtkPointSplatSource& source, vtkPointSplatReport& report);
+  bool Draw(Pass& pass, vtkActor* actor, size_t own);
+  bool Build(Pass& pass);
+  void Choose(Pass& pass);
+  bool CastShadows(Pass& pass);
+  vtkPointSplatRequest MakeRequest(Pass& pass, GLuint sceneDepth);
+  GLuint CaptureScene(const vtkPointSplatView& view, bool& failed);
+  void PrepareEnvironment(const Pass& pass);
+  bool PresentLayers(Pass& pass, vtkActor* actor, size_t own);
+  bool PresentSelection(Pass& pass, vtkActor* actor, size_t own);
+  bool Flatten(Pass& pass, const vtkPointSplatShading& shading);
+  bool PresentTranslucent(Pass& pass, const vtkPointSplatShading& shading,
+    const vtkPointSplatResolve::Target& target, int slot);
+  void Report(const Pass& pass, size_t own, vtkPointSplatReport& report) const;
+  void ReleaseAll();
+
+  vtkWeakPointer<vtkRenderer> Renderer;
+  unsigned long ObserverTag = 0;
+  unsigned long Frame = 1; // counts the renderer's frames
+  const vtkPointSplatWishes* Wishes = nullptr;
+
+  Pass Current;
+  vtkPointSplatReconstruction Reconstruction;
+  vtkPointSplatSurfaces Opaque;
+  vtkPointSplatSurfaces Translucent;
+  std::map<vtkPointSplatSource*, std::unique_ptr<vtkPointSplatSurfaces>> Alone;
+  vtkPointSplatFlat Flat;
+  vtkPointSplatResolve Resolve;
+  vtkPointSplatMaterials Materials;
+  vtkPointSplatFrameShadows Shadows;
+  vtkPointSplatSceneDepth Scene;
+  unsigned long SceneFrame = 0;
+  bool SceneGood = false;
+  vtkPointSplatEnvironment Environment;
+  unsigned long EnvironmentFrame = 0;
+  bool EnvironmentGood = false;
+  bool HasEnvironment = false; // and the pass that is under way wants it
+  std::set<vtkPointSplatSource*> Users;
+  std::string Error;
+};
+
+#endif

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatFrameShadows.h"
+
+#include "vtkActor.h"
+#include "vtkAlgorithm.h"
+#include "vtkAlgorithmOutput.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkExecutive.h"
+#include "vtkLight.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPointSplatChoices.h"
+#include "vtkPointSplatCollection.h"
+#include "vtkPointSplatLights.h"
+#include "vtkPointSplatSource.h"
+#include "vtkPointSplatStopwatch.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+double Rms(const double* colour)
+{
+  return std::sqrt(
+    (colour[0] * colour[0] + colour[1] * colour[1] + colour[2] * colour[2]) / 3.0);
+}
+
+/// The meshes that a mapper draws; its input is brought up to date, as it will do itself.
+std::vector<vtkPolyData*> MeshesOf(vtkMapper* mapper)
+{
+  std::vector<vtkPolyData*> meshes;
+  if (mapper->GetNumberOfInputConnections(0) == 0)
+  {
+    return meshes;
+  }
+  if (!mapper->GetStatic())
+  {
+    mapper->GetInputAlgorithm()->Update(mapper->GetInputConnection(0, 0)->GetIndex());
+  }
+  vtkDataObject* input = mapper->GetExecutive()->GetInputData(0, 0);
+  if (auto composite = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    vtkSmartPointer<vtkCompositeDataIterator> it;
+    it.TakeReference(composite->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      meshes.push_back(vtkPolyData::SafeDownCast(it->GetCurrentDataObject()));
+    }
+  }
+  else
+  {
+    meshes.push_back(vtkPolyData::SafeDownCast(input));
+  }
+  meshes.erase(std::remove(meshes.begin(), meshes.end(), nullptr), meshes.end());
+  return meshes;
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatFrameShadows::AddActor(
+  vtkActor* actor, const glm::dmat4& matrix, Gathered& all)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  if (vtkPointSplatSource* source = vtkPointSplatSource::Of(actor))
+  {
+    const vtkPointSplatSettings settings = source->GetSettings();
+    if (source->Update(settings))
+    {
+      vtkPointSplatShadowCloud cloud;
+      cloud.Cloud = &source->GetCloud();
+      cloud.MCWC = matrix;
+      cloud.ClipPlanes = vtkPointSplatItem::ClipPlanesOf(mapper);
+      cloud.Casts = !actor->HasTranslucentPolygonalGeometry();
+      cloud.Receives = settings.Shadows;
+      all.Scene.Clouds.push_back(cloud);
+      if (cloud.Receives)
+      {
+        vtkProperty* property = actor->GetProperty();
+        all.Receivers.push_back({ source, settings,
+          property->GetDiffuse() *
+            (cloud.Cloud->HasColours() ? 1.0 : Rms(property->GetDiffuseColor())) });
+      }
+    }
+  }
+  else if (vtkPolyDataMapper::SafeDownCast(mapper) && !actor->HasTranslucentPolygonalGeometry() &&
+    actor->GetProperty()->GetRepresentation() == VTK_SURFACE)
+  {
+    for (vtkPolyData* mesh : MeshesOf(mapper))
+    {
+      all.Scene.Meshes.push_back({ mesh, matrix, vtkPointSplatItem::ClipPlanesOf(mapper) });
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatFrameShadows::Gathered vtkPointSplatFrameShadows::Gather(vtkRenderer* renderer)
+{
+  Gathered all;
+  for (vtkProp* prop : vtkPointSplatCollection::VisibleProps(renderer))
+  {
+    if (auto actor = vtkActor::SafeDownCast(prop))
+    {
+      vtkPointSplatFrameShadows::AddActor(
+        actor, vtkPointSplatView::Matrix(actor->GetMatrix()), all);
+      continue;
+    }
+    prop->InitPathTraversal(); // of assemblies
+    while (vtkAssemblyPath* path = prop->GetNextPath())
+    {
+      vtkAssemblyNode* node = path->GetLastNode();
+      auto actor = vtkActor::SafeDownCast(node->GetViewProp());
+      if (actor && actor->GetVisibility() && node->GetMatrix())
+      {
+        vtkPointSplatFrameShadows::AddActor(
+          actor, vtkPointSplatView::Matrix(node->GetMatrix()), all);
+      }
+    }
+  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
+double vtkPointSplatFrameShadows::AddLights(vtkRenderer* renderer, Gathered& all)
+{
+  std::vector<vtkLight*> lights = vtkPointSplatLights::Of(renderer, true);
+  if (lights.size() > vtkPointSplatLights::MostCasting)
+  {
+    if (!this->Warned)
+    {
+      vtkWarningWithObjectMacro(all.Receivers[0].Source->GetMapper(),
+        << "Only the first " << vtkPointSplatLights::MostCasting
+        << " lights cast shadows; turn others off.");
+    }
+    this->Warned = true;
+    lights.resize(vtkPointSplatLights::MostCasting);
+  }
+  double intensity = 0.0; // errors of several lights are independent
+  for (vtkLight* light : lights)
+  {
+    const double* colour = light->GetDiffuseColor();
+    intensity = std::hypot(
+      intensity, light->GetIntensity() * std::max({ colour[0], colour[1], colour[2] }));
+    all.Scene.Lights.push_back(
+      vtkPointSplatShadowLight::From(light, all.Receivers[0].Settings.ShadowLightRadius));
+  }
+  return intensity;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatFrameShadows::Update(vtkRenderer* renderer)
+{
+  Gathered all = vtkPointSplatFrameShadows::Gather(renderer);
+  if (all.Receivers.empty())
+  {
+    return true;
+  }
+  const double intensity = this->AddLights(renderer, all);
+  const bool interacting = vtkPointSplatStopwatch::IsInteracting(renderer);
+  const vtkPointSplatSettings& first = all.Receivers[0].Settings;
+  vtkPointSplatShadowSettings settings;
+  settings.Seed = static_cast<unsigned int>(first.ShadowSeed);
+  settings.LayerDistance = first.ShadowLayerDistance;
+  settings.Resolution = first.ShadowResolution;
+  for (const Receiver& receiver : all.Receivers)
+  {
+    std::string reason;
+    const int samples = vtkPointSplatChoices::ShadowSamples(
+      receiver.Settings, interacting, receiver.Diffuse * intensity, reason);
+    if (samples >= settings.Samples)
+    {
+      settings.Samples = samples;
+      this->Reason = reason;
+    }
+    settings.Compute =
+      settings.Compute && receiver.Settings.Projection != vtkPointSplatSettings::Quads;
+  }
+  return this->Cache.Update(all.Scene, settings, interacting);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatFrameShadows::SetFactors(vtkPointSplatItem& item, bool shadows, bool grouped)
+{
+  if (shadows)
+  {
+    item.Factors = this->Cache.GetFactors(item.Cloud, item.MCWC, grouped);
+    item.FactorCount = item.Factors ? this->Cache.GetNumberOfLights() : 0;
+    item.FactorVersion = this->Cache.GetNumberOfUpdates();
+  }
+  else if (item.Cloud->GetFactorCount() > 0)
+  {
+    item.Factors = grouped ? &item.Cloud->UploadGrouped().Factors : &item.Cloud->Upload().Factors;
+    item.FactorCount = item.Cloud->GetFactorCount();
+  }
+}

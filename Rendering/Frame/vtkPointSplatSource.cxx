@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatSource.h"
+
+#include "vtkActor.h"
+#include "vtkMapper.h"
+
+#include <map>
+#include <mutex>
+
+namespace
+{
+// Mappers may be made and destroyed in any thread, and after static objects are.
+struct Registry
+{
+  std::mutex Mutex;
+  std::map<vtkMapper*, vtkPointSplatSource*> Sources;
+
+  static Registry& Get()
+  {
+    static Registry* registry = new Registry;
+    return *registry;
+  }
+};
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatSource::vtkPointSplatSource(vtkMapper* mapper)
+  : Mapper(mapper)
+{
+  Registry& registry = Registry::Get();
+  const std::lock_guard<std::mutex> lock(registry.Mutex);
+  registry.Sources[mapper] = this;
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatSource::~vtkPointSplatSource()
+{
+  Registry& registry = Registry::Get();
+  const std::lock_guard<std::mutex> lock(registry.Mutex);
+  registry.Sources.erase(this->Mapper);
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatSource* vtkPointSplatSource::Of(vtkProp* prop)
+{
+  vtkActor* actor = vtkActor::SafeDownCast(prop);
+  vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
+  if (!mapper)
+  {
+    return nullptr;
+  }
+  Registry& registry = Registry::Get();
+  const std::lock_guard<std::mutex> lock(registry.Mutex);
+  const auto found = registry.Sources.find(mapper);
+  return found == registry.Sources.end() ? nullptr : found->second;
+}

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatSurfaces.h"
+
+#include "vtkPointSplatSelection.h"
+
+#include <algorithm>
+
+namespace
+{
+// Parts of fewer splats than this are not divided further.
+constexpr vtkIdType LeastAtOnce = 1 << 12;
+
+/// Splats of the item's blocks, every 2^StrideShift-th of each.
+vtkIdType ProjectedOf(const vtkPointSplatItem& item)
+{
+  const vtkPointSplatBlocks& blocks = item.Cloud->GetBlocks();
+  const vtkIdType last = (vtkIdType(1) << item.StrideShift) - 1;
+  vtkIdType count = 0;
+  for (size_t i = 0; i < (item.Blocks ? item.Blocks->size() : blocks.GetBoxes().size()); ++i)
+  {
+    count += (blocks.GetCount(item.Blocks ? (*item.Blocks)[i] : i) + last) >> item.StrideShift;
+  }
+  return count;
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatSurfaces::Build(
+  vtkPointSplatRequest request, vtkPointSplatReconstruction& reconstruction)
+{
+  const vtkPointSplatContext& context = vtkPointSplatContext::Entered();
+  if (this->Built && this->Context == context && this->Request == request)
+  {
+    this->Request.View.Origin = request.View.Origin;
+    return true;
+  }
+  this->Built = false;
+  this->Request = std::move(request);
+  this->Context = context;
+  ++this->Generation;
+  this->Projected.assign(this->Request.Items.size(), 0);
+  const glm::ivec4 window = this->Request.GetWindow();
+  if (this->Request.MaximumLayers == 0 || window.x > window.z || window.y > window.w)
+  {
+    this->Layers.SetNumberOfLayers(0);
+    this->Built = true;
+    return true;
+  }
+  vtkPointSplatTiles::Result result = vtkPointSplatTiles::TooMany;
+  for (vtkIdType splats = this->SplatsAtOnce;
+       result == vtkPointSplatTiles::TooMany && splats >= LeastAtOnce; splats /= 2)
+  {
+    // What was too much once is not tried in each frame.
+    this->SplatsAtOnce = splats;
+    const std::vector<vtkPointSplatPart> parts = vtkPointSplatSelection::Divide(this->Request.View,
+      this->Request.Items, window,
+      vtkPointSplatReconstruction::UsesTiles(this->Request) ? splats : VTK_ID_MAX);
+    this->Count(parts);
+    result = reconstruction.Build(this->Request, parts, this->Layers);
+  }
+  this->Error = result == vtkPointSplatTiles::TooMany
+    ? "so many splats are so large that the lists of tiles do not fit; lower RadiusScale."
+    : reconstruction.GetError();
+  this->FillSteps = reconstruction.GetNumberOfFillSteps();
+  this->Built = result == vtkPointSplatTiles::Made;
+  return this->Built;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatSurfaces::Count(const std::vector<vtkPointSplatPart>& parts)
+{
+  for (size_t slot = 0; slot < this->Projected.size(); ++slot)
+  {
+    this->Projected[slot] = 0;
+    for (const vtkPointSplatPart& part : parts)
+    {
+      const vtkPointSplatItem& item = part.Items[slot];
+      this->Projected[slot] += item.IsInView() ? ProjectedOf(item) : 0;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatSurfaces::Release()
+{
+  this->Layers.Release();
+  this->Flat.Release();
+  this->Built = false;
+  this->SplatsAtOnce = vtkPointSplatTiles::Capacity;
+}

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The surface layers of splat actors that are drawn together, kept as long as they are right: for
+// the passes of a hardware selection and of depth peeling, and for frames in which only other
+// things changed.
+#ifndef vtkPointSplatSurfaces_h
+#define vtkPointSplatSurfaces_h
+
+#include "vtkPointSplatBudget.h"
+#include "vtkPointSplatFlat.h"
+#include "vtkPointSplatLayers.h"
+#include "vtkPointSplatReconstruction.h"
+#include "vtkPointSplatRequest.h"
+
+class vtkPointSplatSurfaces
+{
+public:
+  /// Makes the layers, unless they are there. False, with GetError(), where OpenGL refuses.
+  bool Build(vtkPointSplatRequest request, vtkPointSplatReconstruction& reconstruction);
+
+  const vtkPointSplatRequest& GetRequest() const { return this->Request; }
+  vtkPointSplatLayers& GetLayers() { return this->Layers; }
+  /// Counts the times that layers were made.
+  unsigned long GetGeneration() const { return this->Generation; }
+  int GetNumberOfFillSteps() const { return this->FillSteps; }
+  /// Splats of a slot's item that were projected: of the blocks in view, in each part of the window.
+  vtkIdType GetNumberOfProjected(size_t slot) const { return this->Projected[slot]; }
+
+  vtkPointSplatBudget Budget;
+  vtkPointSplatFlatImages Flat;
+  unsigned long FlatFrame = 0; // whose layers Flat shows
+  unsigned long FlatGeneration = 0;
+
+  vtkIdType GetMemorySize() const { return this->Layers.GetMemorySize(); }
+  const std::string& GetError() const { return this->Error; }
+  void Release();
+
+private:
+  void Count(const std::vector<vtkPointSplatPart>& parts);
+
+  vtkPointSplatRequest Request;
+  vtkPointSplatLayers Layers;
+  vtkPointSplatContext Context; // that they were made in
+  bool Built = false;
+  unsigned long Generation = 0;
+  int FillSteps = 0;
+  std::vector<vtkIdType> Projected; // a slot
+  vtkIdType SplatsAtOnce = vtkPointSplatTiles::Capacity;
+  std::string Error;
+};
+
+#endif

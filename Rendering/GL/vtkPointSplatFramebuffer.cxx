@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatFramebuffer.h"
+
+#include "vtkOpenGLState.h"
+
+#include <algorithm>
+
+namespace
+{
+void Attach(GLenum attachment, const vtkPointSplatFramebuffer::Target& target)
+{
+  if (target.Image->GetLayers() > 0)
+  {
+    glFramebufferTextureLayer(
+      GL_FRAMEBUFFER, attachment, target.Image->Get(), 0, target.Layer);
+  }
+  else
+  {
+    glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, target.Image->Get(), 0);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatFramebuffer::Bind(vtkOpenGLState* state, const std::vector<Target>& colours)
+{
+  this->BindColours(state, colours);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, 0, 0);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatFramebuffer::Bind(vtkOpenGLState* state, const std::vector<Target>& colours,
+  const Target& depth, GLenum attachment)
+{
+  this->BindColours(state, colours);
+  Attach(attachment, depth);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatFramebuffer::BindColours(
+  vtkOpenGLState* state, const std::vector<Target>& colours)
+{
+  if (this->Name.Make())
+  {
+    this->Count = -1;
+    this->Attached = 0;
+  }
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Name.Get());
+  GLsizei count = 0;
+  GLenum all[8];
+  for (const Target& colour : colours)
+  {
+    all[count] = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(count);
+    Attach(all[count], colour);
+    ++count;
+  }
+  for (GLsizei i = count; i < this->Attached; ++i)
+  {
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i),
+      GL_TEXTURE_2D, 0, 0);
+  }
+  if (count != this->Count)
+  {
+    if (count > 0)
+    {
+      glDrawBuffers(count, all);
+    }
+    else
+    {
+      glDrawBuffer(GL_NONE);
+    }
+  }
+  this->Count = count;
+  this->Attached = count;
+}

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// One OpenGL program of this module's own: compute, or vertex and fragment.
+// vtkShaderProgram of VTK 9.1 knows no compute shaders and sets no unsigned or
+// integer-vector uniforms; what VTK's render passes must be able to change (the
+// resolve stage) goes through VTK's shader cache instead.
+#ifndef vtkPointSplatProgram_h
+#define vtkPointSplatProgram_h
+
+#include "vtkPointSplatHandle.h"
+
+#include <glm/glm.hpp>
+
+#include "vtkType.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkPointSplatProgram
+{
+public:
+  /// An embedded shader file, and its kind: GL_COMPUTE_SHADER, ...
+  using Stage = std::pair<GLenum, std::string>;
+
+  /**
+   * The text of an embedded shader file, by its name without ".glsl", with its
+   * #include lines expanded, each file once; empty where there is no such file.
+   */
+  static std::string Source(const std::string& name);
+
+  /// Whether the entered context has compute shaders.
+  static bool IsComputeSupported();
+
+  /**
+   * Compiles and links, unless that is done. defines: lines that follow the version; feedback:
+   * what the vertex shader writes by transform feedback, or null. False, and what the driver said
+   * in GetLog(), on failure.
+   */
+  bool Build(const std::vector<Stage>& stages, const std::string& defines = std::string(),
+    const char* feedback = nullptr);
+  /// Of a screen pass: vtkPointSplatScreenVS and a fragment shader.
+  bool BuildScreen(const std::string& fragment, const std::string& defines = std::string())
+  {
+    return this->Build(
+      { { GL_VERTEX_SHADER, "vtkPointSplatScreenVS" }, { GL_FRAGMENT_SHADER, fragment } },
+      defines);
+  }
+
+  /**
+   * Sets uniforms of a program that belongs to somebody else, who also has it in use.
+   */
+  void Borrow(GLuint handle) { this->Borrowed = handle; }
+
+  /**
+   * Of a compute program in use: as many work groups as so many invocations need, over two
+   * dimensions where they are too many for one; then waits for what they wrote to be seen.
+   */
+  static void Dispatch(vtkIdType invocations, vtkIdType groupSize);
+
+  const std::string& GetLog() const { return this->Log; }
+  void Use() const { glUseProgram(this->GetHandle()); }
+  void Release();
+
+  ///@{
+  /**
+   * Sets a uniform of the program in use; names that it lacks are ignored. name: a literal, by
+   * whose address its location is kept.
+   */
+  void Set(const char* name, bool value);
+  void Set(const char* name, int value);
+  void Set(const char* name, unsigned int value);
+  void Set(const char* name, float value);
+  void Set(const char* name, const glm::vec2& value);
+  void Set(const char* name, const glm::vec4& value);
+  void Set(const char* name, const glm::ivec2& value);
+  void Set(const char* name, const glm::ivec4& value);
+  void Set(const char* name, const glm::uvec2& value);
+  void Set(const char* name, const glm::mat2& value);
+  void Set(const char* name, const glm::mat3& value);
+  void Set(const char* name, const glm::mat4& value);
+  void Set(const char* name, const std::vector<glm::vec4>& value);
+  void Set(const char* name, const std::vector<float>& value);
+  ///@}
+
+private:
+  GLuint GetHandle() const { return this->Borrowed ? this->Borrowed : this->Own.Get(); }
+  GLint Location(const char* name);
+
+  vtkPointSplatHandle Own{ vtkPointSplatHandle::Program };
+  GLuint Borrowed = 0;
+  std::string Log;
+  std::vector<std::pair<const char*, GLint>> Locations;
+};
+
+#endif

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatItem.h"
+
+#include "vtkMapper.h"
+#include "vtkMath.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPointSplatProgram.h"
+
+#include <cmath>
+
+//------------------------------------------------------------------------------
+std::vector<glm::dvec4> vtkPointSplatItem::ClipPlanesOf(vtkMapper* mapper)
+{
+  std::vector<glm::dvec4> result;
+  if (vtkPlaneCollection* planes = mapper->GetClippingPlanes())
+  {
+    vtkCollectionSimpleIterator it;
+    planes->InitTraversal(it);
+    vtkPlane* plane = nullptr;
+    while (result.size() < MostClipPlanes && (plane = planes->GetNextPlane(it)))
+    {
+      const double* n = plane->GetNormal();
+      result.emplace_back(n[0], n[1], n[2], -vtkMath::Dot(n, plane->GetOrigin()));
+    }
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatItem::operator==(const vtkPointSplatItem& other) const
+{
+  return this->Cloud == other.Cloud && this->MCWC == other.MCWC && this->Slot == other.Slot &&
+    this->Culling == other.Culling && this->RadiusScale == other.RadiusScale &&
+    this->UsualRadius == other.UsualRadius &&
+    this->StrideShift == other.StrideShift && this->LayerDistance == other.LayerDistance &&
+    this->LayerRadii == other.LayerRadii && this->Kernel == other.Kernel &&
+    this->ClipPlanes == other.ClipPlanes && this->Colour == other.Colour &&
+    this->Opacities == other.Opacities && this->CoveringScale == other.CoveringScale &&
+    this->Factors == other.Factors &&
+    this->FactorCount == other.FactorCount && this->FactorVersion == other.FactorVersion &&
+    this->IsPoints == other.IsPoints && this->Points == other.Points;
+}
+
+//------------------------------------------------------------------------------
+glm::dmat4 vtkPointSplatItem::GetMCVC(const vtkPointSplatView& view) const
+{
+  // In double precision: only the product of a far camera and a far cloud is small.
+  const auto& origin = this->Cloud->GetOrigin();
+  glm::dmat4 MCVC = view.WCVC * this->MCWC;
+  MCVC[3] = MCVC * glm::dvec4(origin[0], origin[1], origin[2], 1.0);
+  return MCVC;
+}
+
+//------------------------------------------------------------------------------
+std::vector<glm::dvec4> vtkPointSplatItem::GetClipPlanesVC(const vtkPointSplatView& view) const
+{
+  std::vector<glm::dvec4> planes;
+  const glm::dmat4 VCWCTransposed = glm::transpose(glm::inverse(view.WCVC));
+  for (const glm::dvec4& plane : this->ClipPlanes)
+  {
+    planes.emplace_back(VCWCTransposed * plane);
+  }
+  return planes;
+}
+
+//------------------------------------------------------------------------------
+double vtkPointSplatItem::GetStretch() const
+{
+  const glm::dmat3 linear(this->MCWC);
+  return std::sqrt(
+    glm::dot(linear[0], linear[0]) + glm::dot(linear[1], linear[1]) + glm::dot(linear[2], linear[2]));
+}
+
+//------------------------------------------------------------------------------
+double vtkPointSplatItem::GetMeanStretch() const
+{
+  return this->GetStretch() / std::sqrt(3.0);
+}
+
+//------------------------------------------------------------------------------
+double vtkPointSplatItem::GetStrideScale() const
+{
+  return std::exp2(0.5 * this->StrideShift);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPointSplatItem::GetNumberOfInvocations() const
+{
+  const vtkIdType splats = this->Cloud->GetNumberOfSplats();
+  const vtkIdType blocks = this->Blocks
+    ? static_cast<vtkIdType>(this->Blocks->size())
+    : (splats + vtkPointSplatBlocks::Size - 1) / vtkPointSplatBlocks::Size;
+  return blocks * (vtkPointSplatBlocks::Size >> this->StrideShift);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatItem::SetUniforms(
+  vtkPointSplatProgram& program, const vtkPointSplatView& view) const
+{
+  const glm::dmat4 MCVC = this->GetMCVC(view);
+  const std::vector<glm::dvec4> clip = this->GetClipPlanesVC(view);
+  program.Set("MCVC", glm::mat4(MCVC));
+  program.Set("NormalMatrix", glm::mat3(glm::transpose(glm::inverse(glm::dmat3(MCVC)))));
+  program.Set("PixelX", view.PixelX);
+  program.Set("PixelY", view.PixelY);
+  program.Set("PixelW", view.PixelW);
+  program.Set("Window", this->Window);
+  program.Set("DepthRange",
+    glm::vec2(static_cast<float>(view.Near), static_cast<float>(view.Far - view.Near)));
+  program.Set("Parallel", view.Parallel);
+  program.Set("Circular", this->Cloud->IsCircular());
+  program.Set("RadiusScale", static_cast<float>(this->RadiusScale * this->GetStrideScale()));
+  program.Set("UsualRadius", static_cast<float>(this->UsualRadius));
+  program.Set("Culling", this->Culling);
+  program.Set("Tag", static_cast<unsigned int>(this->Slot) << 1);
+  program.Set("LayerDistance", static_cast<float>(this->LayerDistance));
+  program.Set("LayerRadii", static_cast<float>(this->LayerRadii / this->GetStrideScale()));
+  program.Set("ClipPlaneCount", static_cast<int>(clip.size()));
+  program.Set("ClipPlanes", std::vector<glm::vec4>(clip.begin(), clip.end()));
+  program.Set("KernelSupport", static_cast<float>(this->Kernel.Support));
+}

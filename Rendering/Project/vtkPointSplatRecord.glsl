@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What tiles know of a projected splat: a record of five texels (RGBA32UI, 80 bytes), and its box
+// (two words), by which it is listed. With d a pixel's offset from the splat's centre:
+//   0  centre x and y, pixels; depth; head
+// Flat ones, of which all is linear or quadratic in d, go on with
+//   1  Vxx, 2 Vxy, Vyy: the disk is where V(d, d) <= reach^2; slope of the depth along x
+//   2  slope along y; Wxx, 2 Wxy, Wyy: the kernel's squared distance is W(d, d)
+//   3  slopes, along x and y, of the depth that the kernel sees; normal; 0
+//   4  change of the normal along x, and along y (six halves); 0
+// and all others, which are caps (vtkPointSplatCap), with
+//   1  x of the images of s and t, y of the same
+//   2  z of s and t in view coordinates; normal; lean (two 16-bit fractions)
+//   3  x and y of the image of m; z of m in view coordinates; bend
+//   4  change of the normal along s, and along t (six halves); along (two halves)
+// A cap that is narrower than the prefilter is widened (vtkPointSplatIntersection): the longer
+// axis of its ellipse is `along`, over its squared length, and ends at `lean` on the splat; where
+// both are 0 it is a disk.
+//
+// Head: bits 0 to 14 the tag, which names the cloud and, in bit 0, the side that is seen; bit 15
+// whether splats of both sides belong to its layers; above, the least layer distance along the
+// ray, 16 bits of a float.
+//
+// Box: first tile x 12 bits, y 13, bucket of the nearest depth 7 lower bits; last tile x and y,
+// bucket 3 upper bits, kind.
+
+const int RecordTexels = 5;
+
+// The kinds, in the order in which a tile lists them.
+const uint NotSeen = 0u;
+const uint Flat = 1u;   // neither bend nor perspective moves a pixel
+const uint Bent = 2u;   // perspective moves no pixel within a tile
+const uint Curved = 3u; // all is computed
+const uint Wide = 4u;   // the same, listed once for many tiles
+
+// Splats are listed by the bucket of their nearest depth.
+const uint DepthBuckets = 1024u;
+// An entry of a list: bucket, and record.
+const uint RecordBits = 22u;
+
+const uint TagBits = 0x7fffu;
+const uint BothSides = 0x8000u;
+
+// 16 bits of a float: its sign, exponent and 7 bits of the mantissa.
+uint encodeShort(float x)
+{
+  return (floatBitsToUint(x) + 0x8000u) >> 16;
+}
+
+float decodeShort(uint code)
+{
+  return uintBitsToFloat(code << 16);
+}
+
+uvec3 encodeTurns(vec3 first, vec3 second)
+{
+  return uvec3(packHalf2x16(first.xy), packHalf2x16(vec2(first.z, second.x)),
+    packHalf2x16(second.yz));
+}
+
+void decodeTurns(uvec3 code, out vec3 first, out vec3 second)
+{
+  vec2 middle = unpackHalf2x16(code.y);
+  first = vec3(unpackHalf2x16(code.x), middle.x);
+  second = vec3(middle.y, unpackHalf2x16(code.z));
+}

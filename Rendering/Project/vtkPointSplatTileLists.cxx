@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatTileLists.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <thread>
+
+namespace
+{
+// As in vtkPointSplatRecord.glsl.
+constexpr uint32_t Buckets = 1024;
+constexpr uint32_t RecordBits = 22;
+constexpr uint32_t Flat = 1;
+constexpr uint32_t Bent = 2;
+constexpr uint32_t Wide = 4;
+constexpr int BlockShift = 4; // blocks of 16 x 16 tiles
+// More threads would each need a count for every tile.
+constexpr int MostParts = 16;
+
+uint32_t KindOf(uint32_t last)
+{
+  return last >> 28;
+}
+
+uint32_t BucketOf(uint32_t first, uint32_t last)
+{
+  return first >> 25 | (last >> 25 & 7u) << 7;
+}
+
+glm::ivec2 TileOf(uint32_t word)
+{
+  return { static_cast<int>(word & 4095u), static_cast<int>(word >> 12 & 8191u) };
+}
+
+/// A number's bits, a zero between each.
+uint32_t Spread(uint32_t x)
+{
+  x = (x | x << 8) & 0x00ff00ffu;
+  x = (x | x << 4) & 0x0f0f0f0fu;
+  x = (x | x << 2) & 0x33333333u;
+  return (x | x << 1) & 0x55555555u;
+}
+}
+
+//------------------------------------------------------------------------------
+template <typename Function>
+void vtkPointSplatTileLists::ForEachTile(const Listed& listed, const Function& function) const
+{
+  glm::ivec2 first = TileOf(listed.First);
+  glm::ivec2 last = TileOf(listed.Last);
+  int base = 0;
+  int across = this->Grid.Tiles.x;
+  if (KindOf(listed.Last) == Wide)
+  {
+    first = first >> BlockShift;
+    last = last >> BlockShift;
+    base = this->Grid.GetCount();
+    across = this->Blocks.x;
+  }
+  for (int y = first.y; y <= last.y; ++y)
+  {
+    for (int x = first.x; x <= last.x; ++x)
+    {
+      function(static_cast<size_t>(base + y * across + x));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+template <typename Function>
+void vtkPointSplatTileLists::ForParts(const Function& function) const
+{
+  vtkSMPTools::For(0, this->Parts, 1, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType part = begin; part < end; ++part)
+    {
+      function(static_cast<size_t>(part));
+    }
+  });
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatTileLists::Count(
+  const uint32_t* boxes, size_t splats, const vtkPointSplatTileGrid& grid)
+{
+  this->Grid = grid;
+  this->Blocks = (grid.Tiles + (1 << BlockShift) - 1) >> BlockShift;
+  this->Parts = std::clamp(vtkSMPTools::GetEstimatedNumberOfThreads(), 1, MostParts);
+  const size_t parts = static_cast<size_t>(this->Parts);
+
+  // By kind and bucket, each part of the splats after the ones before.
+  auto keyOf = [boxes](size_t i) {
+    return KindOf(boxes[2 * i + 1]) * Buckets + BucketOf(boxes[2 * i], boxes[2 * i + 1]);
+  };
+  constexpr size_t Keys = (Wide + 1) * Buckets;
+  std::vector<std::array<uint32_t, Keys>> places(parts);
+  auto begin = [splats, parts](size_t part) { return splats * part / parts; };
+  this->ForParts([&](size_t part) {
+    places[part].fill(0);
+    for (size_t i = begin(part); i < begin(part + 1); ++i)
+    {
+      ++places[part][keyOf(i)];
+    }
+  });
+  uint32_t sorted = 0;
+  uint32_t curved = 0;
+  for (size_t key = Buckets; key < Keys; ++key) // what is not seen has the keys before
+  {
+    for (size_t part = 0; part < parts; ++part)
+    {
+      const uint32_t count = places[part][key];
+      places[part][key] = sorted;
+      sorted += count;
+    }
+    curved = key < (Bent + 1) * Buckets ? sorted : curved;
+  }
+  this->Curved = sorted > curved;
+  this->Sorted.resize(sorted);
+  this->ForParts([&](size_t part) {
+    for (size_t i = begin(part); i < begin(part + 1); ++i)
+    {
+      const size_t key = keyOf(i);
+      if (key >= Buckets)
+      {
+        this->Sorted[places[part][key]++] = { static_cast<uint32_t>(i) |
+            static_cast<uint32_t>(key % Buckets) << RecordBits,
+          boxes[2 * i], boxes[2 * i + 1] };
+      }
+    }
+  });
+
+  // How many entries each part adds to each list.
+  const size_t tiles = static_cast<size_t>(grid.GetCount());
+  const size_t lists = tiles + static_cast<size_t>(this->Blocks.x * this->Blocks.y);
+  this->Places.resize(parts);
+  std::vector<std::vector<uint32_t>> flats(parts);
+  std::vector<std::vector<uint32_t>> bents(parts);
+  this->ForParts([&](size_t part) {
+    this->Places[part].assign(lists, 0);
+    flats[part].assign(tiles, 0);
+    bents[part].assign(tiles, 0);
+    for (size_t i = sorted * part / parts; i < sorted * (part + 1) / parts; ++i)
+    {
+      const Listed& listed = this->Sorted[i];
+      const uint32_t kind = KindOf(listed.Last);
+      this->ForEachTile(listed, [&](size_t list) {
+        ++this->Places[part][list];
+        if (kind == Flat)
+        {
+          ++flats[part][list];
+        }
+        else if (kind == Bent)
+        {
+          ++bents[part][list];
+        }
+      });
+    }
+  });
+  this->Starts.resize(lists + 1);
+  this->Flats.assign(tiles, 0);
+  this->Bents.assign(tiles, 0);
+  uint32_t at = 0;
+  for (size_t list = 0; list < lists; ++list)
+  {
+    this->Starts[list] = at;
+    for (size_t part = 0; part < parts; ++part)
+    {
+      const uint32_t count = this->Places[part][list];
+      this->Places[part][list] = at;
+      at += count;
+      if (list < tiles)
+      {
+        this->Flats[list] += flats[part][list];
+        this->Bents[list] += bents[part][list];
+      }
+    }
+  }
+  this->Starts[lists] = at;
+  this->Entries = at;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatTileLists::Fill(uint32_t* lists)
+{
+  const size_t sorted = this->Sorted.size();
+  const size_t parts = static_cast<size_t>(this->Parts);
+  this->ForParts([&](size_t part) {
+    for (size_t i = sorted * part / parts; i < sorted * (part + 1) / parts; ++i)
+    {
+      const Listed& listed = this->Sorted[i];
+      this->ForEachTile(
+        listed, [&](size_t list) { lists[this->Places[part][list]++] = listed.Entry; });
+    }
+  });
+}
+
+//------------------------------------------------------------------------------
+std::vector<uint32_t> vtkPointSplatTileLists::OrderTiles(const glm::ivec2& rows) const
+{
+  const glm::ivec4& window = this->Grid.Window;
+  const int firstRow = std::max(rows.x, window.y);
+  const int lastRow = std::min(rows.y, window.w);
+  std::vector<glm::ivec2> blocks;
+  for (int y = firstRow >> BlockShift; y <= lastRow >> BlockShift; ++y)
+  {
+    for (int x = window.x >> BlockShift; x <= window.z >> BlockShift; ++x)
+    {
+      blocks.emplace_back(x, y);
+    }
+  }
+  auto curve = [](const glm::ivec2& block) {
+    return Spread(static_cast<uint32_t>(block.x)) | Spread(static_cast<uint32_t>(block.y)) << 1;
+  };
+  std::sort(blocks.begin(), blocks.end(),
+    [&curve](const glm::ivec2& a, const glm::ivec2& b) { return curve(a) < curve(b); });
+
+  std::vector<uint32_t> order;
+  for (const glm::ivec2& block : blocks)
+  {
+    const size_t firstOfBlock = order.size();
+    const glm::ivec2 corner = block << BlockShift;
+    const glm::ivec2 low = glm::max(corner, glm::ivec2(window.x, firstRow));
+    const glm::ivec2 high =
+      glm::min(corner + (1 << BlockShift) - 1, glm::ivec2(window.z, lastRow));
+    for (int y = low.y; y <= high.y; ++y)
+    {
+      for (int x = low.x; x <= high.x; ++x)
+      {
+        order.push_back(static_cast<uint32_t>(y * this->Grid.Tiles.x + x));
+      }
+    }
+    auto length = [this](uint32_t tile) { return this->Starts[tile + 1] - this->Starts[tile]; };
+    std::stable_sort(order.begin() + static_cast<std::ptrdiff_t>(firstOfBlock), order.end(),
+      [&length](uint32_t a, uint32_t b) { return length(a) > length(b); });
+  }
+  return order;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatTileLists::AddToTable(
+  const glm::ivec2& rows, size_t groupSize, std::vector<uint32_t>& table) const
+{
+  const std::vector<uint32_t> order = this->OrderTiles(rows);
+  const size_t tiles = static_cast<size_t>(this->Grid.GetCount());
+  const size_t groups = (order.size() + groupSize - 1) / groupSize;
+  const size_t threads = std::max<size_t>(std::thread::hardware_concurrency(), 1);
+  // Thread k takes groups k, k + threads, ...: each run of the table has what one thread takes.
+  size_t to = table.size();
+  table.resize(to + TableWords * groupSize * groups, 0);
+  for (size_t thread = 0; thread < threads; ++thread)
+  {
+    for (size_t group = thread; group < groups; group += threads)
+    {
+      size_t row = to;
+      for (size_t i = group * groupSize; i < std::min((group + 1) * groupSize, order.size()); ++i)
+      {
+        const uint32_t tile = order[i];
+        const uint32_t start = this->Starts[tile];
+        const glm::ivec2 at = glm::ivec2(static_cast<int>(tile) % this->Grid.Tiles.x,
+                                static_cast<int>(tile) / this->Grid.Tiles.x) >>
+          BlockShift;
+        const size_t wide = tiles + static_cast<size_t>(at.y * this->Blocks.x + at.x);
+        const uint32_t words[TableWords] = { start, start + this->Flats[tile],
+          start + this->Flats[tile] + this->Bents[tile], tile, this->Starts[tile + 1],
+          this->Starts[wide], this->Starts[wide + 1], 1 };
+        std::copy_n(words, TableWords, table.begin() + static_cast<std::ptrdiff_t>(row));
+        row += TableWords;
+      }
+      to += TableWords * groupSize;
+    }
+  }
+}

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Which splats each tile of the image has, made by the processor from the boxes that the projection
+// wrote (vtkPointSplatRecord.glsl). For drivers whose buffers are in main memory anyway.
+//
+// 1. Splats are sorted by kind, and within a kind by the bucket of their nearest depth; by counting,
+//    so that equal ones stay in the order they have, whatever threads do.
+// 2. In this order each is appended to the list of every tile that its box touches; wide ones, whose
+//    boxes have hundreds of tiles, to those of blocks of 16 x 16 tiles. So each list has its kinds
+//    one after the other, nearest buckets first.
+// 3. Tiles are put into an order in which tiles close to each other, whose splats are in the caches,
+//    follow one another, and among them those with lists of like lengths, since invocations go in
+//    lockstep; work groups are dealt out to the driver's threads, which take runs of them.
+#ifndef vtkPointSplatTileLists_h
+#define vtkPointSplatTileLists_h
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <vector>
+
+/**
+ * The tiles of an image, of 2^Shift pixels along each side.
+ */
+struct vtkPointSplatTileGrid
+{
+  glm::ivec2 Shift{ 2, 2 };
+  glm::ivec2 Tiles{ 0, 0 };
+  glm::ivec4 Window{ 0 }; // tiles that may have something: first x, y, last x, y
+
+  int GetCount() const { return this->Tiles.x * this->Tiles.y; }
+};
+
+class vtkPointSplatTileLists
+{
+public:
+  /// Words a tile in the table.
+  static constexpr size_t TableWords = 8;
+
+  /**
+   * Sorts and counts; boxes: two words a splat.
+   */
+  void Count(const uint32_t* boxes, size_t splats, const vtkPointSplatTileGrid& grid);
+  /// Entries of all lists, after Count().
+  size_t GetNumberOfEntries() const { return this->Entries; }
+  /// Whether some splats are no flat or bent ones.
+  bool HasCurved() const { return this->Curved; }
+
+  /// Writes the lists: GetNumberOfEntries() words.
+  void Fill(uint32_t* lists);
+
+  /**
+   * The tiles of the grid's window in some rows of it, and where their splats are in the lists: first
+   * of the flat, bent and curved ones, tile; end, first of the wide ones, their end, 1. Appended to a
+   * table, padded with zeros to whole work groups of so many invocations. rows: first and last,
+   * whole blocks of 16.
+   */
+  void AddToTable(const glm::ivec2& rows, size_t groupSize, std::vector<uint32_t>& table) const;
+
+private:
+  struct Listed
+  {
+    uint32_t Entry; // of lists: bucket, and splat
+    uint32_t First; // of its box
+    uint32_t Last;
+  };
+  template <typename Function>
+  void ForEachTile(const Listed& listed, const Function& function) const;
+  std::vector<uint32_t> OrderTiles(const glm::ivec2& rows) const;
+  template <typename Function>
+  void ForParts(const Function& function) const;
+
+  vtkPointSplatTileGrid Grid;
+  glm::ivec2 Blocks{ 0, 0 };
+  int Parts = 1;
+  std::vector<Listed> Sorted;
+  // Of each part of the sorted splats, for each tile and then for each block, how many entries it
+  // adds, and then where it adds them.
+  std::vector<std::vector<uint32_t>> Places;
+  std::vector<uint32_t> Starts; // of tiles' and blocks' lists, and the end
+  std::vector<uint32_t> Flats;  // of tiles
+  std::vector<uint32_t> Bents;
+  size_t Entries = 0;
+  bool Curved = false;
+};
+
+#endif

@@ -1,0 +1,111 @@
+#version 330
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The compositing pass of deferred blending (Zhang, Pajarola 2006, figure 5): what
+// of the groups' images lies within the least layer distance of the nearest
+// disk is summed up.
+// Reads: the groups' texels and depths. Writes: see vtkPointSplatTexel.
+
+#include "vtkPointSplatProjection"
+#include "vtkPointSplatDepthCode"
+#include "vtkPointSplatGroupTexel"
+#include "vtkPointSplatTexel"
+
+uniform usampler2DArray Texels;
+uniform sampler2DArray GroupDepths;
+uniform int GroupCount;
+
+layout(location = 0) out uvec4 texel;
+#ifdef FACTORS
+uniform usampler2DArray FactorTexels;
+
+layout(location = 1) out uint factorTexel;
+#endif
+
+// The nearest disk's coded depth at a pixel, and the nearest of the kernels' tails.
+void nearestDepths(ivec2 pixel, out uint disk, out uint tail)
+{
+  disk = NoDepth;
+  tail = NoDepth;
+  for (int k = 0; k < GroupCount; ++k)
+  {
+    // Texels are not cleared: where the depth is, nothing was drawn.
+    if (texelFetch(GroupDepths, ivec3(pixel, k), 0).r < 1.0)
+    {
+      uvec4 splat = texelFetch(Texels, ivec3(pixel, k), 0);
+      bool onDisk = (splat.z & 0x8000u) == 0u;
+      disk = onDisk ? min(disk, splat.x) : disk;
+      tail = onDisk ? tail : min(tail, splat.x);
+    }
+  }
+}
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  uint nearest;
+  uint tail;
+  nearestDepths(pixel, nearest, tail);
+  if (nearest == NoDepth && tail != NoDepth)
+  {
+    // The disk that was here may be hidden by the tail of a splat of its own group.
+    // Where most of the pixels around have disks, this one is no outline's.
+    const ivec2 around[4] = ivec2[4](ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1));
+    int disks = 0;
+    for (int i = 0; i < 4; ++i)
+    {
+      ivec2 other = pixel + around[i];
+      uint disk;
+      uint unused;
+      if (other == clamp(other, ivec2(0), textureSize(Texels, 0).xy - 1))
+      {
+        nearestDepths(other, disk, unused);
+        disks += disk != NoDepth ? 1 : 0;
+      }
+    }
+    nearest = disks >= 3 ? tail : NoDepth;
+  }
+  texel = uvec4(0u);
+#ifdef FACTORS
+  factorTexel = 0u;
+#endif
+  if (nearest == NoDepth)
+  {
+    return;
+  }
+  float weights = 0.0;
+  vec4 normalAndBehind = vec4(0.0);
+  vec4 colours = vec4(0.0);
+#ifdef FACTORS
+  vec4 factors = vec4(0.0);
+#endif
+  for (int k = 0; k < GroupCount; ++k)
+  {
+    if (texelFetch(GroupDepths, ivec3(pixel, k), 0).r < 1.0)
+    {
+      uvec4 splat = texelFetch(Texels, ivec3(pixel, k), 0);
+      uint different = (nearest ^ splat.x) & TagMask;
+      bool steep = (splat.z & 0x80000000u) != 0u;
+      float behind = decodeDepth(splat.x) - decodeDepth(nearest);
+      if ((different == 0u || (different == 1u && !steep)) &&
+        abs(behind) <= DepthUnit * decodeHalf(splat.z >> 16))
+      {
+        float weight = decodeHalf(splat.z);
+        weights += weight;
+        normalAndBehind +=
+          weight * vec4(turnTo(nearest, splat.x) * decodeNormal(splat.y), behind);
+        colours += weight * unpackColour(splat.w);
+#ifdef FACTORS
+        factors += weight * unpackColour(texelFetch(FactorTexels, ivec3(pixel, k), 0).r);
+#endif
+      }
+    }
+  }
+  normalAndBehind /= weights;
+  texel = packTexel(decodeDepth(nearest) + normalAndBehind.w, normalAndBehind.xyz,
+    nearest & TagMask, 1.0, colours / weights);
+#ifdef FACTORS
+  factorTexel = packColour(factors / weights);
+#endif
+}

@@ -1,0 +1,33 @@
+#version 330
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Names the splat of the greatest weight at each pixel of the nearest layer, or the nearest point,
+// of equals the one of the least id; by the rasteriser: the depth test keeps it.
+// Reads: the coded depths. Writes: the id (R32UI).
+
+#include "vtkPointSplatFragment"
+
+uniform usampler2D Depths;
+
+layout(location = 0) out uint nearestId;
+
+void main()
+{
+  uint nearest = texelFetch(Depths, ivec2(gl_FragCoord.xy), 0).r;
+  Fragment f;
+  if (!findFragment(f) || !sameLayer(f.splat, f.depth, nearest))
+  {
+    discard;
+  }
+  nearestId = tagAndId.y;
+#ifdef POINTS
+  if (encodeDepth(f.depth, f.splat.tag) != nearest)
+  {
+    discard;
+  }
+  gl_FragDepth = float(tagAndId.y) / 4294967296.0;
+#else
+  gl_FragDepth = 1.0 - clamp(f.weight, 0.0, 1.0);
+#endif
+}

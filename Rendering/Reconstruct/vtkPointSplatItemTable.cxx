@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatItemTable.h"
+
+#include <algorithm>
+
+namespace
+{
+constexpr size_t Texels = 10; // as in vtkPointSplatItemTable.glsl
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatItemTable::Upload(
+  const std::vector<vtkPointSplatItem>& items, const vtkPointSplatView& view)
+{
+  size_t slots = 0;
+  for (const vtkPointSplatItem& item : items)
+  {
+    slots = std::max(slots, static_cast<size_t>(item.Slot) + 1);
+  }
+  std::vector<glm::vec4> table(Texels * slots, glm::vec4(0.0f));
+  for (const vtkPointSplatItem& item : items)
+  {
+    glm::vec4* row = table.data() + Texels * static_cast<size_t>(item.Slot);
+    const std::vector<glm::dvec4> planes = item.GetClipPlanesVC(view);
+    row[0] = glm::vec4(item.Opacities, planes.size(), item.IsPoints ? 1.0f : 0.0f);
+    row[1] = item.Colour;
+    row[2] = glm::vec4(item.Kernel.Shape, item.Kernel.Support, item.Kernel.Plateau ? 1.0f : 0.0f);
+    row[3] = glm::vec4(item.Points.Layer, item.Points.LayerPixels, item.Points.Spacing,
+      item.Points.Silhouettes ? 1.0f : 0.0f);
+    std::copy(planes.begin(), planes.end(), row + 4);
+  }
+  this->Table.Upload(table);
+}
+
+//------------------------------------------------------------------------------
+unsigned int vtkPointSplatItemTable::TagMask(size_t items)
+{
+  unsigned int mask = 127; // 64 slots, so that depths are as fine in small scenes
+  while (mask < 2 * items)
+  {
+    mask = 2 * mask + 1;
+  }
+  return mask;
+}

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What stages ask of an item by its slot: a buffer of ten texels (RGBA32F) a slot.
+//   0  opacity of front and of back faces, number of clipping planes, whether it is
+//     projected as points
+//   1  colour and opacity, by which what is gathered is multiplied
+//   2  kernel: shape, support, whether it is a plateau
+//   3  of points: least layer distance in world units, in pixels; spacing; silhouettes
+//   4  to 9: clipping planes, view coordinates
+#ifndef vtkPointSplatItemTable_h
+#define vtkPointSplatItemTable_h
+
+#include "vtkPointSplatItem.h"
+
+class vtkPointSplatItemTable
+{
+public:
+  /// As many as 15 bits of a tag tell apart.
+  static constexpr size_t MostSlots = 16384;
+
+  void Upload(const std::vector<vtkPointSplatItem>& items, const vtkPointSplatView& view);
+  GLuint GetTexture() const { return this->Table.GetTexture(); }
+  void Release() { this->Table.Release(); }
+
+  /// The bits that tags of this many items need (vtkPointSplatDepthCode.glsl).
+  static unsigned int TagMask(size_t items);
+
+private:
+  vtkPointSplatBuffer Table{ GL_RGBA32F };
+};
+
+#endif

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatLayers.h"
+
+#include "vtkPointSplatProgram.h"
+#include "vtkPointSplatUnits.h"
+
+//------------------------------------------------------------------------------
+void vtkPointSplatLayers::AllocateBuffers(
+  const glm::ivec2& size, int layers, int factors, bool ids)
+{
+  if (!this->Buffers)
+  {
+    this->Release();
+  }
+  this->Buffers = true;
+  this->Size = size;
+  this->Capacity = layers;
+  this->Factors = factors;
+  this->Ids = ids;
+  const GLsizeiptr pixels = static_cast<GLsizeiptr>(size.x) * size.y;
+  this->TexelBuffer.Reserve(16 * pixels * layers);
+  if (factors > 0)
+  {
+    this->FactorBuffer.Reserve(4 * pixels * layers);
+  }
+  if (ids)
+  {
+    this->IdBuffer.Reserve(4 * pixels);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatLayers::AllocateImages(
+  const glm::ivec2& size, int layers, int factors, bool ids)
+{
+  if (this->Buffers)
+  {
+    this->Release();
+  }
+  this->Buffers = false;
+  this->Size = size;
+  this->Capacity = layers;
+  this->Factors = factors;
+  this->Ids = ids;
+  this->TexelImage.Allocate(size, layers);
+  if (factors > 0)
+  {
+    this->FactorImage.Allocate(size, layers);
+  }
+  if (ids)
+  {
+    this->IdImage.Allocate(size);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkPointSplatLayers::GetDefines() const
+{
+  return std::string(this->Buffers ? "#define LAYER_BUFFERS\n" : "") +
+    (this->Factors > 0 ? "#define FACTORS " + std::to_string(this->Factors) + "\n" : "");
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatLayers::Bind(vtkPointSplatUnits& units, vtkPointSplatProgram& program) const
+{
+  if (this->Buffers)
+  {
+    units.Bind(program, "LayerTexels", GL_TEXTURE_BUFFER, this->TexelBuffer.GetTexture());
+    units.Bind(program, "LayerFactors", GL_TEXTURE_BUFFER,
+      this->Factors > 0 ? this->FactorBuffer.GetTexture() : 0);
+    units.Bind(
+      program, "LayerIds", GL_TEXTURE_BUFFER, this->Ids ? this->IdBuffer.GetTexture() : 0);
+  }
+  else
+  {
+    units.Bind(program, "LayerTexels", GL_TEXTURE_2D_ARRAY, this->TexelImage.Get());
+    units.Bind(program, "LayerFactors", GL_TEXTURE_2D_ARRAY,
+      this->Factors > 0 ? this->FactorImage.Get() : 0);
+    units.Bind(program, "LayerIds", GL_TEXTURE_2D, this->Ids ? this->IdImage.Get() : 0);
+  }
+  program.Set("LayerSize", this->Size);
+  program.Set("LayerCapacity", this->Capacity);
+  program.Set("LayerCount", this->Count);
+  program.Set("GatheredLayer", this->Gathered);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPointSplatLayers::GetMemorySize() const
+{
+  return this->Buffers
+    ? this->TexelBuffer.GetSize() + this->FactorBuffer.GetSize() + this->IdBuffer.GetSize()
+    : this->TexelImage.GetMemorySize() + this->FactorImage.GetMemorySize() +
+      this->IdImage.GetMemorySize();
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatLayers::Release()
+{
+  this->TexelBuffer.Release();
+  this->FactorBuffer.Release();
+  this->IdBuffer.Release();
+  this->TexelImage.Release();
+  this->FactorImage.Release();
+  this->IdImage.Release();
+  this->Count = this->Capacity = 0;
+}

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatPasses.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPointSplatSavedState.h"
+#include "vtkPointSplatUnits.h"
+
+#include <algorithm>
+
+namespace
+{
+// Room for layers before it is known how many there are.
+constexpr int FirstCapacity = 4;
+}
+
+//------------------------------------------------------------------------------
+int vtkPointSplatPasses::MostLayers(const vtkPointSplatRequest& request) const
+{
+  GLint most = 0;
+  glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
+  most = std::min(most, request.MaximumLayers);
+  const vtkIdType bytes =
+    vtkPointSplatLayers::BytesPerLayer(request.View.Size, request.GetFactorCount());
+  const vtkIdType fit = request.MaximumMemory > 0 ? request.MaximumMemory / bytes : most;
+  return static_cast<int>(std::max<vtkIdType>(std::min<vtkIdType>(fit, most), 1));
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatPasses::Reconstruct(
+  const vtkPointSplatRequest& request, vtkPointSplatLayers& layers)
+{
+  const glm::ivec2& size = request.View.Size;
+  const auto isPoints = [](const vtkPointSplatItem& item) { return item.IsPoints; };
+  this->Fills = std::any_of(request.Items.begin(), request.Items.end(), isPoints);
+  this->ByCompute = request.Compute && vtkPointSplatPointSums::Fits(size) &&
+    std::all_of(request.Items.begin(), request.Items.end(), isPoints);
+  const vtkPointSplatSums::Content content{ size, request.HasColours() || request.Gather,
+    request.GetFactorCount(), request.HasIds };
+  this->ByCompute ? this->Sums.AllocateBuffers(content) : this->Sums.AllocateImages(content);
+  this->Items.Upload(request.Items, request.View);
+  for (vtkPointSplatImage& image : this->Codes)
+  {
+    image.Allocate(size);
+  }
+
+  // Of the light behind a layer, at most this is left.
+  double most = 0.0;
+  for (const vtkPointSplatItem& item : request.Items)
+  {
+    const double least =
+      item.Cloud->HasColours() ? 0.0 : std::min(item.Opacities.x, item.Opacities.y);
+    most = std::max(most, 1.0 - least);
+  }
+  const int bound = this->MostLayers(request);
+  int capacity = std::min(bound, std::max(FirstCapacity, layers.GetCapacity()));
+  int count = 0;
+  for (bool fits = false; !fits;)
+  {
+    layers.AllocateImages(size, capacity, content.Factors, content.Ids);
+    double remaining = 1.0;
+    bool empty = false;
+    for (count = 0; count < capacity && !empty && remaining >= request.LeastContribution; ++count)
+    {
+      if (!this->MakeLayer(request, count, layers, empty))
+      {
+        return false;
+      }
+      remaining *= most;
+    }
+    count -= empty ? 1 : 0;
+    fits = empty || capacity == bound || remaining < request.LeastContribution;
+    capacity = std::min(bound, 2 * capacity);
+  }
+  layers.SetNumberOfLayers(count);
+  layers.SetGathered(request.Gather ? bound - 1 : -1);
+  this->FillSteps = this->Fills ? this->Fill.GetNumberOfSteps() : 0;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatPasses::MakeLayer(
+  const vtkPointSplatRequest& request, int layer, vtkPointSplatLayers& layers, bool& empty)
+{
+  vtkPointSplatPeel peel;
+  peel.Peels = request.IsPeeled();
+  peel.Layer = layer;
+  peel.Gather = request.Gather && layer == this->MostLayers(request) - 1;
+  peel.SceneDepth = request.SceneDepth;
+  for (int k = 1; k <= std::min(layer, 3); ++k)
+  {
+    peel.Previous.push_back(this->Codes[static_cast<size_t>(layer - k) % 4].Get());
+  }
+  const vtkPointSplatImage& codes = this->Codes[static_cast<size_t>(layer) % 4];
+  bool good = false;
+  if (this->ByCompute)
+  {
+    const glm::ivec4 window = request.GetWindow();
+    this->Sums.ClearRows(window.y, window.w);
+    good = this->PointSums.Project(request, peel, this->Sums, empty);
+  }
+  else
+  {
+    good = this->Raster.Project(
+      request, peel, this->Sums, this->Fills ? this->Sums.Depths : codes, empty);
+  }
+  this->Error = good ? "" : this->PointSums.GetError() + this->Raster.GetError();
+  if (good && !empty && this->Fills)
+  {
+    good = this->Fill.Reconstruct(request, this->Items, this->Sums, layers, layer, codes);
+    this->Error = this->Fill.GetError();
+  }
+  else if (good && !empty)
+  {
+    good = this->Normalise(request, layer, layers);
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatPasses::Normalise(
+  const vtkPointSplatRequest& request, int layer, vtkPointSplatLayers& layers)
+{
+  const bool factors = layers.GetFactorCount() > 0;
+  const bool ids = request.HasIds && layer == 0;
+  vtkPointSplatProgram& program = this->Normalising[(factors ? 1 : 0) + (ids ? 2 : 0)];
+  if (!program.BuildScreen("vtkPointSplatNormaliseFS",
+        std::string(factors ? "#define FACTORS\n" : "") + (ids ? "#define IDS\n" : "")))
+  {
+    this->Error = program.GetLog();
+    return false;
+  }
+  vtkOpenGLRenderWindow* window = vtkPointSplatContext::Entered().GetWindow();
+  const vtkPointSplatSavedState saved(window->GetState());
+  saved.SetForImages(request.View.Size);
+  std::vector<vtkPointSplatFramebuffer::Target> targets{ { layers.GetTexelImage(), layer } };
+  if (factors)
+  {
+    targets.emplace_back(layers.GetFactorImage(), layer);
+  }
+  if (ids)
+  {
+    targets.emplace_back(layers.GetIdImage());
+  }
+  this->Framebuffer.Bind(window->GetState(), targets);
+  program.Use();
+  vtkPointSplatUnits units(window);
+  this->Sums.Bind(units, program);
+  units.Bind(program, "Depths", GL_TEXTURE_2D, this->Codes[static_cast<size_t>(layer) % 4].Get());
+  program.Set("TagMask", vtkPointSplatItemTable::TagMask(request.Items.size()));
+  program.Set("DepthUnit", static_cast<float>(request.GetDepthUnit()));
+  program.Set("PixelSize", request.View.GetPixelSize());
+  this->Screen.Draw();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPointSplatPasses::GetMemorySize() const
+{
+  vtkIdType bytes =
+    this->Sums.GetMemorySize() + this->PointSums.GetMemorySize() + this->Fill.GetMemorySize();
+  for (const vtkPointSplatImage& image : this->Codes)
+  {
+    bytes += image.GetMemorySize();
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatPasses::Release()
+{
+  this->Items.Release();
+  this->Sums.Release();
+  for (vtkPointSplatImage& image : this->Codes)
+  {
+    image.Release();
+  }
+  this->Raster.Release();
+  this->PointSums.Release();
+  this->Fill.Release();
+  for (vtkPointSplatProgram& program : this->Normalising)
+  {
+    program.Release();
+  }
+  this->Framebuffer.Release();
+  this->Screen.Release();
+}

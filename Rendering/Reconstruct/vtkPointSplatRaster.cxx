@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatRaster.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPointSplatItemTable.h"
+#include "vtkPointSplatQuads.h"
+#include "vtkPointSplatSavedState.h"
+#include "vtkPointSplatTiles.h"
+
+namespace
+{
+const GLuint NoDepth[4] = { 0xffffffffu, 0xffffffffu, 0xffffffffu, 0xffffffffu };
+const GLfloat Zero[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
+const GLfloat Farthest = 1.0f;
+
+const char* const VisibilityFile = "vtkPointSplatVisibilityFS";
+const char* const AccumulateFile = "vtkPointSplatAccumulateFS";
+const char* const IdentifyFile = "vtkPointSplatIdentifyFS";
+
+/// Points are as large as shaders say; vtkOpenGLState does not know of this.
+class ScopedPointSizes
+{
+public:
+  ScopedPointSizes()
+    : Was(glIsEnabled(GL_PROGRAM_POINT_SIZE))
+  {
+    glEnable(GL_PROGRAM_POINT_SIZE);
+  }
+  ~ScopedPointSizes()
+  {
+    if (!this->Was)
+    {
+      glDisable(GL_PROGRAM_POINT_SIZE);
+    }
+  }
+  ScopedPointSizes(const ScopedPointSizes&) = delete;
+  void operator=(const ScopedPointSizes&) = delete;
+
+private:
+  GLboolean Was;
+};
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatProgram* vtkPointSplatRaster::Use(
+  const vtkPointSplatItem& item, const std::string& file, const std::string& common)
+{
+  const std::string defines = common + (item.ClipPlanes.empty() ? "" : "#define CLIPPING\n") +
+    (item.IsPoints          ? "#define POINTS\n"
+        : item.Kernel.Plateau ? "#define PLATEAU\n"
+                              : "");
+  vtkPointSplatProgram& program = this->Programs[file + defines];
+  if (!program.Build({ { GL_VERTEX_SHADER,
+                         item.IsPoints ? "vtkPointSplatPointVS" : "vtkPointSplatQuadVS" },
+                       { GL_FRAGMENT_SHADER, file } },
+        defines))
+  {
+    this->Error = program.GetLog();
+    return nullptr;
+  }
+  program.Use();
+  return &program;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatRaster::DrawAll(const vtkPointSplatRequest& request,
+  const vtkPointSplatPeel& peel, const vtkPointSplatSums& sums, const vtkPointSplatImage& codes,
+  const std::string& file)
+{
+  const bool sees = file == VisibilityFile;
+  const bool identifies = file == IdentifyFile;
+  const bool factors = file == AccumulateFile && sums.GetContent().Factors > 0;
+  const std::string defines =
+    (identifies ? std::string() : peel.GetDefines()) + (factors ? "#define FACTORS\n" : "");
+  const unsigned int tagMask = vtkPointSplatItemTable::TagMask(request.Items.size());
+  vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
+  const ScopedPointSizes sizes;
+  for (const vtkPointSplatItem& item : request.Items)
+  {
+    if (!item.IsInView())
+    {
+      continue;
+    }
+    vtkPointSplatProgram* program = this->Use(item, file, defines);
+    if (!program)
+    {
+      return false;
+    }
+    vtkPointSplatCloud::Buffers& buffers =
+      identifies ? item.Cloud->UploadIds(request.Ids) : item.Cloud->Upload();
+    vtkPointSplatQuads::SetUniforms(*program, item, request.View, tagMask);
+    program->Set(
+      "Reach", sees ? vtkPointSplatTiles::DiskReach : static_cast<float>(item.Kernel.Support));
+    program->Set("LeastRadii",
+      sees ? glm::vec2(vtkPointSplatTiles::CoverageRadius, vtkPointSplatTiles::CoverageDot)
+           : glm::vec2(vtkPointSplatTiles::PrefilterRadius));
+    program->Set("DepthUnit", static_cast<float>(request.GetDepthUnit()));
+    program->Set("ItemColour", peel.Gather ? item.Colour : glm::vec4(1.0f));
+    if (!identifies)
+    {
+      peel.Bind(units, *program, request.View.PixelZ);
+    }
+    if (!sees)
+    {
+      units.Bind(*program, "Depths", GL_TEXTURE_2D, codes.Get());
+    }
+    vtkPointSplatQuads::Draw(item, buffers, identifies);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatRaster::Project(const vtkPointSplatRequest& request,
+  const vtkPointSplatPeel& peel, vtkPointSplatSums& sums, const vtkPointSplatImage& codes,
+  bool& empty)
+{
+  vtkOpenGLState* state = vtkPointSplatContext::Entered().GetWindow()->GetState();
+  const vtkPointSplatSavedState saved(state);
+  saved.SetForImages(request.View.Size);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LESS);
+  state->vtkglDepthMask(GL_TRUE);
+
+  this->Visibility.Bind(state, { codes }, sums.DepthTest);
+  glClearBufferuiv(GL_COLOR, 0, NoDepth);
+  glClearBufferfv(GL_DEPTH, 0, &Farthest);
+  if (peel.Peels)
+  {
+    this->Samples.Make();
+    glBeginQuery(GL_SAMPLES_PASSED, this->Samples.Get());
+  }
+  const bool seen = this->DrawAll(request, peel, sums, codes, VisibilityFile);
+  empty = false;
+  if (peel.Peels)
+  {
+    GLuint samples = 0;
+    glEndQuery(GL_SAMPLES_PASSED);
+    glGetQueryObjectuiv(this->Samples.Get(), GL_QUERY_RESULT, &samples);
+    empty = samples == 0;
+  }
+  if (!seen || empty)
+  {
+    return seen;
+  }
+
+  if (sums.GetContent().Factors > 0)
+  {
+    this->Accumulation.Bind(
+      state, { sums.WeightAndNormal, sums.DepthAndColour, sums.Opacities, sums.Factors });
+  }
+  else
+  {
+    this->Accumulation.Bind(
+      state, { sums.WeightAndNormal, sums.DepthAndColour, sums.Opacities });
+  }
+  for (GLint k = 0; k < (sums.GetContent().Factors > 0 ? 4 : 3); ++k)
+  {
+    glClearBufferfv(GL_COLOR, k, Zero);
+  }
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendEquation(GL_FUNC_ADD); // depth peeling takes maxima
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+  bool good = this->DrawAll(request, peel, sums, codes, AccumulateFile);
+  state->vtkglDisable(GL_BLEND);
+  if (good && sums.GetContent().Ids)
+  {
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglDepthMask(GL_TRUE);
+    this->Identification.Bind(state, { sums.Ids }, sums.DepthTest);
+    glClearBufferuiv(GL_COLOR, 0, NoDepth);
+    glClearBufferfv(GL_DEPTH, 0, &Farthest);
+    good = this->DrawAll(request, peel, sums, codes, IdentifyFile);
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatRaster::Release()
+{
+  this->Programs.clear();
+  this->Visibility.Release();
+  this->Accumulation.Release();
+  this->Identification.Release();
+  this->Samples.Release();
+}

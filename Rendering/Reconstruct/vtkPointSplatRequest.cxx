@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatRequest.h"
+
+#include <algorithm>
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatRequest::operator==(const vtkPointSplatRequest& other) const
+{
+  return this->View == other.View && this->Items == other.Items &&
+    this->CloudTimes == other.CloudTimes && this->Compute == other.Compute &&
+    this->OnDevice == other.OnDevice && this->Deferred == other.Deferred &&
+    this->Voronoi == other.Voronoi && this->FillSteps == other.FillSteps &&
+    this->MaximumLayers == other.MaximumLayers &&
+    this->LeastContribution == other.LeastContribution && this->Gather == other.Gather &&
+    this->ShowsEach == other.ShowsEach && this->SceneDepth == other.SceneDepth &&
+    (this->SceneDepth == 0 || this->SceneFrame == other.SceneFrame) &&
+    this->MaximumMemory == other.MaximumMemory && this->HasIds == other.HasIds &&
+    (!this->HasIds || this->Ids == other.Ids);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatRequest::HasColours() const
+{
+  return std::any_of(this->Items.begin(), this->Items.end(),
+    [](const vtkPointSplatItem& item) { return item.Cloud->HasColours(); });
+}
+
+//------------------------------------------------------------------------------
+int vtkPointSplatRequest::GetFactorCount() const
+{
+  int count = 0;
+  for (const vtkPointSplatItem& item : this->Items)
+  {
+    count = std::max(count, item.FactorCount);
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+double vtkPointSplatRequest::GetVoronoiScale() const
+{
+  double layer = 0.0;
+  for (const vtkPointSplatItem& item : this->Items)
+  {
+    layer = std::max(layer, item.LargestLayer);
+  }
+  return this->Voronoi ? std::min(layer, this->View.Far - this->View.Near) : 0.0;
+}
+
+//------------------------------------------------------------------------------
+double vtkPointSplatRequest::GetDepthUnit() const
+{
+  double layer = 0.0;
+  for (const vtkPointSplatItem& item : this->Items)
+  {
+    layer = std::max(layer, item.LargestLayer);
+  }
+  // Splats seen edge-on may lie 5 layer distances off along the ray (LeastFacing in
+  // vtkPointSplatProjection.glsl). Nothing lies farther off than the clipping planes.
+  const double range = this->View.Far - this->View.Near;
+  return layer > 0.0 && 5.0 * layer < range ? 5.0 * layer : range;
+}
+
+//------------------------------------------------------------------------------
+glm::ivec4 vtkPointSplatRequest::GetWindow() const
+{
+  const glm::ivec2& size = this->View.Size;
+  glm::ivec4 window(size.x, size.y, -1, -1);
+  for (const vtkPointSplatItem& item : this->Items)
+  {
+    if (item.IsInView())
+    {
+      // And one row more: in multisampled framebuffers Mesa lets samples of the next one through.
+      window = glm::ivec4(std::min(window.x, item.Window.x),
+        std::min(window.y, std::max(item.Window.y - 1, 0)), std::max(window.z, item.Window.z),
+        std::max(window.w, std::min(item.Window.w + 1, size.y - 1)));
+    }
+  }
+  return window;
+}

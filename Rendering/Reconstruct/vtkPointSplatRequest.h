@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What layers are made of, and how: the same request makes the same layers.
+#ifndef vtkPointSplatRequest_h
+#define vtkPointSplatRequest_h
+
+#include "vtkPointSplatItem.h"
+
+struct vtkPointSplatRequest
+{
+  vtkPointSplatView View;
+  std::vector<vtkPointSplatItem> Items; // in the order of their slots
+  std::vector<vtkMTimeType> CloudTimes;
+
+  ///@{ How.
+  bool Compute = true;       // by compute shaders, or by quads
+  bool OnDevice = false;     // compute: whether the device makes the tiles' lists
+  bool Deferred = false;     // splats by deferred blending, of one layer only
+  bool Voronoi = true;       // then: rims lie behind centres
+  int FillSteps = 0;         // of points that are projected as single pixels, at most
+  ///@}
+
+  ///@{ Layers: one only, unless there may be more or an opaque scene hides some.
+  int MaximumLayers = 1;
+  double LeastContribution = 1.0 / 256.0; // peeling ends where less of the light is left
+  bool Gather = false;                    // the last layer takes all that is left
+  bool ShowsEach = false;                 // layers are presented one by one
+  GLuint SceneDepth = 0;                  // of the opaque scene, or 0
+  unsigned long SceneFrame = 0;           // whose frame's that is
+  vtkIdType MaximumMemory = 0;            // bytes of all layers; 0: no bound
+  ///@}
+
+  bool HasIds = false; // of the first layer
+  vtkPointSplatCloud::IdKind Ids = vtkPointSplatCloud::PointIds;
+
+  bool operator==(const vtkPointSplatRequest& other) const;
+
+  bool IsPeeled() const { return this->MaximumLayers > 1 || this->SceneDepth != 0; }
+  bool HasColours() const;
+  int GetFactorCount() const;
+  /// Then: what the rim of a disk lies behind its centre, world units; or 0.
+  double GetVoronoiScale() const;
+  /// Five times the largest least layer distance, world units.
+  double GetDepthUnit() const;
+  /// Pixels that items may cover: first x, y, last x, y; none where the latter are less.
+  glm::ivec4 GetWindow() const;
+};
+
+#endif

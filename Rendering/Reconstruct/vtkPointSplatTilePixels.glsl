@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The pixels of a tile that an invocation has in its registers: the nearest hit of the layer that
+// is made, the sums of what belongs to it, and what was made before. Loops over Pixels are unrolled
+// by the compiler, so that arrays are registers.
+//
+// LANES invocations share a tile of TILE_WIDTH x TILE_HEIGHT pixels. On CPUs one has all of it:
+// what costs there is to load a splat, not to try it on a pixel.
+
+#include "vtkPointSplatRecord"
+#include "vtkPointSplatKernel"
+#include "vtkPointSplatItemTable"
+#include "vtkPointSplatTexel"
+
+const int Pixels = TILE_WIDTH * TILE_HEIGHT / LANES;
+
+uniform usamplerBuffer Records; // RGBA32UI, see vtkPointSplatRecord
+uniform usamplerBuffer Lists;   // R32UI
+uniform vec2 BucketScale;       // a depth's bucket: (depth - x) y
+uniform float DiskReach;        // radii that show where the surface is
+uniform float PrefilterRadius;  // pixels
+uniform vec4 Kernel;            // of all clouds, but for KERNELS, where they differ
+uniform float DepthReach;       // from a splat's nearest depth to its farthest, at most
+uniform float DepthUnit;        // five times the largest least layer distance, world units
+#ifdef COLOURS
+uniform usamplerBuffer RecordColours;
+#endif
+#ifdef FACTORS
+uniform usamplerBuffer RecordFactors;
+#endif
+#ifdef IDS
+uniform usamplerBuffer RecordIds;
+#endif
+
+// Where nothing was hit. What is nearer than that is not.
+const float NoHit = 3e38;
+const uint NoTag = 0xffffu;
+// Sums are of whole numbers, below 2^24, so that they are the same in whatever order splats come.
+const float WeightScale = 4096.0;
+const float DepthScale = 512.0;
+
+vec2 corner;          // the middle of the tile's first pixel
+float nearest[Pixels]; // depth of the nearest hit; at first what hides it
+uint tags[Pixels];
+float weights[Pixels];
+vec3 normals[Pixels];
+float behinds[Pixels];
+#ifdef COLOURS
+vec4 colours[Pixels];
+#endif
+#ifdef FACTORS
+#if FACTORS > 1
+#define LightFactors vec4
+#else
+#define LightFactors float
+#endif
+LightFactors factors[Pixels];
+#endif
+#ifdef IDS
+float greatest[Pixels]; // kernel, and who has it
+uint ids[Pixels];
+#endif
+#ifdef LAYERS
+// Of the layers before, the last one first.
+vec3 before[Pixels];
+uvec3 beforeTags[Pixels];
+float light[Pixels]; // what of the light behind comes through them
+bool gathering;      // this layer takes all that is left ...
+#ifdef GATHER
+float hidden[Pixels]; // ... before the opaque scene
+#endif
+float peeledTo;      // all that lies before this depth is
+#endif
+
+ivec2 placeOf(int k)
+{
+  int pixel = k * LANES + int(gl_LocalInvocationIndex) % LANES;
+  return ivec2(pixel % TILE_WIDTH, pixel / TILE_WIDTH);
+}
+
+// What the loops over splats need of each.
+struct Head
+{
+  vec2 from;   // the tile's first pixel from the centre
+  float depth; // of the centre
+  uint tag;
+  uint sides;  // tags whose bits differ by less than this belong to one layer
+  float layer; // least layer distance along the ray
+};
+
+Head headOf(uvec4 texel)
+{
+  return Head(corner - uintBitsToFloat(texel.xy), uintBitsToFloat(texel.z), texel.w & TagBits,
+    (texel.w & BothSides) != 0u ? 2u : 1u, decodeShort(texel.w >> 16));
+}
+
+int recordOf(uint entry)
+{
+  return int(entry & ((1u << RecordBits) - 1u));
+}
+
+// All that a listed splat, and those listed after it, reach lies behind this depth.
+float leastDepth(uint entry)
+{
+  return BucketScale.x + float(entry >> RecordBits) / BucketScale.y;
+}
+
+// Skips what was peeled off with the layers before, for good.
+void skipPeeled(inout int begin, int end)
+{
+#ifdef LAYERS
+  while (begin < end && leastDepth(texelFetch(Lists, begin).r) + DepthReach < peeledTo)
+  {
+    ++begin;
+  }
+#endif
+}
+
+float farthestHit()
+{
+  float most = nearest[0];
+  for (int k = 1; k < Pixels; ++k)
+  {
+    most = max(most, nearest[k]);
+  }
+  return most;
+}
+
+// Depths up to which hits may belong to the layer.
+float layerEnd()
+{
+  float most = -1.0;
+  for (int k = 0; k < Pixels; ++k)
+  {
+#ifdef GATHER
+    float end = gathering ? hidden[k] : nearest[k] + DepthUnit;
+#else
+    float end = nearest[k] + DepthUnit;
+#endif
+    most = max(most, tags[k] == NoTag ? -1.0 : end);
+  }
+  return most;
+}
+
+// Whether a hit belongs to the layer of a depth and a tag: the same cloud, no farther than the
+// least layer distance. Splats seen flat must show the same side, since behind a silhouette lies
+// the far side of the same body, close by and lit otherwise. Others need not: normals that are not
+// consistently oriented are turned.
+bool sameLayer(Head h, float depth, float otherDepth, uint otherTag)
+{
+  return (h.tag ^ otherTag) < h.sides && abs(depth - otherDepth) <= h.layer;
+}
+
+#ifdef LAYERS
+// Whether a hit was drawn with the layers before: it is before the last one, or belongs to one of
+// the last three. Surfaces that run closer together than the least layer distance take turns.
+bool isPeeled(int k, Head h, float depth)
+{
+  vec3 b = before[k];
+  uvec3 t = beforeTags[k];
+  return depth < b.x || (depth == b.x && h.tag <= t.x) || sameLayer(h, depth, b.x, t.x) ||
+    sameLayer(h, depth, b.y, t.y) || sameLayer(h, depth, b.z, t.z);
+}
+#endif
+
+void keepNearest(int k, Head h, bool hit, float depth)
+{
+#ifdef LAYERS
+  hit = hit && !isPeeled(k, h, depth);
+#endif
+  bool nearer = hit && (depth < nearest[k] || (depth == nearest[k] && h.tag < tags[k]));
+  nearest[k] = nearer ? depth : nearest[k];
+  tags[k] = nearer ? h.tag : tags[k];
+}
+
+// What a splat adds beside its normal and depth.
+struct Paint
+{
+  vec4 kernel;
+#ifdef COLOURS
+  vec4 colour;
+#endif
+#ifdef FACTORS
+  LightFactors factors;
+#endif
+#ifdef IDS
+  uint id;
+#endif
+};
+
+Paint paintOf(int record, uint tag)
+{
+  Paint p;
+#ifdef KERNELS
+  p.kernel = itemKernel(tag);
+#else
+  p.kernel = Kernel;
+#endif
+#ifdef COLOURS
+  p.colour = unpackColour(texelFetch(RecordColours, record).r);
+#ifdef GATHER
+  p.colour *= gathering ? itemColour(tag) : vec4(1.0);
+#endif
+#endif
+#ifdef FACTORS
+  p.factors = LightFactors(unpackColour(texelFetch(RecordFactors, record).r));
+#endif
+#ifdef IDS
+  p.id = texelFetch(RecordIds, record).r;
+#endif
+  return p;
+}
+
+// hit: whether the pixel's ray meets the splat where that is not cut away; r2: the kernel's squared
+// distance; normal: of about unit length.
+void addToLayer(int k, Head h, Paint p, bool hit, float r2, float depth, vec3 normal)
+{
+  uint different = h.tag ^ tags[k];
+  float behind = depth - nearest[k];
+  bool mine = hit && r2 <= p.kernel.z * p.kernel.z;
+#ifdef LAYERS
+  bool own = different < h.sides && abs(behind) <= h.layer;
+#ifdef GATHER
+  own = own || (gathering && tags[k] != NoTag && depth < hidden[k]);
+#endif
+  mine = mine && own && !isPeeled(k, h, depth);
+#else
+  mine = mine && different < h.sides && abs(behind) <= h.layer;
+#endif
+  float kernel = kernelWeight(min(r2, p.kernel.z * p.kernel.z), p.kernel);
+#ifdef GATHER
+  kernel *= gathering ? p.colour.a : 1.0;
+#endif
+  float weight = mine ? max(round(WeightScale * kernel), 1.0) : 0.0;
+  // Turned to the side that the nearest splat shows: with those of a thin wall's far side, or that
+  // point the wrong way, the sum would cancel.
+  float turned = (different & 1u) != 0u ? -weight : weight;
+  weights[k] += weight;
+  normals[k] += round(turned * normal);
+  behinds[k] += round(weight * (mine ? behind : 0.0) * (DepthScale / DepthUnit));
+#ifdef COLOURS
+  colours[k] += round(weight * p.colour);
+#endif
+#ifdef FACTORS
+  factors[k] += round(weight * p.factors);
+#endif
+#ifdef IDS
+  // Of equal ones the first in the list, which is the same splat whatever kind of id is wanted: a
+  // selection asks for a block and for a point in it one after the other.
+  bool names = mine && kernel > greatest[k];
+  greatest[k] = names ? kernel : greatest[k];
+  ids[k] = names ? p.id : ids[k];
+#endif
+}
+
+void clearLayer()
+{
+  for (int k = 0; k < Pixels; ++k)
+  {
+    weights[k] = 0.0;
+    normals[k] = vec3(0.0);
+    behinds[k] = 0.0;
+#ifdef COLOURS
+    colours[k] = vec4(0.0);
+#endif
+#ifdef FACTORS
+    factors[k] = LightFactors(0.0);
+#endif
+#ifdef IDS
+    greatest[k] = -1.0;
+    ids[k] = 0xffffffffu;
+#endif
+  }
+}

@@ -1,0 +1,534 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatTiles.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkPointSplatUnits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace
+{
+constexpr vtkIdType GroupSize = 64; // as in the shaders
+constexpr GLsizeiptr RecordBytes = 80;
+constexpr GLsizeiptr BoxBytes = 8;
+constexpr double Buckets = 1024.0; // as in vtkPointSplatRecord.glsl
+// Storage blocks begin at multiples of some 256 bytes, and have at least 128 MiB in drivers of use.
+constexpr GLint LeastBlockBytes = 1 << 27;
+constexpr vtkIdType SplatsPerDispatch = vtkIdType(1) << 20;
+// Entries of all lists, so that these are within that, too.
+constexpr size_t MostEntries = size_t(1) << 25;
+// Bands of tiles begin at multiples of so many rows of pixels, whatever tiles' size is.
+constexpr int BandRows = 64;
+// Room for layers before it is known how many there are.
+constexpr int FirstCapacity = 8;
+
+/// Records of an item: whole blocks, so that those of each begin where storage blocks may.
+vtkIdType RecordsOf(const vtkPointSplatItem& item)
+{
+  constexpr vtkIdType size = vtkPointSplatBlocks::Size;
+  return item.IsInView() ? (item.GetNumberOfInvocations() + size - 1) / size * size : 0;
+}
+
+/// The distances from the near plane between which an item's splats lie.
+glm::dvec2 DepthsOf(const vtkPointSplatItem& item, const vtkPointSplatView& view, double reach)
+{
+  const glm::dmat4 MCVC = view.WCVC * item.MCWC;
+  const std::array<double, 6>& b = item.Cloud->GetBounds();
+  glm::dvec2 depths(1e300, -1e300);
+  for (size_t corner = 0; corner < 8; ++corner)
+  {
+    const glm::dvec4 p = MCVC *
+      glm::dvec4(b[corner & 1], b[2 + (corner >> 1 & 1)], b[4 + (corner >> 2 & 1)], 1.0);
+    depths.x = std::min(depths.x, -p.z - view.Near);
+    depths.y = std::max(depths.y, -p.z - view.Near);
+  }
+  return depths + glm::dvec2(-reach, reach);
+}
+
+/// Rows of pixels that a band of tiles may have.
+int RowsPerBand(vtkIdType bytesPerRow)
+{
+  GLint64 bound = 0;
+  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bound);
+  const vtkIdType rows =
+    std::max<vtkIdType>(static_cast<vtkIdType>(bound), LeastBlockBytes) / bytesPerRow;
+  return static_cast<int>(
+    std::max<vtkIdType>(std::min<vtkIdType>(rows, 1 << 20) / BandRows, 1) * BandRows);
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatTiles::IsSupported(const glm::ivec2& size)
+{
+  GLint texels = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
+  // A record is five texels. Boxes have 12 and 13 bits for tiles of 4 x 2 pixels.
+  return vtkPointSplatProgram::IsComputeSupported() && texels / 5 >= Capacity &&
+    texels / size.y >= size.x && size.x <= 16384 && size.y <= 16384;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatTiles::IsSoftware()
+{
+  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const char* const names[] = { "llvmpipe", "softpipe", "swr", "SWR", "Software" };
+  return renderer && std::any_of(std::begin(names), std::end(names), [renderer](const char* name) {
+    return std::strstr(renderer, name) != nullptr;
+  });
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatTiles::Variant vtkPointSplatTiles::VariantOf(
+  const vtkPointSplatRequest& request)
+{
+  Variant v;
+  bool clipping = false;
+  bool plateau = false;
+  bool kernels = false;
+  for (const vtkPointSplatItem& item : request.Items)
+  {
+    clipping = clipping || !item.ClipPlanes.empty();
+    plateau = plateau || item.Kernel.Plateau;
+    kernels = kernels || !(item.Kernel == request.Items.front().Kernel);
+  }
+  v.Colours = request.HasColours() || request.Gather;
+  v.Factors = request.GetFactorCount();
+  v.Ids = request.HasIds;
+  std::string both = std::string(v.Colours ? "#define COLOURS\n" : "") +
+    (v.Factors > 0 ? "#define FACTORS " + std::to_string(v.Factors) + "\n" : "") +
+    (v.Ids ? "#define IDS\n" : "") + (clipping ? "#define CLIPPING\n" : "");
+  const bool layers = request.IsPeeled();
+  v.Project = both;
+  v.Tile = both + (layers ? "#define LAYERS\n" : "") + (request.Gather ? "#define GATHER\n" : "") +
+    (plateau ? "#define PLATEAU\n" : "") + (kernels ? "#define KERNELS\n" : "");
+  if (request.OnDevice)
+  {
+    // A work group a tile, an invocation a pixel: what it loads comes from one place.
+    v.TileSize = { 8, 8 };
+    v.Lanes = 64;
+  }
+  else
+  {
+    // As many pixels as leave registers to work with.
+    v.TileSize = layers || v.Colours || v.Factors > 0 ? glm::ivec2(4, 2) : glm::ivec2(4, 4);
+    v.Lanes = 1;
+  }
+  v.Tile += "#define LANES " + std::to_string(v.Lanes) + "\n#define TILE_WIDTH " +
+    std::to_string(v.TileSize.x) + "\n#define TILE_HEIGHT " + std::to_string(v.TileSize.y) + "\n";
+  return v;
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatProgram* vtkPointSplatTiles::Use(
+  std::map<std::string, vtkPointSplatProgram>& programs, const char* file,
+  const std::string& defines)
+{
+  vtkPointSplatProgram& program = programs[defines];
+  if (!program.Build({ { GL_COMPUTE_SHADER, file } }, defines))
+  {
+    this->Error = program.GetLog();
+    return nullptr;
+  }
+  program.Use();
+  return &program;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatTiles::Measure(
+  const vtkPointSplatRequest& request, const vtkPointSplatPart& part)
+{
+  const vtkPointSplatView& view = request.View;
+  this->Splats = 0;
+  this->DepthReach = 0.0f;
+  glm::dvec2 depths(1e300, -1e300);
+  for (const vtkPointSplatItem& item : part.Items)
+  {
+    if (RecordsOf(item) == 0)
+    {
+      continue;
+    }
+    this->Splats += RecordsOf(item);
+    // Bent at 45 degrees at the rim, a splat is half its squared support high.
+    const double support = item.Kernel.Support + 0.5 * item.Kernel.Support * item.Kernel.Support;
+    const double reach = support * item.RadiusScale * item.GetStrideScale() * item.GetStretch() *
+      std::max(item.Cloud->GetMaximumRadius(), item.UsualRadius);
+    const glm::dvec2 own = DepthsOf(item, view, reach);
+    depths = { std::min(depths.x, own.x), std::max(depths.y, own.y) };
+    this->DepthReach = std::max(this->DepthReach, static_cast<float>(2.0 * reach));
+  }
+  depths = glm::clamp(depths, glm::dvec2(0.0), glm::dvec2(view.Far - view.Near));
+  const double range = std::max(depths.y - depths.x, 1e-30);
+  this->BucketScale = glm::vec2(depths.x, Buckets / range);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatTiles::Reserve(const Variant& variant)
+{
+  this->Records.Reserve(RecordBytes * this->Splats);
+  this->Boxes.Reserve(BoxBytes * this->Splats);
+  if (variant.Colours)
+  {
+    this->Colours.Reserve(4 * this->Splats);
+  }
+  if (variant.Factors > 0)
+  {
+    this->Factors.Reserve(4 * this->Splats);
+  }
+  if (variant.Ids)
+  {
+    this->Ids.Reserve(4 * this->Splats);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatTiles::Project(
+  const vtkPointSplatRequest& request, const vtkPointSplatPart& part, const Variant& variant)
+{
+  vtkPointSplatProgram* program =
+    this->Use(this->ProjectPrograms, "vtkPointSplatProjectCS", variant.Project);
+  if (!program)
+  {
+    return false;
+  }
+  vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
+  program->Set("DiskReach", DiskReach);
+  program->Set("CoverageRadius", CoverageRadius);
+  program->Set("CoverageDot", CoverageDot);
+  program->Set("PrefilterRadius", PrefilterRadius);
+  program->Set("TileShift", this->Grid.Shift);
+  program->Set("TileReach",
+    variant.Lanes > 1 ? 0.0f : 0.5f * glm::length(glm::vec2(variant.TileSize - 1)));
+  program->Set("BucketScale", this->BucketScale);
+  vtkIdType first = 0;
+  for (const vtkPointSplatItem& item : part.Items)
+  {
+    const vtkIdType count = RecordsOf(item);
+    if (count == 0)
+    {
+      continue;
+    }
+    vtkPointSplatCloud::Buffers& buffers =
+      variant.Ids ? item.Cloud->UploadIds(request.Ids) : item.Cloud->Upload();
+    item.SetUniforms(*program, request.View);
+    program->Set("RecordCount", static_cast<unsigned int>(count));
+    program->Set("InvocationCount", static_cast<unsigned int>(item.GetNumberOfInvocations()));
+    program->Set("SplatCount", static_cast<unsigned int>(item.Cloud->GetNumberOfSplats()));
+    program->Set("StrideShift", item.StrideShift);
+    program->Set("DrawBlocks", item.Blocks != nullptr);
+    program->Set("HasColours", item.Cloud->HasColours());
+    program->Set("HasFactors", item.Factors != nullptr);
+    units.Bind(*program, "Splats", GL_TEXTURE_BUFFER, buffers.Splats.GetTexture());
+    units.Bind(*program, "Colours", GL_TEXTURE_BUFFER, buffers.Colours.GetTexture());
+    units.Bind(*program, "Factors", GL_TEXTURE_BUFFER,
+      item.Factors ? item.Factors->GetTexture() : 0);
+    units.Bind(*program, "Ids", GL_TEXTURE_BUFFER, variant.Ids ? buffers.Ids.GetTexture() : 0);
+    if (item.Blocks)
+    {
+      this->Blocks.Upload(*item.Blocks);
+      this->Blocks.BindStorage(7);
+    }
+    for (vtkIdType begin = 0; begin < count; begin += SplatsPerDispatch)
+    {
+      const vtkIdType splats = std::min(SplatsPerDispatch, count - begin);
+      const GLintptr at = static_cast<GLintptr>(first + begin);
+      this->Records.BindStorage(0, RecordBytes * at, RecordBytes * splats);
+      this->Boxes.BindStorage(1, BoxBytes * at, BoxBytes * splats);
+      if (variant.Colours)
+      {
+        this->Colours.BindStorage(2, 4 * at, 4 * splats);
+      }
+      if (variant.Factors > 0)
+      {
+        this->Factors.BindStorage(3, 4 * at, 4 * splats);
+      }
+      if (variant.Ids)
+      {
+        this->Ids.BindStorage(4, 4 * at, 4 * splats);
+      }
+      program->Set("FirstInvocation", static_cast<unsigned int>(begin));
+      vtkPointSplatProgram::Dispatch(splats, GroupSize);
+    }
+    first += count;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatTiles::Result vtkPointSplatTiles::Bin(const Variant& variant)
+{
+  const size_t splats = static_cast<size_t>(this->Splats);
+  if (variant.Lanes > 1)
+  {
+    if (!this->DeviceLists.Count(this->Boxes, splats, this->Grid))
+    {
+      this->Error = this->DeviceLists.GetError();
+      return Failed;
+    }
+    if (this->DeviceLists.GetNumberOfEntries() > MostEntries)
+    {
+      return TooMany;
+    }
+    this->DeviceLists.Fill(this->Boxes, this->Lists);
+    this->Curved = true;
+    return Made;
+  }
+  const void* boxes = this->Boxes.Map(BoxBytes * this->Splats, GL_MAP_READ_BIT);
+  if (!boxes)
+  {
+    this->Error = "the splats' boxes cannot be read: out of memory?";
+    return Failed;
+  }
+  this->HostLists.Count(static_cast<const uint32_t*>(boxes), splats, this->Grid);
+  this->Boxes.Unmap();
+  if (this->HostLists.GetNumberOfEntries() > MostEntries)
+  {
+    return TooMany;
+  }
+  const GLsizeiptr entries = 4 * static_cast<GLsizeiptr>(this->HostLists.GetNumberOfEntries());
+  this->Lists.Reserve(entries);
+  void* lists = this->Lists.Map(entries, GL_MAP_WRITE_BIT);
+  if (!lists)
+  {
+    this->Error = "the tiles' lists cannot be written: out of memory?";
+    return Failed;
+  }
+  this->HostLists.Fill(static_cast<uint32_t*>(lists));
+  this->Lists.Unmap();
+  this->Curved = this->HostLists.HasCurved();
+  return Made;
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatTiles::Result vtkPointSplatTiles::Prepare(
+  const vtkPointSplatRequest& request, const vtkPointSplatPart& part, const Variant& variant)
+{
+  this->Grid.Shift = { static_cast<int>(std::lround(std::log2(variant.TileSize.x))),
+    static_cast<int>(std::lround(std::log2(variant.TileSize.y))) };
+  this->Grid.Tiles = (request.View.Size + variant.TileSize - 1) / variant.TileSize;
+  this->Grid.Window = glm::ivec4(glm::ivec2(part.Window) >> this->Grid.Shift,
+    glm::ivec2(part.Window.z, part.Window.w) >> this->Grid.Shift);
+  this->Measure(request, part);
+  if (this->Splats > Capacity)
+  {
+    return TooMany;
+  }
+  this->Reserve(variant);
+  bool ok = this->Project(request, part, variant);
+  Result r= ok ? this->Bin(variant) : Failed;
+  return r;
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatProgram* vtkPointSplatTiles::UseTiles(const vtkPointSplatRequest& request,
+  const vtkPointSplatPart& part, const Variant& variant, vtkPointSplatUnits& units)
+{
+  vtkPointSplatProgram* program = this->Use(this->TilePrograms, "vtkPointSplatTileCS",
+    variant.Tile + (this->Curved ? "#define CURVED\n" : ""));
+  if (!program)
+  {
+    return nullptr;
+  }
+  const vtkPointSplatView& view = request.View;
+  const vtkPointSplatKernel& kernel = request.Items.front().Kernel;
+  units.Bind(*program, "Records", GL_TEXTURE_BUFFER, this->Records.GetTexture());
+  units.Bind(*program, "RecordColours", GL_TEXTURE_BUFFER, this->Colours.GetTexture());
+  units.Bind(*program, "RecordFactors", GL_TEXTURE_BUFFER, this->Factors.GetTexture());
+  units.Bind(*program, "RecordIds", GL_TEXTURE_BUFFER, this->Ids.GetTexture());
+  units.Bind(*program, "Lists", GL_TEXTURE_BUFFER, this->Lists.GetTexture());
+  units.Bind(*program, "ItemTable", GL_TEXTURE_BUFFER, this->Items.GetTexture());
+  units.Bind(*program, "SceneDepth", GL_TEXTURE_2D, request.SceneDepth);
+  program->Set("HasSceneDepth", request.SceneDepth != 0);
+  program->Set("BucketScale", this->BucketScale);
+  program->Set("DepthReach", this->DepthReach);
+  program->Set("DepthUnit", static_cast<float>(request.GetDepthUnit()));
+  program->Set("DiskReach", DiskReach);
+  program->Set("PrefilterRadius", PrefilterRadius);
+  program->Set("Kernel",
+    glm::vec4(kernel.Shape, static_cast<float>(kernel.Support), kernel.Plateau ? 1.0f : 0.0f));
+  program->Set("ZNear", static_cast<float>(view.Near));
+  program->Set("Parallel", view.Parallel);
+  program->Set("DepthRange",
+    glm::vec2(static_cast<float>(view.Near), static_cast<float>(view.Far - view.Near)));
+  program->Set("PixelX", view.PixelX);
+  program->Set("PixelY", view.PixelY);
+  program->Set("PixelW", view.PixelW);
+  program->Set("PixelZ", view.PixelZ);
+  program->Set("TilesAcross", this->Grid.Tiles.x);
+  program->Set("TilesInAll", this->Grid.GetCount());
+  program->Set("TileWindow", part.Window);
+  program->Set("ImageWidth", view.Size.x);
+  program->Set("MaximumLayers", request.MaximumLayers);
+  program->Set("LeastContribution", static_cast<float>(std::max(request.LeastContribution, 1e-6)));
+  return program;
+}
+
+//------------------------------------------------------------------------------
+template <typename Bind>
+void vtkPointSplatTiles::Run(vtkPointSplatProgram& program, const Variant& variant,
+  int rowsPerBand, const Bind& bind)
+{
+  // The bands' tiles: first and count, of the device's lists or in the table.
+  struct Band
+  {
+    int Row;
+    size_t First;
+    size_t Count;
+  };
+  std::vector<Band> bands;
+  std::vector<uint32_t> table;
+  constexpr size_t words = vtkPointSplatTileLists::TableWords;
+  const int tileRows = rowsPerBand / variant.TileSize.y;
+  const int across = this->Grid.Tiles.x;
+  for (int row = this->Grid.Window.y / tileRows * tileRows; row <= this->Grid.Window.w;
+       row += tileRows)
+  {
+    const glm::ivec2 rows(std::max(row, this->Grid.Window.y),
+      std::min(row + tileRows - 1, this->Grid.Window.w));
+    if (variant.Lanes > 1)
+    {
+      bands.push_back({ row * variant.TileSize.y, static_cast<size_t>(rows.x * across),
+        static_cast<size_t>((rows.y - rows.x + 1) * across) });
+      continue;
+    }
+    const size_t first = table.size() / words;
+    this->HostLists.AddToTable(rows, static_cast<size_t>(GroupSize), table);
+    bands.push_back({ row * variant.TileSize.y, first, table.size() / words - first });
+  }
+  vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
+  if (variant.Lanes == 1)
+  {
+    this->Table.Upload(table);
+  }
+  units.Bind(program, "Tiles", GL_TEXTURE_BUFFER,
+    variant.Lanes > 1 ? this->DeviceLists.GetStarts() : this->Table.GetTexture());
+  for (const Band& band : bands)
+  {
+    bind(band.Row);
+    program.Set("FirstRow", band.Row);
+    program.Set("FirstTile", static_cast<int>(band.First));
+    program.Set("TileCount", static_cast<int>(band.Count));
+    vtkPointSplatProgram::Dispatch(variant.Lanes * static_cast<vtkIdType>(band.Count), GroupSize);
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkPointSplatTiles::MostLayers(const vtkPointSplatRequest& request, int factors)
+{
+  GLint texels = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
+  const vtkIdType bytes = vtkPointSplatLayers::BytesPerLayer(request.View.Size, factors);
+  vtkIdType fit = texels / (static_cast<vtkIdType>(request.View.Size.x) * request.View.Size.y);
+  fit = request.MaximumMemory > 0 ? std::min(fit, request.MaximumMemory / bytes) : fit;
+  return static_cast<int>(
+    std::min<vtkIdType>(request.MaximumLayers, std::max<vtkIdType>(fit, 1)));
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatTiles::Result vtkPointSplatTiles::DrawLayers(const vtkPointSplatRequest& request,
+  const vtkPointSplatPart& part, const Variant& variant, vtkPointSplatLayers& layers)
+{
+  const int capacity = layers.GetCapacity();
+  vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
+  vtkPointSplatProgram* program = this->UseTiles(request, part, variant, units);
+  if (!program)
+  {
+    return Failed;
+  }
+  program->Set("LayerCapacity", capacity);
+  program->Set("LayersToClear", request.ShowsEach ? capacity : 1);
+  if (request.IsPeeled())
+  {
+    this->Counts.BindStorage(3);
+  }
+  const GLsizeiptr width = request.View.Size.x;
+  const int rowsPerBand = RowsPerBand(16 * width * capacity);
+  const int height = request.View.Size.y;
+  auto bindRows = [=](vtkPointSplatBuffer& buffer, GLuint index, GLsizeiptr bytes, int row) {
+    buffer.BindStorage(index, bytes * row, bytes * std::min(rowsPerBand, height - row));
+  };
+  this->Run(*program, variant, rowsPerBand, [&](int row) {
+    bindRows(layers.GetTexels(), 0, 16 * width * capacity, row);
+    if (variant.Factors > 0)
+    {
+      bindRows(layers.GetFactorTexels(), 1, 4 * width * capacity, row);
+    }
+    if (variant.Ids)
+    {
+      bindRows(layers.GetIdTexels(), 2, 4 * width, row);
+    }
+  });
+  return Made;
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatTiles::Result vtkPointSplatTiles::Reconstruct(const vtkPointSplatRequest& given,
+  const std::vector<vtkPointSplatPart>& parts, vtkPointSplatLayers& layers)
+{
+  vtkPointSplatRequest request = given;
+  const Variant variant = VariantOf(request);
+  request.MaximumLayers = MostLayers(request, variant.Factors);
+  this->Items.Upload(request.Items, request.View);
+  int capacity = std::min(request.MaximumLayers, std::max(FirstCapacity, layers.GetCapacity()));
+  Result result = Made;
+  for (bool fits = false; !fits && result == Made;)
+  {
+    layers.AllocateBuffers(request.View.Size, capacity, variant.Factors, variant.Ids);
+    GLuint made = 1;
+    if (request.IsPeeled())
+    {
+      const GLuint none = 0;
+      this->Counts.Upload(&none, 4);
+    }
+    for (const vtkPointSplatPart& part : parts)
+    {
+      result = this->Prepare(request, part, variant);
+      result = result == Made ? this->DrawLayers(request, part, variant, layers) : result;
+      if (result != Made)
+      {
+        break;
+      }
+    }
+    if (request.IsPeeled() && result == Made)
+    {
+      this->Counts.Download(&made, 4);
+    }
+    fits = static_cast<int>(made) <= capacity;
+    capacity = std::min(request.MaximumLayers, static_cast<int>(made) + 2);
+    layers.SetNumberOfLayers(static_cast<int>(made));
+  }
+  layers.SetGathered(request.Gather ? request.MaximumLayers - 1 : -1);
+  glUseProgram(0);
+  return result;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPointSplatTiles::GetMemorySize() const
+{
+  vtkIdType bytes = this->DeviceLists.GetMemorySize();
+  for (const vtkPointSplatBuffer* buffer :
+    { &this->Records, &this->Boxes, &this->Colours, &this->Factors, &this->Ids, &this->Lists,
+      &this->Table })
+  {
+    bytes += buffer->GetSize();
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatTiles::Release()
+{
+  this->ProjectPrograms.clear();
+  this->TilePrograms.clear();
+  this->Items.Release();
+  this->DeviceLists.Release();
+  for (vtkPointSplatBuffer* buffer : { &this->Records, &this->Boxes, &this->Colours,
+         &this->Factors, &this->Ids, &this->Blocks, &this->Lists, &this->Table, &this->Counts })
+  {
+    buffer->Release();
+  }
+}

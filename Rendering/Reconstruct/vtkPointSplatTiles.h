@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Reconstructs surface layers by tiles of the image, with compute shaders (OpenGL 4.3).
+//
+// 1. Project. Each splat is projected once, to a record from which its pixels are computed, and a
+//    box (vtkPointSplatRecord.glsl).
+// 2. Bin. Each splat is listed in the tiles that its box touches, nearest first: by the processor,
+//    where buffers are in main memory, or on the device.
+// 3. Reconstruct. Each tile's list is walked, in registers: the nearest surface, then the sums over
+//    what belongs to it (Zhang, Pajarola 2006, equation 1), then the next layer (Guennebaud,
+//    Barthe, Paulin 2006, section 6), until nothing is left, or nothing that could change a pixel
+//    by the target. There are no atomic operations a pixel, and no pass over empty tiles.
+//
+// Buffers: records, RGBA32UI, 5 texels a splat; boxes, RG32UI, 1; lists, R32UI; the tiles' table,
+// RGBA32UI, 2 a tile; beside the records colours, factors of lights and ids, R32UI, where there are
+// some. A splat is a record of 80 bytes and 8 of its box, so that who draws bounds how many are
+// drawn at once (vtkPointSplatSelection.h).
+#ifndef vtkPointSplatTiles_h
+#define vtkPointSplatTiles_h
+
+#include "vtkPointSplatDeviceLists.h"
+#include "vtkPointSplatItemTable.h"
+#include "vtkPointSplatLayers.h"
+#include "vtkPointSplatProgram.h"
+#include "vtkPointSplatRequest.h"
+#include "vtkPointSplatTileLists.h"
+
+#include <map>
+#include <string>
+
+class vtkPointSplatUnits;
+
+class vtkPointSplatTiles
+{
+public:
+  ///@{
+  /**
+   * How far disks reach in the visibility pass, in radii; the least radii, in pixels, of a
+   * disk's image there; and the prefilter's radius, in pixels, in the accumulation pass.
+   */
+  // Disks that cover their neighbours' Voronoi cells in the tangent plane leave cracks where the
+  // surface bends and is seen at a flat angle.
+  static constexpr float DiskReach = 1.15f;
+  // On planes that are seen edge-on no pixel falls between disks.
+  static constexpr float CoverageRadius = 0.1f;
+  // But splats with a silhouette on them are not widened: a tenth of a pixel about each centre
+  // costs bodies of a few hundred pixels 7 dB against their mesh.
+  static constexpr float CoverageDot = 1e-3f;
+  // Guennebaud, section 4.1, has the square root of two; the Gaussian of sigma 0.6 is then as
+  // wide as a pixel is, which blurs more than the pixels of a supersampled picture do.
+  static constexpr float PrefilterRadius = 0.8f;
+  ///@}
+
+  /// Splats that can be drawn at once: as many as an entry of a list can name.
+  static constexpr vtkIdType Capacity = vtkIdType(1) << 22;
+
+  /**
+   * Made; failed, with GetError(); or not made since a part's splats touch too many tiles.
+   */
+  enum Result
+  {
+    Made,
+    Failed,
+    TooMany
+  };
+
+  /// Whether the context has what compute shaders need for images of this size.
+  static bool IsSupported(const glm::ivec2& size);
+  /// Whether its buffers are in main memory, so that the processor makes lists fastest.
+  static bool IsSoftware();
+
+  /// Makes the layers' texels within the parts' windows.
+  Result Reconstruct(const vtkPointSplatRequest& request,
+    const std::vector<vtkPointSplatPart>& parts, vtkPointSplatLayers& layers);
+
+  const std::string& GetError() const { return this->Error; }
+  vtkIdType GetMemorySize() const; // bytes
+  void Release();
+
+private:
+  /// Which parts of the shaders a request needs.
+  struct Variant
+  {
+    std::string Project;
+    std::string Tile;
+    glm::ivec2 TileSize{ 4, 4 };
+    int Lanes = 1;
+    bool Colours = false;
+    int Factors = 0;
+    bool Ids = false;
+  };
+  static Variant VariantOf(const vtkPointSplatRequest& request);
+  vtkPointSplatProgram* Use(std::map<std::string, vtkPointSplatProgram>& programs,
+    const char* file, const std::string& defines);
+  Result Prepare(
+    const vtkPointSplatRequest& request, const vtkPointSplatPart& part, const Variant& variant);
+  void Measure(const vtkPointSplatRequest& request, const vtkPointSplatPart& part);
+  void Reserve(const Variant& variant);
+  bool Project(
+    const vtkPointSplatRequest& request, const vtkPointSplatPart& part, const Variant& variant);
+  Result Bin(const Variant& variant);
+  vtkPointSplatProgram* UseTiles(const vtkPointSplatRequest& request,
+    const vtkPointSplatPart& part, const Variant& variant, vtkPointSplatUnits& units);
+  /// Runs the tiles in bands of rows; bind(first, count): of pixels' rows.
+  template <typename Bind>
+  void Run(vtkPointSplatProgram& program, const Variant& variant, int rowsPerBand,
+    const Bind& bind);
+  Result DrawLayers(const vtkPointSplatRequest& request, const vtkPointSplatPart& part,
+    const Variant& variant, vtkPointSplatLayers& layers);
+  static int MostLayers(const vtkPointSplatRequest& request, int factors);
+
+  std::map<std::string, vtkPointSplatProgram> ProjectPrograms; // by defines
+  std::map<std::string, vtkPointSplatProgram> TilePrograms;
+  vtkPointSplatItemTable Items;
+  vtkPointSplatBuffer Records{ GL_RGBA32UI };
+  vtkPointSplatBuffer Boxes{ GL_RG32UI };
+  vtkPointSplatBuffer Colours{ GL_R32UI };
+  vtkPointSplatBuffer Factors{ GL_R32UI };
+  vtkPointSplatBuffer Ids{ GL_R32UI };
+  vtkPointSplatBuffer Blocks;
+  vtkPointSplatBuffer Lists{ GL_R32UI };
+  vtkPointSplatBuffer Table{ GL_RGBA32UI };
+  vtkPointSplatBuffer Counts;
+  vtkPointSplatTileLists HostLists;
+  vtkPointSplatDeviceLists DeviceLists;
+  vtkPointSplatTileGrid Grid;
+  vtkIdType Splats = 0; // records
+  glm::vec2 BucketScale{ 0.0f };
+  float DepthReach = 0.0f;
+  bool Curved = false;
+  std::string Error;
+};
+
+#endif

@@ -1,0 +1,62 @@
+#version 330
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Shades all surface layers of a pixel and blends them, the nearest over those behind it.
+// Writes: premultiplied colour and opacity; the nearest layer's depth.
+// REFLECTION: some surfaces reflect the environment. REFLECTION_ALONE: the layer is another's to
+// draw, but for what it reflects.
+
+#include "vtkPointSplatLayers"
+#include "vtkPointSplatMaterials"
+#ifdef REFLECTION
+#include "vtkPointSplatReflection"
+#endif
+
+layout(location = 0) out vec4 colour;
+layout(location = 1) out vec4 nearestDepth; // of opacity 1, so that blending replaces it
+
+void main()
+{
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  uvec4 texel = fetchLayer(at, 0);
+  if (isEmpty(texel))
+  {
+    discard;
+  }
+  nearestDepth = vec4(windowDepth(-(NearDistance + uintBitsToFloat(texel.x))));
+  nearestDepth.a = 1.0;
+  colour = vec4(0.0);
+  bool there = true;
+  for (int layer = 0; layer < LayerCount; ++layer)
+  {
+    texel = fetchLayer(at, layer);
+    there = there && !isEmpty(texel);
+#ifndef REFLECTION
+    // Reflections have derivatives, which all fragments of a block must take part in.
+    if (!there)
+    {
+      break;
+    }
+#endif
+    Surface s = unpackTexel(texel);
+    vec3 positionVC = pointOfPixel(at, -(NearDistance + s.depth));
+    vec3 normalVC = s.normal;
+#ifdef FACTORS
+    lightFactors = fetchLayerFactors(at, layer);
+#endif
+    bool back;
+    vec4 shaded = shadeSurface(
+      int(s.tag >> 1), positionVC, normalVC, s.colour, layer == GatheredLayer, back);
+    shaded.a *= s.coverage;
+    shaded.rgb *= shaded.a * clamp(s.agreement / FullAgreement, 0.0, 1.0);
+#ifdef REFLECTION_ALONE
+    shaded = vec4(0.0);
+#endif
+#ifdef REFLECTION
+    shaded = addReflection(int(s.tag >> 1), positionVC, normalVC, back, shaded);
+#endif
+    colour += there ? (1.0 - colour.a) * shaded : vec4(0.0);
+    there = there && !isLast(texel);
+  }
+}

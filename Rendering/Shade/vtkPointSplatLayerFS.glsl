@@ -1,0 +1,78 @@
+#version 330
+//VTK::Output::Dec
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Shades one surface layer and presents it as ordinary geometry: colour, opacity and depth, so
+// that the depth test, depth peeling and the passes that work on depth treat it as they treat a
+// mesh. Hooks as in VTK's own fragment shaders let render passes add to it; names that their code
+// declares (pixel, front, ...) are not used here.
+// OUTPUT: 0 shaded, 1 one colour for hardware selection, 2 ids for it. REFLECTION: some surfaces
+// reflect the environment.
+
+//PointSplat::Defines
+
+//VTK::CustomUniforms::Dec
+
+//VTK::DepthPeeling::Dec
+
+#include "vtkPointSplatLayers"
+#include "vtkPointSplatRay"
+#if OUTPUT == 0
+#include "vtkPointSplatMaterials"
+#ifdef REFLECTION
+#include "vtkPointSplatReflection"
+#endif
+#endif
+
+uniform ivec2 ImageOrigin;   // the images' first pixel in the framebuffer
+uniform int Layer;
+uniform int OnlySlot;        // of the cloud that is presented; -1: of all
+uniform vec4 SelectionColour;
+uniform int SelectionShift;
+
+void main()
+{
+  ivec2 at = ivec2(gl_FragCoord.xy) - ImageOrigin;
+  uvec4 texel = fetchLayer(at, Layer);
+  if (isEmpty(texel) || (OnlySlot >= 0 && int(tagOfTexel(texel) >> 1) != OnlySlot))
+  {
+    discard;
+  }
+  Surface s = unpackTexel(texel);
+  vec3 positionVC = pointOfPixel(at, -(NearDistance + s.depth));
+  gl_FragDepth = windowDepth(positionVC.z);
+
+  //VTK::DepthPeeling::PreColor
+
+#if OUTPUT == 1
+  gl_FragData[0] = SelectionColour;
+#elif OUTPUT == 2
+  uint id = fetchLayerId(at);
+  if (id == 0xffffffffu)
+  {
+    discard;
+  }
+  id >>= uint(SelectionShift);
+  gl_FragData[0] = vec4(uvec4(id, id >> 8, id >> 16, 255u) & 255u) / 255.0;
+#else
+  vec3 normalVC = s.normal;
+#ifdef FACTORS
+  lightFactors = fetchLayerFactors(at, Layer);
+#endif
+  bool back;
+  vec4 shaded = shadeSurface(
+    int(s.tag >> 1), positionVC, normalVC, s.colour, Layer == GatheredLayer, back);
+  shaded.rgb *= clamp(s.agreement / FullAgreement, 0.0, 1.0);
+  shaded.a *= s.coverage;
+#ifdef REFLECTION
+  shaded.rgb *= shaded.a;
+  shaded = addReflection(int(s.tag >> 1), positionVC, normalVC, back, shaded);
+  shaded.rgb /= max(shaded.a, 1e-6);
+#endif
+  gl_FragData[0] = shaded;
+  //PointSplat::GeometryBuffer
+#endif
+
+  //VTK::DepthPeeling::Impl
+}

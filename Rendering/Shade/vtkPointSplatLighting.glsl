@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// VTK's Phong lighting, term by term as vtkOpenGLPolyDataMapper has it for
+// each of its levels, since users put clouds and meshes into one scene.
+// LIGHT_LEVEL: 0 no light, 1 one headlight, 2 directional lights, 3 positional too.
+// SPECULAR: some surface has highlights. UNLIT: some surface is not lit.
+
+#if LIGHT_LEVEL > 0
+uniform vec4 LightColour[LIGHT_COUNT];      // and whether it is positional
+uniform vec4 LightDirection[LIGHT_COUNT];   // view coordinates, from the light; component of
+                                            // lightFactors, or -1
+uniform vec4 LightPosition[LIGHT_COUNT];    // view coordinates; half angle of the cone, degrees
+uniform vec4 LightAttenuation[LIGHT_COUNT]; // constant, linear, quadratic; the cone's exponent
+#endif
+#ifdef FACTORS
+// How much of each light arrives at what is shaded (Dobrev, Rosenthal, Linsen 2010, section 6).
+vec4 lightFactors = vec4(1.0);
+#endif
+
+struct Material
+{
+  vec3 ambient;
+  vec3 diffuse;
+  vec3 specular;
+  float power;
+  bool lit;
+};
+
+// positionVC, normalVC: view coordinates, the normal of unit length and towards
+// the viewer.
+vec3 shade(Material m, vec3 positionVC, vec3 normalVC)
+{
+#if LIGHT_LEVEL == 0
+  vec3 colour = m.ambient;
+#elif LIGHT_LEVEL == 1
+  float df = max(0.0, normalVC.z);
+  vec3 colour = df * m.diffuse;
+#ifdef SPECULAR
+  float sf = df > 0.0 ? pow(df, m.power) : 0.0;
+  colour += sf * m.specular;
+#endif
+  colour = m.ambient + colour * LightColour[0].rgb;
+#else
+  vec3 diffuse = vec3(0.0);
+  vec3 specular = vec3(0.0);
+  vec3 view = normalize(-positionVC);
+  for (int i = 0; i < LIGHT_COUNT; ++i)
+  {
+    vec3 direction = LightDirection[i].xyz;
+    float attenuation = 1.0;
+#if LIGHT_LEVEL > 2
+    if (LightColour[i].w > 0.0)
+    {
+      vec3 from = positionVC - LightPosition[i].xyz;
+      float distance = length(from);
+      vec3 axis = direction;
+      direction = from / distance;
+      attenuation =
+        1.0 / dot(LightAttenuation[i].xyz, vec3(1.0, distance, distance * distance));
+      if (LightPosition[i].w < 90.0)
+      {
+        float coneDot = dot(direction, axis);
+        attenuation *= coneDot >= cos(radians(LightPosition[i].w))
+          ? pow(coneDot, LightAttenuation[i].w)
+          : 0.0;
+      }
+    }
+#endif
+#ifdef FACTORS
+    int component = int(LightDirection[i].w);
+    attenuation *= component < 0 ? 1.0 : lightFactors[component];
+#endif
+    float df = max(0.0, attenuation * dot(normalVC, -direction));
+    diffuse += df * LightColour[i].rgb;
+#ifdef SPECULAR
+    float reflected = max(0.0, dot(reflect(direction, normalVC), view));
+    float sf = df > 0.0 ? attenuation * pow(reflected, m.power) : 0.0;
+    specular += sf * LightColour[i].rgb;
+#endif
+  }
+  vec3 colour = m.ambient + diffuse * m.diffuse + specular * m.specular;
+#endif
+#ifdef UNLIT
+  colour = m.lit ? colour : m.ambient + m.diffuse;
+#endif
+  return colour;
+}

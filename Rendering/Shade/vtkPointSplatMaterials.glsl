@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a surface looks like: the materials of the actors (vtkPointSplatMaterials.h), and their
+// light. ONE_MATERIAL: there is one actor, whose material comes as uniforms. TWO_SIDED: some actor's
+// back faces look otherwise. COLOURED: some points have colours of their own.
+
+#include "vtkPointSplatLighting"
+#include "vtkPointSplatRay"
+
+const int MaterialTexels = 10;
+
+#ifdef ONE_MATERIAL
+uniform vec4 OneMaterial[MaterialTexels];
+
+vec4 materialTexel(int slot, int k)
+{
+  return OneMaterial[k];
+}
+#else
+uniform samplerBuffer MaterialTable; // RGBA32F
+
+vec4 materialTexel(int slot, int k)
+{
+  return texelFetch(MaterialTable, slot * MaterialTexels + k);
+}
+#endif
+
+// Of a dielectric: index of refraction, its spread from green to blue, the longest way through the
+// body (world units), and 1 if it refracts at all.
+vec4 mediumOf(int slot)
+{
+  return materialTexel(slot, 8);
+}
+
+// 1 / world units; and the longest way from one dielectric to another, world units.
+vec4 absorptionOf(int slot)
+{
+  return materialTexel(slot, 9);
+}
+
+// How bright a mean of unit normals is, by its length, which tells whether they agree: where a
+// patch of normals that point outward meets one that points inward they cancel, and a mesh of
+// these points is dark. From the mean of unit normals that stand 53 degrees off it on, all is:
+// any crease keeps its light.
+const float FullAgreement = 0.6;
+
+// The shaded colour and opacity of a surface point. normalVC: any; it is turned to the viewer, as
+// VTK turns the normals of back faces. colour: the points'. own: whether that holds the actor's
+// colour and opacity.
+vec4 shadeSurface(
+  int slot, vec3 positionVC, inout vec3 normalVC, vec4 colour, bool own, out bool back)
+{
+  back = isBack(normalVC, positionVC);
+  normalVC = back ? -normalVC : normalVC;
+#ifdef TWO_SIDED
+#define SIDE_TEXEL(k) (back ? materialTexel(slot, 4 + k) : materialTexel(slot, k))
+#else
+#define SIDE_TEXEL(k) materialTexel(slot, k)
+#endif
+  vec4 ambient = SIDE_TEXEL(0);
+  vec4 diffuse = SIDE_TEXEL(1);
+  vec4 specular = SIDE_TEXEL(2);
+  vec4 plain = SIDE_TEXEL(3);
+  Material m = Material(ambient.rgb, diffuse.rgb, specular.rgb, diffuse.w, plain.z > 0.0);
+  float opacity = ambient.w;
+#ifdef COLOURED
+  bool coloured = own || plain.w > 0.0;
+  m.ambient = coloured ? plain.x * colour.rgb : m.ambient;
+  m.diffuse = coloured ? plain.y * colour.rgb : m.diffuse;
+  opacity = own ? colour.a : coloured ? opacity * colour.a : opacity;
+#endif
+  return vec4(shade(m, positionVC, normalVC), opacity);
+}

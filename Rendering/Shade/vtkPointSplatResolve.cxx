@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatResolve.h"
+
+#include "vtkActor.h"
+#include "vtkHardwareSelector.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkMapper.h"
+#include "vtkOpenGLRenderPass.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkPointSplatUnits.h"
+#include "vtkRenderer.h"
+#include "vtkSSAOPass.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace
+{
+std::vector<vtkOpenGLRenderPass*> PassesOf(vtkActor* actor)
+{
+  std::vector<vtkOpenGLRenderPass*> passes;
+  vtkInformation* info = actor->GetPropertyKeys();
+  if (info && info->Has(vtkOpenGLRenderPass::RenderPasses()))
+  {
+    const int count = info->Length(vtkOpenGLRenderPass::RenderPasses());
+    for (int i = 0; i < count; ++i)
+    {
+      if (auto pass = vtkOpenGLRenderPass::SafeDownCast(
+            info->Get(vtkOpenGLRenderPass::RenderPasses(), i)))
+      {
+        passes.push_back(pass);
+      }
+    }
+  }
+  return passes;
+}
+}
+
+/**
+ * What render passes add to shaders.
+ */
+struct vtkPointSplatResolve::Hooks
+{
+  explicit Hooks(vtkActor* actor)
+    : Passes(PassesOf(actor))
+  {
+  }
+  bool WantGeometryBuffer() const
+  {
+    return std::any_of(this->Passes.begin(), this->Passes.end(),
+      [](vtkOpenGLRenderPass* pass) { return vtkSSAOPass::SafeDownCast(pass) != nullptr; });
+  }
+
+  std::vector<vtkOpenGLRenderPass*> Passes;
+};
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatResolve::AreHooksShared(vtkActor* actor)
+{
+  const std::vector<vtkOpenGLRenderPass*> passes = PassesOf(actor);
+  const char* const shared[] = { "vtkDualDepthPeelingPass", "vtkDepthPeelingPass",
+    "vtkOrderIndependentTranslucentPass", "vtkSSAOPass" };
+  return std::all_of(passes.begin(), passes.end(), [&shared](vtkOpenGLRenderPass* pass) {
+    return std::any_of(std::begin(shared), std::end(shared),
+      [pass](const char* name) { return pass->IsA(name) != 0; });
+  });
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatResolve::Use(const Target& target, const Hooks& hooks, const std::string& file,
+  const std::string& defines, vtkPointSplatProgram& program)
+{
+  std::string vertex = vtkPointSplatProgram::Source("vtkPointSplatScreenVS");
+  std::string geometry;
+  std::string fragment = vtkPointSplatProgram::Source(file);
+  for (vtkOpenGLRenderPass* pass : hooks.Passes)
+  {
+    pass->PreReplaceShaderValues(vertex, geometry, fragment, target.Mapper, target.Actor);
+  }
+  vtkShaderProgram::Substitute(fragment, "//PointSplat::Defines", defines);
+  vtkShaderProgram::Substitute(fragment, "//PointSplat::GeometryBuffer",
+    hooks.WantGeometryBuffer() ? vtkPointSplatProgram::Source("vtkPointSplatGeometryBuffer")
+                               : std::string());
+  for (vtkOpenGLRenderPass* pass : hooks.Passes)
+  {
+    pass->PostReplaceShaderValues(vertex, geometry, fragment, target.Mapper, target.Actor);
+  }
+  auto window = static_cast<vtkOpenGLRenderWindow*>(target.Renderer->GetRenderWindow());
+  vtkShaderProgram* ready =
+    window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
+  if (!ready)
+  {
+    this->Error = "the shaders that present layers do not build.";
+    return false;
+  }
+  program.Borrow(static_cast<GLuint>(ready->GetHandle()));
+  for (vtkOpenGLRenderPass* pass : hooks.Passes)
+  {
+    pass->SetShaderParameters(ready, target.Mapper, target.Actor, nullptr);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatResolve::Present(const Target& target, const vtkPointSplatShading& shading,
+  const vtkPointSplatLayers& layers, int layer, int slot)
+{
+  const Hooks hooks(target.Actor);
+  vtkPointSplatProgram program;
+  if (!this->Use(target, hooks, "vtkPointSplatLayerFS",
+        "#define OUTPUT 0\n" + layers.GetDefines() +
+          shading.GetDefines(layers.GetGathered() >= 0),
+        program))
+  {
+    return false;
+  }
+  vtkPointSplatUnits units(
+    static_cast<vtkOpenGLRenderWindow*>(target.Renderer->GetRenderWindow()));
+  layers.Bind(units, program);
+  shading.Bind(units, program, layers.GetFactorCount());
+  program.Set("ImageOrigin", shading.View.Origin);
+  program.Set("Layer", layer);
+  program.Set("OnlySlot", slot);
+  this->Draw(target, shading.View);
+  shading.Unbind();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatResolve::PresentSelection(const Target& target, const vtkPointSplatView& view,
+  const vtkPointSplatLayers& layers, int slot, const Selection& selection)
+{
+  const Hooks hooks(target.Actor);
+  vtkPointSplatProgram program;
+  if (!this->Use(target, hooks, "vtkPointSplatLayerFS",
+        std::string("#define OUTPUT ") + (selection.Ids ? "2\n" : "1\n") + layers.GetDefines(),
+        program))
+  {
+    return false;
+  }
+  vtkPointSplatUnits units(
+    static_cast<vtkOpenGLRenderWindow*>(target.Renderer->GetRenderWindow()));
+  layers.Bind(units, program);
+  vtkPointSplatShading::SetRay(view, program);
+  program.Set("ImageOrigin", view.Origin);
+  program.Set("Layer", 0);
+  program.Set("OnlySlot", slot);
+  glm::vec4 colour(0.0f, 0.0f, 0.0f, 1.0f);
+  target.Renderer->GetSelector()->GetPropColorValue(&colour.x);
+  program.Set("SelectionColour", colour);
+  program.Set("SelectionShift", selection.Shift);
+  this->Draw(target, view);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatResolve::PresentFlat(const Target& target, const vtkPointSplatView& view,
+  const vtkPointSplatImage& colour, const vtkPointSplatImage& depth)
+{
+  const Hooks hooks(target.Actor);
+  vtkPointSplatProgram program;
+  if (!this->Use(target, hooks, "vtkPointSplatFlatFS", "", program))
+  {
+    return false;
+  }
+  vtkPointSplatUnits units(
+    static_cast<vtkOpenGLRenderWindow*>(target.Renderer->GetRenderWindow()));
+  units.Bind(program, "Flattened", GL_TEXTURE_2D, colour.Get());
+  units.Bind(program, "NearestDepths", GL_TEXTURE_2D, depth.Get());
+  program.Set("ImageOrigin", view.Origin);
+  this->Draw(target, view);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatResolve::Draw(const Target& target, const vtkPointSplatView& view)
+{
+  vtkOpenGLState* state =
+    static_cast<vtkOpenGLRenderWindow*>(target.Renderer->GetRenderWindow())->GetState();
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+  // Within what the renderer, or an area selection, lets through.
+  int clip[4];
+  state->vtkglGetIntegerv(GL_SCISSOR_BOX, clip);
+  glm::ivec2 low = view.Origin + glm::ivec2(target.Window);
+  glm::ivec2 high = view.Origin + glm::ivec2(target.Window.z, target.Window.w) + 1;
+  if (state->GetEnumState(GL_SCISSOR_TEST))
+  {
+    low = glm::max(low, glm::ivec2(clip[0], clip[1]));
+    high = glm::min(high, glm::ivec2(clip[0] + clip[2], clip[1] + clip[3]));
+  }
+  if (low.x < high.x && low.y < high.y)
+  {
+    state->vtkglEnable(GL_SCISSOR_TEST);
+    state->vtkglScissor(low.x, low.y, high.x - low.x, high.y - low.y);
+    state->vtkglDisable(GL_CULL_FACE);
+    state->vtkglEnable(GL_DEPTH_TEST);
+    this->Screen.Draw();
+  }
+}
