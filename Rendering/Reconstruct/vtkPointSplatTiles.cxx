@@ -318,9 +318,7 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::Prepare(
     return TooMany;
   }
   this->Reserve(variant);
-  bool ok = this->Project(request, part, variant);
-  Result r= ok ? this->Bin(variant) : Failed;
-  return r;
+  return this->Project(request, part, variant) ? this->Bin(variant) : Failed;
 }
 
 //------------------------------------------------------------------------------
