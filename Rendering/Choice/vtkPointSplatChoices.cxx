@@ -15,6 +15,8 @@ constexpr double StrideErrorPerPixel = 0.012;
 // error of 0.018.
 constexpr double LeastStrideError = 1.0 / 32.0;
 constexpr int MostStrideShift = 6;
+// By quads, splats of 64 bytes: OpenGL promises strides of 2048.
+constexpr int MostQuadShift = 5;
 
 // Peeling draws more than this even where time is short.
 constexpr double MostContribution = 1.0 / 8.0;
@@ -183,7 +185,8 @@ void ChooseSplats(const vtkPointSplatFacts& facts, double tolerance, vtkPointSpl
   {
     const int shift =
       whole || cloud.Painted ? 0
-                             : vtkPointSplatChoices::StrideShift(cloud.SpacingPixels, tolerance);
+                             : std::min(choice.Compute ? MostStrideShift : MostQuadShift,
+                                 vtkPointSplatChoices::StrideShift(cloud.SpacingPixels, tolerance));
     choice.StrideShifts.push_back(shift);
     all += cloud.Splats;
     drawn += std::ldexp(cloud.Splats, -shift);

@@ -69,7 +69,7 @@ bool vtkPointSplatTiles::IsSupported(const glm::ivec2& size)
   glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
   // A record is five texels. Boxes have 12 and 13 bits for tiles of 4 x 2 pixels.
   return vtkPointSplatProgram::IsComputeSupported() && texels / 5 >= Capacity &&
-    texels / size.y >= size.x && size.x <= 16384 && size.y <= 16384;
+    static_cast<vtkIdType>(size.x) * size.y <= texels && size.x <= 16384 && size.y <= 16384;
 }
 
 //------------------------------------------------------------------------------
