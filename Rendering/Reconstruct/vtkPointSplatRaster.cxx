@@ -4,6 +4,7 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPointSplatItemTable.h"
+#include "vtkPointSplatPointSizes.h"
 #include "vtkPointSplatQuads.h"
 #include "vtkPointSplatSavedState.h"
 #include "vtkPointSplatTiles.h"
@@ -17,29 +18,6 @@ const GLfloat Farthest = 1.0f;
 const char* const VisibilityFile = "vtkPointSplatVisibilityFS";
 const char* const AccumulateFile = "vtkPointSplatAccumulateFS";
 const char* const IdentifyFile = "vtkPointSplatIdentifyFS";
-
-/// Points are as large as shaders say; vtkOpenGLState does not know of this.
-class ScopedPointSizes
-{
-public:
-  ScopedPointSizes()
-    : Was(glIsEnabled(GL_PROGRAM_POINT_SIZE))
-  {
-    glEnable(GL_PROGRAM_POINT_SIZE);
-  }
-  ~ScopedPointSizes()
-  {
-    if (!this->Was)
-    {
-      glDisable(GL_PROGRAM_POINT_SIZE);
-    }
-  }
-  ScopedPointSizes(const ScopedPointSizes&) = delete;
-  void operator=(const ScopedPointSizes&) = delete;
-
-private:
-  GLboolean Was;
-};
 }
 
 //------------------------------------------------------------------------------
@@ -75,7 +53,7 @@ bool vtkPointSplatRaster::DrawAll(const vtkPointSplatRequest& request,
     (identifies ? std::string() : peel.GetDefines()) + (factors ? "#define FACTORS\n" : "");
   const unsigned int tagMask = vtkPointSplatItemTable::TagMask(request.Items.size());
   vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
-  const ScopedPointSizes sizes;
+  const vtkPointSplatPointSizes sizes;
   for (const vtkPointSplatItem& item : request.Items)
   {
     if (!item.IsInView())

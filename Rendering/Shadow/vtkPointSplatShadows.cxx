@@ -5,6 +5,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkPointSplatPointSizes.h"
 #include "vtkPointSplatSavedState.h"
 #include "vtkPointSplatUnits.h"
 #include "vtkSMPTools.h"
@@ -219,14 +220,11 @@ bool vtkPointSplatShadows::DrawPoints(
     return false;
   }
   vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
+  const vtkPointSplatPointSizes sizes;
   vtkPointSplatShadows::SetMap(*program, face);
   if (compute)
   {
     glBindImageTexture(0, this->Map.Get(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
-  }
-  else
-  {
-    glEnable(GL_PROGRAM_POINT_SIZE);
   }
   for (const vtkPointSplatShadowCloud& cloud : clouds)
   {
@@ -256,7 +254,6 @@ bool vtkPointSplatShadows::DrawPoints(
   else
   {
     glBindVertexArray(0);
-    glDisable(GL_PROGRAM_POINT_SIZE);
   }
   return true;
 }
