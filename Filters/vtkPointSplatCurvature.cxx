@@ -11,8 +11,6 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-/// A neighbour whose normal parts by more than this cosine (78 degrees) is of another sheet.
-constexpr double LeastNormalCosine = 0.2;
 /// The fit counts in full where it explains this part of the equations' right hand sides.
 constexpr double FullAgreement = 0.5;
 /// Of a fit that counts in full this much: splats that bend a little less than the surface
@@ -56,32 +54,30 @@ struct Equations
 };
 }
 
-void vtkPointSplatCurvature::Estimate(
-  const vtkPointSplatNeighbors::Neighborhood& around, const float* normals)
+void vtkPointSplatCurvature::Estimate(const vtkPointSplatNeighbors::Neighborhood& around,
+  const float* normals, const vtkPointSplatSheet& sheet)
 {
   std::fill_n(this->Tensor, 6, 0.0f);
+  this->Strongest = 0;
   const float* centre = normals + std::size_t(3) * around.Center;
   const double n[3] = { centre[0], centre[1], centre[2] };
   double a[3], b[3];
   vtkMath::Perpendiculars(n, a, b, 0);
   Equations equations;
-  for (int i = 0; i < around.Count; ++i)
+  for (int k = 0; k < sheet.Count; ++k)
   {
+    const int i = sheet.Members[k];
     const float* other = normals + std::size_t(3) * around.Slots[i];
     double m[3] = { other[0], other[1], other[2] };
-    const double cosine = vtkMath::Dot(m, n);
     const double squared = around.SquaredDistance[i];
-    if (!(std::abs(cosine) >= LeastNormalCosine) || !(squared > 0))
-    {
-      continue;
-    }
-    const double side = cosine < 0 ? -1 : 1;
     const double d[3] = { around.X[i], around.Y[i], around.Z[i] };
-    const double u = vtkMath::Dot(d, a), v = vtkMath::Dot(d, b);
-    const double weight = cosine * cosine / squared;
+    const double cosine = vtkMath::Dot(m, n);
+    const double u = vtkMath::Dot(d, a), v = vtkMath::Dot(d, b), h = vtkMath::Dot(d, n);
+    const double side = cosine * squared < 2 * h * vtkMath::Dot(d, m) ? -1 : 1;
+    const double weight = 1 / squared;
     equations.Add(u, v, 0, side * vtkMath::Dot(m, a), weight);
     equations.Add(0, u, v, side * vtkMath::Dot(m, b), weight);
-    equations.Add(u * u, 2 * u * v, v * v, -2 * vtkMath::Dot(d, n), weight / squared);
+    equations.Add(u * u, 2 * u * v, v * v, -2 * h, cosine * cosine * weight / squared);
   }
   if (!(equations.Total > 0))
   {
@@ -91,6 +87,14 @@ void vtkPointSplatCurvature::Estimate(
   equations.Solve(B);
   const double explained = vtkMath::Dot(B, equations.Right) / equations.Total;
   const double part = Caution * std::clamp(explained / FullAgreement, 0.0, 1.0);
+  const double mean = 0.5 * (B[0] + B[2]);
+  const double strongest = part * (std::abs(mean) + std::hypot(0.5 * (B[0] - B[2]), B[1]));
+  // Singular equations give what is not finite, and points next to each other what no float is.
+  if (!(strongest <= VTK_FLOAT_MAX))
+  {
+    return;
+  }
+  this->Strongest = static_cast<float>(strongest);
   static const int rows[6] = { 0, 1, 2, 0, 1, 0 };
   static const int columns[6] = { 0, 1, 2, 1, 2, 2 };
   for (int k = 0; k < 6; ++k)
@@ -98,8 +102,7 @@ void vtkPointSplatCurvature::Estimate(
     const int i = rows[k], j = columns[k];
     const double element = part *
       (B[0] * a[i] * a[j] + B[1] * (a[i] * b[j] + a[j] * b[i]) + B[2] * b[i] * b[j]);
-    // Singular equations give what is not finite, and points next to each other what no float is.
-    this->Tensor[k] = std::abs(element) <= VTK_FLOAT_MAX ? static_cast<float>(element) : 0.0f;
+    this->Tensor[k] = static_cast<float>(element);
   }
 }
 

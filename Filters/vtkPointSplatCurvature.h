@@ -12,14 +12,16 @@
  * at a distance d, gives three equations, in units of curvature:
  *   (B11 u + B12 v) / d = n_j . a / d,   (B12 u + B22 v) / d = n_j . b / d,
  *   (B11 u^2 + 2 B12 u v + B22 v^2) / d^2 = -2 h / d^2,
- * which B fits by least squares, weighted by the squared cosine between the normals. A
- * neighbour's normal n_j is first turned to the side of n: B does not depend on how normals
- * are oriented from point to point, only on the sign of n.
+ * which B fits by least squares over the neighbours of the point's sheet. The first two hold as
+ * well on a circle at any angle up to a right one; the third, which does not, is weighted by the
+ * squared cosine between the normals. A neighbour's normal n_j is first turned to the side where n
+ * points as it runs along an arc to there: B does not depend on how normals are oriented from point
+ * to point, only on the sign of n.
  */
 #ifndef vtkPointSplatCurvature_h
 #define vtkPointSplatCurvature_h
 
-#include "vtkPointSplatNeighbors.h"
+#include "vtkPointSplatSheet.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -29,14 +31,16 @@ public:
   /// B as a tensor, XX, YY, ZZ, XY, YZ, XZ, in 1 / world units: B = 1 / R on a sphere of radius
   /// R whose normals point outward. Its null vector is the normal.
   float Tensor[6] = { 0, 0, 0, 0, 0, 0 };
+  /// The greater of the magnitudes of its eigenvalues.
+  float Strongest = 0;
 
   /**
    * Fits the tensor at the neighbourhood's centre. normals: 3 floats a slot, unit length.
    * Where the neighbours do not agree on it (noise, creases, too few of them), it is smaller
    * than the fit, down to 0: there the plane is the better guess.
    */
-  void Estimate(
-    const vtkPointSplatNeighbors::Neighborhood& around, const float* normals);
+  void Estimate(const vtkPointSplatNeighbors::Neighborhood& around, const float* normals,
+    const vtkPointSplatSheet& sheet);
 };
 
 VTK_ABI_NAMESPACE_END

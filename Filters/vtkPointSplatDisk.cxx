@@ -10,30 +10,18 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-/// A neighbour whose normal parts by more than this cosine (78 degrees) is of another sheet ...
-constexpr float LeastNormalCosine = 0.2f;
-/// ... if it lies higher above the tangent plane than this part of its distance; normals may be
-/// wrong, or oriented this way and that over one sheet.
-constexpr float LargestElevationAcross = 0.3f;
-/// So is any that lies higher than this.
-constexpr float LargestElevation = 0.8f;
 /// A normal is not that of the surface if its tangent plane leaves out more than this part of
 /// the neighbours' squared distances, and another plane much less.
 constexpr float LargestResidual = 0.25f;
 constexpr float ResidualRatio = 0.3f;
-/// A Voronoi vertex between two neighbours seen at a wider angle (150 degrees) is left to them.
-constexpr float WidestAngleCosine = -0.8660254f;
-/// Beyond the farthest vertex, for rounding and for what lies between the tangent planes.
-constexpr float Margin = 1.02f;
-/// The disk of a point for which neighbours give a distance only: half a square's diagonal.
-constexpr float RadiusPerDistance = 0.70710678f;
+/// The disk's radius, of the mean distance to the neighbours next to it: a square's corners' disks
+/// reach to its middle.
+constexpr float RadiusPerDistance = 0.72f;
 /// Neighbours lie in a row if their variance across it is less than this part of that along
 /// it; those of a point on a straight border have about a third.
 constexpr float RowVariance = 0.15f;
 /// The neighbour whose distance tells the spacing.
 constexpr int SpacingRank = 6;
-/// How far a disk on a border may reach, of the distance to the farthest of its nearby neighbours.
-constexpr float BorderReach = 0.7f;
 /// The longest ellipse, axis to axis.
 constexpr float LargestAspect = 8.0f;
 }
@@ -80,10 +68,8 @@ void vtkPointSplatDisk::ChoosePlane(
   }
 }
 
-void vtkPointSplatDisk::Project(
-  const vtkPointSplatNeighbors::Neighborhood& around, const float* normals)
+void vtkPointSplatDisk::Project(const vtkPointSplatNeighbors::Neighborhood& around)
 {
-  this->ChoosePlane(around, normals);
   const float* n = this->Normal;
   // An orthonormal frame without branches (Duff et al. 2017, Building an orthonormal basis).
   const float sign = std::copysign(1.0f, n[2]);
@@ -94,23 +80,17 @@ void vtkPointSplatDisk::Project(
   std::copy(u, u + 3, this->Axis1);
   std::copy(v, v + 3, this->Axis2);
   this->Scale1 = this->Scale2 = 1;
-
-  this->Count = 0;
-  for (int i = 0; i < around.Count; ++i)
+  for (int k = 0; k < this->Sheet.Count; ++k)
   {
+    const int i = this->Sheet.Members[k];
     const float x = around.X[i], y = around.Y[i], z = around.Z[i];
-    const float* m = normals + std::size_t(3) * around.Slots[i];
-    const float height = x * n[0] + y * n[1] + z * n[2];
-    const float cosine = m[0] * n[0] + m[1] * n[1] + m[2] * n[2];
-    const float elevation =
-      cosine < LeastNormalCosine ? LargestElevationAcross : LargestElevation;
-    if (height * height > elevation * elevation * around.SquaredDistance[i])
-    {
-      continue;
-    }
-    this->U[this->Count] = x * u[0] + y * u[1] + z * u[2];
-    this->V[this->Count] = x * v[0] + y * v[1] + z * v[2];
-    ++this->Count;
+    const float p = x * u[0] + y * u[1] + z * u[2];
+    const float q = x * v[0] + y * v[1] + z * v[2];
+    // Unrolled onto the plane, as far away as in space.
+    const float squared = p * p + q * q;
+    const float longer = squared > 0 ? std::sqrt(around.SquaredDistance[i] / squared) : 0.0f;
+    this->U[k] = longer * p;
+    this->V[k] = longer * q;
   }
 }
 
@@ -125,7 +105,7 @@ void vtkPointSplatDisk::Project(
 void vtkPointSplatDisk::Whiten()
 {
   float uu = 0, uv = 0, vv = 0;
-  for (int i = 0; i < this->Count; ++i)
+  for (int i = 0; i < this->Sheet.Count; ++i)
   {
     uu += this->U[i] * this->U[i];
     uv += this->U[i] * this->V[i];
@@ -145,7 +125,7 @@ void vtkPointSplatDisk::Whiten()
   const float scale = 1 / std::sqrt(long1 * long2);
   this->Scale1 = long1 * scale;
   this->Scale2 = long2 * scale;
-  for (int i = 0; i < this->Count; ++i)
+  for (int i = 0; i < this->Sheet.Count; ++i)
   {
     const float x = this->U[i], y = this->V[i];
     this->U[i] = (c * x + s * y) / this->Scale1;
@@ -188,16 +168,21 @@ void vtkPointSplatDisk::Clip(float nx, float ny, float offset, int edge)
 }
 
 /// Cuts the frame down to the Voronoi cell; true if nothing of the frame is left.
-bool vtkPointSplatDisk::ClipByBisectors()
+bool vtkPointSplatDisk::ClipByBisectors(int count)
 {
-  const float side = 2 * this->Reach;
+  float reach = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    reach = std::max(reach, this->U[i] * this->U[i] + this->V[i] * this->V[i]);
+  }
+  const float side = 2 * std::sqrt(reach);
   this->Size = 4;
   this->Cell[0] = { -side, -side, Frame };
   this->Cell[1] = { side, -side, Frame };
   this->Cell[2] = { side, side, Frame };
   this->Cell[3] = { -side, side, Frame };
   float farthest = 2 * side * side;
-  for (int i = 0; i < this->Count && this->Size > 0; ++i)
+  for (int i = 0; i < count && this->Size > 0; ++i)
   {
     const float squared = this->U[i] * this->U[i] + this->V[i] * this->V[i];
     // A bisector is half way to its neighbour.
@@ -224,33 +209,35 @@ bool vtkPointSplatDisk::ClipByBisectors()
 }
 
 /**
- * On a border of the surface the cell is open. If the centre is a corner of the convex hull
- * of its neighbours, what of the cell lies outside the hull is no surface.
+ * The mean distance of the neighbours that share an edge of the cell with the centre, the Delaunay
+ * neighbours, weighted by these edges: where four points lie on a circle, which of them are
+ * neighbours is up to rounding, but these edges have no length then.
  */
-void vtkPointSplatDisk::ClipByHull()
+float vtkPointSplatDisk::MeanDistance() const
 {
-  float angles[vtkPointSplatNeighbors::MaximumNumberOfNeighbors];
-  for (int i = 0; i < this->Count; ++i)
+  float sum = 0, weights = 0;
+  for (int j = 0; j < this->Size; ++j)
   {
-    angles[i] = std::atan2(this->V[i], this->U[i]);
-  }
-  std::sort(angles, angles + this->Count);
-  const float pi = 3.14159265f;
-  for (int i = 0; i < this->Count; ++i)
-  {
-    const float from = angles[i];
-    const float to = i + 1 < this->Count ? angles[i + 1] : angles[0] + 2 * pi;
-    if (to - from >= pi)
+    const int i = this->Cell[j].Edge;
+    if (i != Frame)
     {
-      // The hull's sides through the centre point to where the gap begins and ends.
-      this->Clip(-std::sin(from), std::cos(from), 0, Hull);
-      this->Clip(std::sin(to), -std::cos(to), 0, Hull);
-      return;
+      const Vertex& to = this->Cell[j + 1 < this->Size ? j + 1 : 0];
+      const float weight = std::hypot(to.X - this->Cell[j].X, to.Y - this->Cell[j].Y);
+      sum += weight * std::hypot(this->U[i], this->V[i]);
+      weights += weight;
     }
   }
+  return weights > 0 ? sum / weights : 0;
 }
 
-float vtkPointSplatDisk::FarthestVertex(float limit) const
+/**
+ * How far the centre's part of the Delaunay triangles around it reaches: to the circumcentre of an
+ * acute one; of an obtuse one, whose circumcentre lies outside, to where bisectors leave it. That a
+ * triangle is one of Delaunay's is known if its circumcircle lies within the distance `known` of the
+ * last neighbour; else its circumcentre counts, and none that is farther than that neighbour: past a
+ * border triangles have it anywhere.
+ */
+float vtkPointSplatDisk::Reach(float known) const
 {
   float farthest = 0;
   for (int j = 0; j < this->Size; ++j)
@@ -258,30 +245,45 @@ float vtkPointSplatDisk::FarthestVertex(float limit) const
     const Vertex& vertex = this->Cell[j];
     const int a = this->Cell[j > 0 ? j - 1 : this->Size - 1].Edge;
     const int b = vertex.Edge;
-    const float squared = vertex.X * vertex.X + vertex.Y * vertex.Y;
-    if (a == Frame || b == Frame || squared <= farthest || squared > limit * limit)
+    float squared = vertex.X * vertex.X + vertex.Y * vertex.Y;
+    if (a == Frame || b == Frame || squared > known * known)
     {
       continue;
     }
-    if (a >= 0 && b >= 0)
+    if (4 * squared <= known * known)
     {
-      const float cosine = this->U[a] * this->U[b] + this->V[a] * this->V[b];
-      const float lengths = (this->U[a] * this->U[a] + this->V[a] * this->V[a]) *
-        (this->U[b] * this->U[b] + this->V[b] * this->V[b]);
-      if (cosine < 0 && cosine * cosine > WidestAngleCosine * WidestAngleCosine * lengths)
+      const float aa = this->U[a] * this->U[a] + this->V[a] * this->V[a];
+      const float bb = this->U[b] * this->U[b] + this->V[b] * this->V[b];
+      const float ab = this->U[a] * this->U[b] + this->V[a] * this->V[b];
+      if (ab >= std::min(aa, bb))
       {
-        continue;
+        // Obtuse at a neighbour: the bisector of the way to it meets the far side.
+        squared = 0.25f * std::min(aa, bb) * aa * bb / (ab * ab);
+      }
+      else if (ab < 0)
+      {
+        // Obtuse at the centre: both bisectors meet the far side, farther off the longer one.
+        const float longer = std::max(aa, bb);
+        squared =
+          0.25f * longer * longer * (aa + bb - 2 * ab) / ((longer - ab) * (longer - ab));
       }
     }
-    farthest = squared;
+    farthest = std::max(farthest, squared);
   }
   return std::sqrt(farthest);
+}
+
+/// Whether all of the cell is nearer than that.
+bool vtkPointSplatDisk::IsWithin(float known) const
+{
+  return std::all_of(this->Cell, this->Cell + this->Size,
+    [known](const Vertex& v) { return v.X * v.X + v.Y * v.Y <= known * known; });
 }
 
 bool vtkPointSplatDisk::InRow() const
 {
   float u = 0, v = 0, uu = 0, uv = 0, vv = 0;
-  for (int i = 0; i < this->Count; ++i)
+  for (int i = 0; i < this->Sheet.Count; ++i)
   {
     u += this->U[i];
     v += this->V[i];
@@ -289,7 +291,7 @@ bool vtkPointSplatDisk::InRow() const
     uv += this->U[i] * this->V[i];
     vv += this->V[i] * this->V[i];
   }
-  const float n = static_cast<float>(std::max(this->Count, 1));
+  const float n = static_cast<float>(std::max(this->Sheet.Count, 1));
   uu -= u * u / n;
   uv -= u * v / n;
   vv -= v * v / n;
@@ -299,45 +301,34 @@ bool vtkPointSplatDisk::InRow() const
 }
 
 bool vtkPointSplatDisk::Estimate(const vtkPointSplatNeighbors::Neighborhood& around,
-  const float* normals, bool elliptical, int nearby, bool border, float limit)
+  const float* normals, bool elliptical, float usual)
 {
-  this->Project(around, normals);
+  vtkPointSplatNeighbors::Neighborhood near = around;
+  near.Count = vtkPointSplatSheet::CountNear(around, usual);
+  this->ChoosePlane(near, normals);
+  this->Sheet.Select(around, near.Count, normals, this->Normal);
+  this->Project(around);
   if (elliptical)
   {
     this->Whiten();
   }
-  this->Reach = 0;
-  float nearest = std::numeric_limits<float>::max(), borderReach = 0;
-  for (int i = 0; i < this->Count; ++i)
+  this->Spacing = this->Gap = 0;
+  int count = this->Sheet.Count;
+  const auto distance = [this](int i) { return std::hypot(this->U[i], this->V[i]); };
+  const bool closed =
+    this->ClipByBisectors(count) && this->IsWithin(distance(count - 1));
+  if (!closed && this->Sheet.Near < count)
   {
-    const float squared = this->U[i] * this->U[i] + this->V[i] * this->V[i];
-    this->Reach = std::max(this->Reach, squared);
-    nearest = std::min(nearest, squared);
-    borderReach = i < nearby ? this->Reach : borderReach;
-    this->Spacing = i < SpacingRank ? std::sqrt(squared) : this->Spacing;
-  }
-  this->Reach = std::sqrt(this->Reach);
-  const bool closed = this->Count > 2 && this->ClipByBisectors();
-  if (!closed && !border)
-  {
-    return false;
+    // What is far counts only where it is all around.
+    count = this->Sheet.Near;
+    this->ClipByBisectors(count);
   }
   float radius = 0;
-  if (this->Count > 2)
+  if (count > 0)
   {
-    if (!closed)
-    {
-      this->ClipByHull();
-      this->Reach = BorderReach * std::sqrt(borderReach);
-    }
-    radius = std::min(Margin * this->FarthestVertex(limit * this->Spacing), this->Reach);
-  }
-  if (radius <= 0)
-  {
-    // No vertex: nothing but neighbours in a row, or of other sheets.
-    radius = this->Count > 0
-      ? RadiusPerDistance * std::sqrt(nearest)
-      : (around.Count > 0 ? RadiusPerDistance * std::sqrt(around.SquaredDistance[0]) : 0.0f);
+    radius = RadiusPerDistance * this->MeanDistance();
+    this->Gap = this->Reach(distance(count - 1)) * this->Scale1;
+    this->Spacing = distance(std::min(SpacingRank, count) - 1);
   }
   this->Length1 = radius * this->Scale1;
   this->Length2 = radius * this->Scale2;

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPointSplatDisk
- * @brief   the smallest disk about a point that does its share in covering the surface
+ * @brief   the disk about a point that does its share in covering the surface
  *
  * An internal helper of vtkPointSplatEstimation; see the stages there.
  */
 #ifndef vtkPointSplatDisk_h
 #define vtkPointSplatDisk_h
 
-#include "vtkPointSplatNeighbors.h"
+#include "vtkPointSplatSheet.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -24,15 +24,18 @@ public:
   /// The half axes' lengths, the first the longer; both the radius for a circle.
   float Length1 = 0, Length2 = 0;
 
+  /// The first axis' length at which the disk covers its part of the gaps between the neighbours.
+  float Gap = 0;
+  /// The neighbours that the disk is made of.
+  vtkPointSplatSheet Sheet;
+
   /**
-   * Finds the disk of the neighbourhood's centre. normals: 3 floats a slot, unit length.
-   * Returns whether the neighbours close the cell all around. Where they do not, nothing is
-   * found unless `border` is set: then the disk is that of a point on a border, and reaches
-   * no farther than the `nearby` nearest of them. Vertices of the cell farther than `limit`
-   * times the spacing are left out: there is a hole. Lengths are 0 if there is no neighbour.
+   * Finds the disk of the neighbourhood's centre. normals: 3 floats a slot, unit length; usual: as
+   * in vtkPointSplatSheet. Returns whether neighbours of its sheet are all around. Lengths are 0 if
+   * there is none.
    */
   bool Estimate(const vtkPointSplatNeighbors::Neighborhood& around, const float* normals,
-    bool elliptical, int nearby, bool border, float limit);
+    bool elliptical, float usual);
 
   /// Whether the neighbours lie in a row rather than all around or to one side.
   bool InRow() const;
@@ -48,27 +51,25 @@ private:
   struct Vertex
   {
     float X, Y;
-    int Edge; // what made the edge from this vertex to the next: a neighbour, or one of these:
+    int Edge; // what made the edge from this vertex to the next: a neighbour, or this:
   };
   static constexpr int Frame = -1; // the square that the clipping starts from
-  static constexpr int Hull = -2;  // the border of the hull of the neighbours
 
   void ChoosePlane(
     const vtkPointSplatNeighbors::Neighborhood& around, const float* normals);
-  void Project(const vtkPointSplatNeighbors::Neighborhood& around, const float* normals);
+  void Project(const vtkPointSplatNeighbors::Neighborhood& around);
   void Whiten();
   void Clip(float nx, float ny, float offset, int edge);
-  bool ClipByBisectors();
-  void ClipByHull();
-  float FarthestVertex(float limit) const;
+  bool ClipByBisectors(int count);
+  float MeanDistance() const;
+  float Reach(float known) const;
+  bool IsWithin(float known) const;
 
   float Scale1, Scale2; // world units of the plane's two coordinates
-  int Count;            // neighbours in use
   float U[vtkPointSplatNeighbors::MaximumNumberOfNeighbors];
   float V[vtkPointSplatNeighbors::MaximumNumberOfNeighbors];
   Vertex Cell[MaximumNumberOfVertices];
   int Size; // of Cell
-  float Reach;
 };
 
 VTK_ABI_NAMESPACE_END

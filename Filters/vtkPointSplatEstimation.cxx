@@ -21,6 +21,8 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <cmath>
+#include <iostream>
+#include <cstdlib>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -29,6 +31,8 @@ vtkStandardNewMacro(vtkPointSplatEstimation);
 
 namespace
 {
+using Slot = vtkPointSplatNeighbors::Slot;
+
 /// The radius of a point that has no neighbour to compare with.
 constexpr float LoneRadius = 0.1f;
 /// How much larger than its neighbours' disks one may be.
@@ -44,8 +48,15 @@ constexpr float HoleFactor = 1.3f;
 constexpr float GapFactor = 3.0f;
 /// The neighbours, by rank, that bound a disk.
 constexpr int NumberOfWitnesses = 4;
-
-using Slot = vtkPointSplatNeighbors::Slot;
+/// How far the normal may turn from the centre to the rim of a disk: the kernel's rim, a half
+/// farther out, then stays within a tube's silhouette.
+constexpr float LargestBend = 0.6f;
+/// The radius of a body alone, of the distance to what is nearest.
+constexpr float BodyRadius = 0.5f;
+/// The neighbour whose distance is a point's spacing, where the usual one is found, and of how many
+/// leaves of the search tree at least.
+constexpr int UsualRank = 2;
+constexpr Slot UsualLeaves = 512;
 
 struct MarkUsable
 {
@@ -106,12 +117,52 @@ bool IsZero(const float n[3])
   return n[0] == 0 && n[1] == 0 && n[2] == 0;
 }
 
+/// The second fundamental form of a ball.
+void GetBall(const float n[3], float curvature, float tensor[6])
+{
+  static const int rows[6] = { 0, 1, 2, 0, 1, 0 };
+  static const int columns[6] = { 0, 1, 2, 1, 2, 2 };
+  for (int k = 0; k < 6; ++k)
+  {
+    tensor[k] = curvature * ((k < 3 ? 1.0f : 0.0f) - n[rows[k]] * n[columns[k]]);
+  }
+}
+
+/// An element of some order; values are shuffled.
+float GetQuantile(std::vector<float>& values, double q)
+{
+  auto at = values.begin() + static_cast<std::ptrdiff_t>(q * (values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+/// The spacing of most points: the median distance to the second neighbour, of points all over the
+/// cloud.
+float GetUsualSpacing(vtkAlgorithm* self, const vtkPointSplatNeighbors& neighbors)
+{
+  const Slot slots = neighbors.GetNumberOfSlots();
+  const Slot leaves = (slots + vtkPointSplatNeighbors::LeafSize - 1) / vtkPointSplatNeighbors::LeafSize;
+  const Slot stride = std::max<Slot>(1, leaves / UsualLeaves);
+  std::vector<float> spacings(slots, 0.0f);
+  neighbors.Visit(self, 0.05, 0.1, UsualRank,
+    [&](const vtkPointSplatNeighbors::Neighborhood& around, int) {
+      spacings[around.Center] =
+        around.Count > 0 ? std::sqrt(around.SquaredDistance[around.Count - 1]) : 0.0f;
+      return true;
+    },
+    [&](Slot s) { return s / vtkPointSplatNeighbors::LeafSize % stride == 0; });
+  spacings.erase(std::remove(spacings.begin(), spacings.end(), 0.0f), spacings.end());
+  return spacings.empty() ? 0.0f : GetQuantile(spacings, 0.5);
+}
+
 /// Disks as they are found, for each slot.
 struct Disks
 {
   explicit Disks(Slot slots, bool elliptical)
     : Length(slots, 0.0f)
-    , Size(slots, 0.0f)
+    , Gap(slots, 0.0f)
+    , Spacing(slots, 0.0f)
+    , Nearest(slots, 0.0f)
     , Witnesses(std::size_t(NumberOfWitnesses) * slots, vtkPointSplatNeighbors::None)
     , Axes(elliptical ? std::size_t(6) * slots : 0)
     , Planes(elliptical ? 0 : std::size_t(3) * slots)
@@ -119,43 +170,66 @@ struct Disks
   {
   }
 
+  bool IsAlone(Slot slot) const { return !(this->Length[slot] > 0); }
+
   /**
-   * The size, in spacings, past which a disk reaches over a hole in the surface.
+   * The size of a gap, in spacings, past which it is a hole in the surface.
    */
   float GetHoleLimit() const
   {
     std::vector<float> sizes;
-    sizes.reserve(this->Size.size());
-    for (const float size : this->Size)
+    sizes.reserve(this->Gap.size());
+    for (std::size_t s = 0; s < this->Gap.size(); ++s)
     {
-      if (size > 0 && std::isfinite(size))
+      if (this->Gap[s] > 0)
       {
-        sizes.push_back(size);
+        sizes.push_back(this->Gap[s] / this->Spacing[s]);
       }
     }
     if (sizes.size() < 100)
     {
       return std::numeric_limits<float>::max();
     }
-    auto quantile = [&sizes](double q) {
-      auto at = sizes.begin() + static_cast<std::ptrdiff_t>(q * (sizes.size() - 1));
-      std::nth_element(sizes.begin(), at, sizes.end());
-      return *at;
-    };
-    const float usual = quantile(0.5), large = quantile(0.95);
+    const float usual = GetQuantile(sizes, 0.5), large = GetQuantile(sizes, 0.95);
     const float t = std::clamp(
       (large / usual - RegularSpread) / (IrregularSpread - RegularSpread), 0.0f, 1.0f);
+    if (getenv("DBG")) { std::cerr << "usual " << usual << " large " << large << " t " << t << " q999 " << GetQuantile(sizes, 0.999) << " max " << GetQuantile(sizes,1.0) << "\n"; if (getenv("DBG")[0] == '2') return 1e9f; }
     return large * (HoleFactor + t * (GapFactor - HoleFactor));
+  }
+
+  /// Makes disks as large as the gaps that they are to close, and gives points alone their bodies.
+  void Finish()
+  {
+    const float limit = this->GetHoleLimit();
+    std::vector<float> lengths;
+    lengths.reserve(this->Length.size());
+    for (std::size_t s = 0; s < this->Length.size(); ++s)
+    {
+      if (this->Gap[s] <= limit * this->Spacing[s])
+      {
+        this->Length[s] = std::max(this->Length[s], this->Gap[s]);
+      }
+      if (this->Length[s] > 0)
+      {
+        lengths.push_back(this->Length[s]);
+      }
+    }
+    this->Body = lengths.empty() ? std::numeric_limits<float>::max() : GetQuantile(lengths, 0.5);
   }
 
   /// At most LargestRatio times the second smallest of some neighbours' lengths.
   float GetBounded(Slot slot) const
   {
+    if (this->IsAlone(slot))
+    {
+      return this->Nearest[slot] > 0 ? std::min(BodyRadius * this->Nearest[slot], this->Body)
+                                     : LoneRadius;
+    }
     float smallest = std::numeric_limits<float>::max(), second = smallest;
     for (int w = 0; w < NumberOfWitnesses; ++w)
     {
       const Slot witness = this->Witnesses[std::size_t(NumberOfWitnesses) * slot + w];
-      if (witness != vtkPointSplatNeighbors::None)
+      if (witness != vtkPointSplatNeighbors::None && !this->IsAlone(witness))
       {
         const float length = this->Length[witness];
         second = std::min(second, std::max(smallest, length));
@@ -165,12 +239,15 @@ struct Disks
     return std::min(this->Length[slot], LargestRatio * second);
   }
 
-  std::vector<float> Length; // of the longer axis
-  std::vector<float> Size;   // in spacings
+  std::vector<float> Length;  // of the longer axis; 0 for a point alone
+  std::vector<float> Gap;     // what it must at least be to close the gaps around
+  std::vector<float> Spacing; // of the neighbours that the disk is made of
+  std::vector<float> Nearest; // the distance to any neighbour
   std::vector<Slot> Witnesses;
   std::vector<float> Axes; // both, unless circular
   std::vector<float> Planes; // their normals, if circular
   std::vector<float> Curvatures; // tensors, if circular
+  float Body = 0; // the largest radius of a point alone
 };
 }
 
@@ -190,6 +267,7 @@ int vtkPointSplatEstimation::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   const vtkIdType numberOfPoints = input->GetNumberOfPoints();
   const bool elliptical = this->Shape == Elliptical;
+  this->NumberOfPointsAlone = 0;
 
   vtkNew<vtkFloatArray> normals;
   vtkDataArray* given = input->GetPointData()->GetNormals();
@@ -303,39 +381,30 @@ int vtkPointSplatEstimation::RequestData(
     }
 
     // 4. Disks
+    const float usual = GetUsualSpacing(this, neighbors);
     Disks disks(slots, elliptical);
-    float limit = std::numeric_limits<float>::max();
     auto measure = [&](const vtkPointSplatNeighbors::Neighborhood& around, int round) {
       const Slot s = around.Center;
-      if (round == 0 && !elliptical)
-      {
-        vtkPointSplatCurvature curvature;
-        curvature.Estimate(around, slotNormals.data());
-        std::copy_n(curvature.Tensor, 6, disks.Curvatures.data() + std::size_t(6) * s);
-      }
       vtkPointSplatDisk disk;
-      const bool closed = disk.Estimate(
-        around, slotNormals.data(), elliptical, this->NumberOfNeighbors, round == 1, limit);
-      if (!closed && round != 1)
+      const bool closed = disk.Estimate(around, slotNormals.data(), elliptical, usual);
+      if (round > 0 && !closed)
       {
-        // More neighbours may tell; in the last round, the border's disk of the one before stands.
-        return round == 2;
+        // What more neighbours do not close is a border: the first round's disk stands.
+        return round == 2 || !disk.InRow();
       }
-      disks.Length[s] = disk.Length1 > 0 ? disk.Length1 : LoneRadius;
-      disks.Size[s] = disk.Spacing > 0 ? std::sqrt(disk.Length1 * disk.Length2) / disk.Spacing : 0;
-      for (int w = 0; w < NumberOfWitnesses && around.Count >= NumberOfWitnesses; ++w)
-      {
-        disks.Witnesses[std::size_t(NumberOfWitnesses) * s + w] =
-          around.Slots[(w + 1) * around.Count / NumberOfWitnesses - 1];
-      }
+      float largest = std::numeric_limits<float>::max();
       if (!elliptical)
       {
-        std::copy(disk.Normal, disk.Normal + 3, disks.Planes.data() + std::size_t(3) * s);
-        if (!std::equal(disk.Normal, disk.Normal + 3, slotNormals.data() + std::size_t(3) * s))
+        float* tensor = disks.Curvatures.data() + std::size_t(6) * s;
+        vtkPointSplatCurvature curvature;
+        // Normals that are not the surface's say nothing of its curvature.
+        if (std::equal(disk.Normal, disk.Normal + 3, slotNormals.data() + std::size_t(3) * s))
         {
-          // The normals are not the surface's, nor is what they tell of its curvature.
-          std::fill_n(disks.Curvatures.data() + std::size_t(6) * s, 6, 0.0f);
+          curvature.Estimate(around, slotNormals.data(), disk.Sheet);
         }
+        std::copy_n(curvature.Tensor, 6, tensor);
+        std::copy(disk.Normal, disk.Normal + 3, disks.Planes.data() + std::size_t(3) * s);
+        largest = curvature.Strongest > 0 ? LargestBend / curvature.Strongest : largest;
       }
       else
       {
@@ -346,21 +415,28 @@ int vtkPointSplatEstimation::RequestData(
           disks.Axes[std::size_t(6) * s + 3 + c] = ratio * disk.Axis2[c];
         }
       }
-      return closed || !disk.InRow();
+      disks.Length[s] = std::min(disk.Length1, largest);
+      disks.Gap[s] = std::min(disk.Gap, largest);
+      disks.Spacing[s] = disk.Spacing;
+      disks.Nearest[s] = around.Count > 0 ? std::sqrt(around.SquaredDistance[0]) : 0.0f;
+      for (int w = 0; w < NumberOfWitnesses && around.Count >= NumberOfWitnesses; ++w)
+      {
+        disks.Witnesses[std::size_t(NumberOfWitnesses) * s + w] =
+          around.Slots[(w + 1) * around.Count / NumberOfWitnesses - 1];
+      }
+      return closed;
     };
-    if (!neighbors.Visit(this, missing ? 0.5 : 0.1, 0.8, this->NumberOfNeighbors, measure))
+    if (!neighbors.Visit(this, missing ? 0.5 : 0.1, 0.9, this->NumberOfNeighbors, measure))
     {
       return 1;
     }
-    limit = disks.GetHoleLimit();
-    const std::vector<float> firstSizes = disks.Size;
-    if (!neighbors.Visit(this, 0.8, 0.9, this->NumberOfNeighbors, measure,
-          [&](Slot s) { return firstSizes[s] > limit; }))
-    {
-      return 1;
-    }
+    disks.Finish();
 
     // 5. Bounds, and from slots back to points
+    for (const Slot s : slotOf)
+    {
+      this->NumberOfPointsAlone += s != vtkPointSplatNeighbors::None && disks.IsAlone(s);
+    }
     const float scale = static_cast<float>(this->RadiusScale);
     vtkSMPTools::For(0, numberOfPoints, [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType id = begin; id < end; ++id)
@@ -374,10 +450,18 @@ int vtkPointSplatEstimation::RequestData(
           sizes[0]->SetValue(id, length);
           const float* plane = drawn ? disks.Planes.data() + std::size_t(3) * s : n + 3 * id;
           std::copy(plane, plane + 3, planes->GetPointer(3 * id));
-          for (int c = 0; c < 6; ++c)
+          float* tensor = curvatures->GetPointer(6 * id);
+          if (drawn && disks.IsAlone(s))
           {
-            curvatures->SetValue(
-              6 * id + c, drawn ? disks.Curvatures[std::size_t(6) * s + c] : 0.0f);
+            GetBall(plane, LargestBend / disks.GetBounded(s), tensor);
+          }
+          else if (drawn)
+          {
+            std::copy_n(disks.Curvatures.data() + std::size_t(6) * s, 6, tensor);
+          }
+          else
+          {
+            std::fill_n(tensor, 6, 0.0f);
           }
         }
         else
@@ -432,6 +516,7 @@ void vtkPointSplatEstimation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Viewpoint: " << this->Viewpoint[0] << " " << this->Viewpoint[1] << " "
      << this->Viewpoint[2] << "\n";
   os << indent << "RadiusScale: " << this->RadiusScale << "\n";
+  os << indent << "NumberOfPointsAlone: " << this->NumberOfPointsAlone << "\n";
 }
 
 VTK_ABI_NAMESPACE_END

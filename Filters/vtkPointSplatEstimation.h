@@ -141,6 +141,12 @@ public:
   vtkGetMacro(RadiusScale, double);
   ///@}
 
+  /**
+   * How many points have no neighbour on a sheet of their own, and are drawn as a small body each
+   * (stage 5); known after Update().
+   */
+  vtkGetMacro(NumberOfPointsAlone, vtkIdType);
+
 protected:
   vtkPointSplatEstimation();
   ~vtkPointSplatEstimation() override;
@@ -157,6 +163,7 @@ private:
   int Orientation = Consistent;
   double Viewpoint[3] = { 0, 0, 0 };
   double RadiusScale = 1;
+  vtkIdType NumberOfPointsAlone = 0;
 };
 
 VTK_ABI_NAMESPACE_END

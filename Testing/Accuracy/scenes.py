@@ -33,7 +33,9 @@ def polydata(points, normals, triangles=None):
     vtk_points = vtkPoints()
     vtk_points.SetData(numpy_to_vtk(np.ascontiguousarray(points, np.float32), deep=1))
     data.SetPoints(vtk_points)
-    data.GetPointData().SetNormals(numpy_to_vtk(np.ascontiguousarray(normals, np.float32), deep=1))
+    if normals is not None:
+        data.GetPointData().SetNormals(
+            numpy_to_vtk(np.ascontiguousarray(normals, np.float32), deep=1))
     if triangles is not None:
         cells = vtkCellArray()
         corners = numpy_to_vtkIdTypeArray(np.ascontiguousarray(triangles, np.int64).ravel(), deep=1)

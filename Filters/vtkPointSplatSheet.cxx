@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatSheet.h"
+
+#include <algorithm>
+#include <cmath>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+/// Neighbours are near within this many spacings, their own or the cloud's; hardly any edge of a Delaunay triangulation of
+/// points at random is longer.
+constexpr float NearReach = 3.0f;
+/// The neighbour whose distance tells a point's own spacing.
+constexpr int SpacingRank = 3;
+/// How far apart, in spacings, the surfaces through two points may pass for them to be of one sheet:
+/// near ones, since points have noise ...
+constexpr float NearOffset = 0.8f;
+/// ... and the sine of half the angle by which the arc between them may turn (106 degrees).
+constexpr float NearTurn = 0.8f;
+/// The same for those across a gap (35 degrees), where nothing but the normals tells of a sheet.
+constexpr float FarOffset = 0.5f;
+constexpr float FarTurn = 0.3f;
+/// Normals that part by more than this cosine (78 degrees) are those of two faces at an edge, unless
+/// the sheet has too few others: on a body of a few points all part so.
+constexpr float EdgeCosine = 0.2f;
+constexpr int FewMembers = 3;
+}
+
+int vtkPointSplatSheet::CountNear(
+  const vtkPointSplatNeighbors::Neighborhood& around, float usual)
+{
+  const float* squared = around.SquaredDistance;
+  const float own = around.Count > 0 ? squared[std::min(SpacingRank, around.Count) - 1] : 0.0f;
+  const float reach = NearReach * NearReach * std::min(own, usual * usual);
+  return static_cast<int>(std::upper_bound(squared, squared + around.Count, reach) - squared);
+}
+
+void vtkPointSplatSheet::Select(const vtkPointSplatNeighbors::Neighborhood& around, int countNear,
+  const float* normals, const float n[3])
+{
+  this->Count = this->Near = 0;
+  if (around.Count == 0)
+  {
+    return;
+  }
+  const float spacing =
+    std::sqrt(around.SquaredDistance[std::min(SpacingRank, around.Count) - 1]);
+  int edge[vtkPointSplatNeighbors::MaximumNumberOfNeighbors];
+  int edges = 0;
+  for (int i = 0; i < around.Count; ++i)
+  {
+    const float* m = normals + std::size_t(3) * around.Slots[i];
+    const float squared = around.SquaredDistance[i];
+    const float nd = n[0] * around.X[i] + n[1] * around.Y[i] + n[2] * around.Z[i];
+    const float md = m[0] * around.X[i] + m[1] * around.Y[i] + m[2] * around.Z[i];
+    const float nm = n[0] * m[0] + n[1] * m[1] + n[2] * m[2];
+    // On which side of the neighbour's normal n's mirror image lies.
+    const float offset = 0.5f * std::abs(nm * squared < 2 * nd * md ? nd - md : nd + md);
+    const bool isNear = i < countNear;
+    const float turn2 = (isNear ? NearTurn * NearTurn : FarTurn * FarTurn) * squared;
+    if (nd * nd > turn2 || offset > (isNear ? NearOffset : FarOffset) * spacing ||
+      (!isNear && md * md > turn2))
+    {
+      continue;
+    }
+    if (std::abs(nm) < EdgeCosine || (nm < 0 && nd * nd > FarTurn * FarTurn * squared))
+    {
+      if (isNear)
+      {
+        edge[edges++] = i;
+      }
+      continue;
+    }
+    this->Near += isNear ? 1 : 0;
+    this->Members[this->Count++] = i;
+  }
+  if (this->Near < FewMembers && edges > 0)
+  {
+    // All are near ones, and so come before those that are not.
+    int merged[vtkPointSplatNeighbors::MaximumNumberOfNeighbors];
+    const int count = static_cast<int>(std::merge(this->Members, this->Members + this->Count, edge,
+                                         edge + edges, merged) - merged);
+    std::copy(merged, merged + count, this->Members);
+    this->Near += edges;
+    this->Count = count;
+  }
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPointSplatSheet
+ * @brief   which of a point's neighbours lie on its own sheet of the surface
+ *
+ * An internal helper of vtkPointSplatEstimation; see the stages there.
+ *
+ * Between two points of a sheet, d apart, the surface runs about as a circle's arc. Then their
+ * normals n and m are mirror images in the plane half way between the points, and n . d = -m . d.
+ * So with m turned to where n's mirror image points, half of |(n + m) . d| is the distance at which
+ * the surface through one point passes the other: 0 on an arc, the distance of parallel sheets, the
+ * diameter from one side of a tube to the other, and the noise of noisy scans. And n . d / |d| is the
+ * sine of half the angle by which the arc turns.
+ */
+#ifndef vtkPointSplatSheet_h
+#define vtkPointSplatSheet_h
+
+#include "vtkPointSplatNeighbors.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkPointSplatSheet
+{
+public:
+  /**
+   * How many of the neighbours lie as near as neighbours in this cloud do. usual: the spacing of most
+   * of its points.
+   */
+  static int CountNear(const vtkPointSplatNeighbors::Neighborhood& around, float usual);
+
+  /**
+   * Selects of the neighbourhood, of which so many are near. normals: 3 floats a slot, unit length;
+   * n: of the centre.
+   */
+  void Select(const vtkPointSplatNeighbors::Neighborhood& around, int countNear,
+    const float* normals, const float n[3]);
+
+  /// The neighbours of the sheet, nearest first: their places in the neighbourhood.
+  int Members[vtkPointSplatNeighbors::MaximumNumberOfNeighbors];
+  int Count = 0;
+  /// How many of these, the first ones, are near. What is farther is a neighbour only across a gap.
+  int Near = 0;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

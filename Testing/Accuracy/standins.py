@@ -1,0 +1,473 @@
+# SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Stand-ins for what users bring: each kind of data that is hard on sizes, made here, of a truth in
+closed form.
+
+A StandIn has a cloud, and where a picture can be held against one, the mesh of the surface that
+the cloud samples. distance(p) is how far a point is from the true surface. Whoever looks at a
+single kind of failure makes one with the parameter that matters changed.
+"""
+import math
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from vtkmodules.vtkFiltersCore import (
+    vtkCleanPolyData, vtkContourFilter, vtkFlyingEdges3D, vtkPolyDataNormals, vtkTriangleFilter)
+from vtkmodules.vtkFiltersModeling import vtkAdaptiveSubdivisionFilter, vtkLinearExtrusionFilter
+from vtkmodules.vtkFiltersPoints import vtkPointInterpolator, vtkVoronoiKernel
+import pointsplatting
+
+from reference.surfaces import unit
+from scenes import grid_triangles, polydata
+
+
+class StandIn:
+    """spacing: the distance from a point to the next ones that it was made with."""
+
+    def __init__(self, name, cloud, distance, spacing, mesh=None):
+        self.name, self.cloud, self.distance = name, cloud, distance
+        self.spacing, self.mesh = spacing, mesh
+
+
+def vertices(mesh):
+    """The cloud of a mesh's vertices and normals."""
+    return polydata(vtk_to_numpy(mesh.GetPoints().GetData()),
+                    vtk_to_numpy(mesh.GetPointData().GetNormals()))
+
+
+def nearest(points, normals):
+    """What finds for places the nearest of these points, and its normal."""
+    source = polydata(points, normals)
+
+    def find(places):
+        probe = vtkPointInterpolator()
+        probe.SetSourceData(source)
+        probe.SetInputData(polydata(places, None))
+        probe.SetKernel(vtkVoronoiKernel())
+        probe.PassPointArraysOff()
+        probe.Update()
+        found = probe.GetOutput().GetPointData()
+        return (vtk_to_numpy(found.GetArray("Position")).astype(float),
+                vtk_to_numpy(found.GetArray("Normals")).astype(float))
+    for data, name in ((source.GetPoints().GetData(), "Position"),
+                       (source.GetPointData().GetNormals(), "Normals")):
+        data.SetName(name)
+        source.GetPointData().AddArray(data)
+    return find
+
+
+# Vessels -------------------------------------------------------------------------------------
+
+class Capsules:
+    """Chains of round cones: the distance to their union, negative inside."""
+
+    def __init__(self):
+        self.segments = []  # a, b, radius at a, radius at b
+
+    def add(self, line, radii):
+        self.segments += [(line[i], line[i + 1], radii[i], radii[i + 1])
+                          for i in range(len(line) - 1)]
+
+    @staticmethod
+    def to_one(p, a, b, ra, rb):
+        along = b - a
+        t = np.clip(((p - a) @ along) / max(along @ along, 1e-30), 0, 1)
+        return np.linalg.norm(p - a - t[..., None] * along, axis=-1) - (ra + t * (rb - ra))
+
+    def __call__(self, p):
+        return np.min([self.to_one(p, *s) for s in self.segments], 0)
+
+    def sampled(self, size, reach=3.0):
+        """On a grid of unit spacing; what is farther than reach is reach."""
+        field = np.full((size,) * 3, reach)  # z, y, x
+        for a, b, ra, rb in self.segments:
+            low = np.clip(np.floor(np.minimum(a, b) - max(ra, rb) - reach).astype(int), 0, size)
+            high = np.clip(np.ceil(np.maximum(a, b) + max(ra, rb) + reach).astype(int) + 1, 0, size)
+            x, y, z = (np.arange(low[k], high[k], dtype=float) for k in range(3))
+            grid = np.stack(np.broadcast_arrays(x[None, None, :], y[None, :, None],
+                                                z[:, None, None]), -1)
+            box = tuple(slice(low[k], high[k]) for k in (2, 1, 0))
+            field[box] = np.minimum(field[box], self.to_one(grid, a, b, ra, rb))
+        return field
+
+
+def vessels(size, tubes, specks, seed=3):
+    """Tubes of 0.7 to 2 voxels' radius that wind through a volume, and specks of 3 to 30
+    vertices."""
+    rng = np.random.default_rng(seed)
+    made = Capsules()
+    for k in range(tubes):
+        place, heading = rng.uniform(0.2, 0.8, 3) * size, unit(rng.normal(size=3))
+        radius = 0.7 + 1.3 * k / max(1, tubes - 1)
+        line = []
+        while len(line) < 60 and (place > 4).all() and (place < size - 5).all():
+            line.append(place)
+            heading = unit(heading + 0.35 * rng.normal(size=3))
+            place = place + 2.0 * heading
+        made.add(line, np.full(len(line), radius))
+    for _ in range(specks):
+        place = rng.uniform(4, size - 5, 3)
+        made.add([place, place + rng.uniform(0, 0.5, 3)], np.full(2, rng.uniform(0.55, 1.1)))
+    return made
+
+
+def image_of(field):
+    image = vtkImageData()
+    image.SetDimensions(*reversed(field.shape))
+    image.GetPointData().SetScalars(numpy_to_vtk(field.astype(np.float32).ravel(), deep=1))
+    return image
+
+
+def isosurface(field, extraction):
+    """extraction: "points", "edges" or "contour"."""
+    filters = {"points": pointsplatting.vtkIsosurfacePoints, "edges": vtkFlyingEdges3D,
+               "contour": vtkContourFilter}
+    contour = filters[extraction]()
+    contour.SetInputData(image_of(-field))  # denser inside, as an angiogram is
+    contour.SetValue(0, 0.0)
+    if extraction != "points":
+        contour.ComputeNormalsOn()
+        contour.ComputeScalarsOff()
+    contour.Update()
+    return contour.GetOutput()
+
+
+def tubes_and_specks(extraction="edges", size=80, tubes=10, specks=250):
+    body = vessels(size, tubes, specks)
+    field = body.sampled(size)
+    mesh = isosurface(field, "edges" if extraction == "points" else extraction)
+    cloud = isosurface(field, extraction) if extraction == "points" else vertices(mesh)
+    return StandIn("tubes and specks, " + extraction, cloud, lambda p: np.abs(body(p)), 0.7, mesh)
+
+
+# Machined part -------------------------------------------------------------------------------
+
+# Corners of the part's outline with interior angles from 30 to 150 degrees (and reflex ones), and
+# the radii of their fillets.
+OUTLINE = (((0, 0), 0), ((4, 0), 0.0), ((4, 1.5), 0.3), ((2.5, 1.5), 0.25), ((2.5, 2.2), 0),
+           ((3.712, 2.9), 0), ((1.2, 2.9), 0.0), ((0.6, 2.554), 0), ((0.6, 1.6), 0.15),
+           ((0, 1.6), 0))
+
+
+def outline(steps=16):
+    """The outline as a polygon, fillets as arcs."""
+    corners = [np.array(c, float) for c, _ in OUTLINE]
+    found = []
+    for k, corner in enumerate(corners):
+        radius = OUTLINE[k][1]
+        if radius == 0:
+            found.append(corner)
+            continue
+        a = unit(corners[k - 1] - corner)
+        b = unit(corners[(k + 1) % len(corners)] - corner)
+        half = 0.5 * math.acos(np.clip(a @ b, -1, 1))
+        centre = corner + unit(a + b) * radius / math.sin(half)
+        start = corner + a * radius / math.tan(half) - centre
+        turn = math.pi - 2 * half
+        sign = 1 if a[0] * b[1] - a[1] * b[0] < 0 else -1
+        for i in range(steps + 1):
+            w = sign * turn * i / steps
+            found.append(centre + (start[0] * math.cos(w) - start[1] * math.sin(w),
+                                   start[0] * math.sin(w) + start[1] * math.cos(w)))
+    return np.array(found)
+
+
+PART_HEIGHT = 1.2
+
+
+def part_mesh(edge):
+    """The part's triangles with edges no longer than that."""
+    polygon = outline()
+    points = vtkPoints()
+    for x, y in polygon:
+        points.InsertNextPoint(x, y, 0)
+    cells = vtkCellArray()
+    cells.InsertNextCell(len(polygon), list(range(len(polygon))))
+    flat = vtkPolyData()
+    flat.SetPoints(points)
+    flat.SetPolys(cells)
+    extrusion = vtkLinearExtrusionFilter()
+    extrusion.SetInputData(flat)
+    extrusion.SetExtrusionTypeToVectorExtrusion()
+    extrusion.SetVector(0, 0, PART_HEIGHT)
+    triangles = vtkTriangleFilter()
+    triangles.SetInputConnection(extrusion.GetOutputPort())
+    clean = vtkCleanPolyData()
+    clean.SetInputConnection(triangles.GetOutputPort())
+    divided = vtkAdaptiveSubdivisionFilter()
+    divided.SetInputConnection(clean.GetOutputPort())
+    divided.SetMaximumEdgeLength(edge)
+    divided.SetMaximumTriangleArea(1e9)
+    return divided
+
+
+def with_normals(source, splitting):
+    normals = vtkPolyDataNormals()
+    normals.SetInputConnection(source.GetOutputPort())
+    normals.SetSplitting(splitting)
+    normals.SetFeatureAngle(20)
+    normals.ConsistencyOn()
+    normals.AutoOrientNormalsOn()
+    normals.Update()
+    return normals.GetOutput()
+
+
+def part_distance(p):
+    """To the faces: the caps over the outline and the walls along it."""
+    polygon = outline()
+    q, z = p[:, :2], p[:, 2]
+    near, inside = np.full(len(p), np.inf), np.zeros(len(p), bool)
+    for a, b in zip(polygon, np.roll(polygon, -1, 0)):
+        along = b - a
+        t = np.clip(((q - a) @ along) / (along @ along), 0, 1)
+        near = np.minimum(near, np.linalg.norm(q - a - t[:, None] * along, axis=1))
+        crosses = (a[1] > q[:, 1]) != (b[1] > q[:, 1])
+        with np.errstate(divide="ignore", invalid="ignore"):
+            x = a[0] + (q[:, 1] - a[1]) / along[1] * along[0]
+        inside ^= crosses & (q[:, 0] < x)
+    over = np.maximum(np.abs(z - PART_HEIGHT / 2) - PART_HEIGHT / 2, 0)
+    walls = np.hypot(near, over)
+    caps = np.hypot(np.minimum(np.abs(z), np.abs(z - PART_HEIGHT)), np.where(inside, 0, near))
+    return np.minimum(walls, caps)
+
+
+def random_on(mesh, count, rng):
+    """Points of a triangle mesh by equal areas, and the triangles' normals."""
+    p = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
+    t = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    a, b, c = p[t[:, 0]], p[t[:, 1]], p[t[:, 2]]
+    cross = np.cross(b - a, c - a)
+    area = np.linalg.norm(cross, axis=1)
+    pick = rng.choice(len(t), count, p=area / area.sum())
+    u, v = np.sqrt(rng.uniform(size=(count, 1))), rng.uniform(size=(count, 1))
+    q = (1 - u) * a[pick] + u * (1 - v) * b[pick] + u * v * c[pick]
+    return q, cross[pick] / area[pick, None]
+
+
+def machined_part(at_random=False, count=100000):
+    """at_random: points by equal areas with their faces' normals, else a mesh's vertices, whose
+    normals are averaged across the edges."""
+    area = 24.6  # of all faces
+    spacing = math.sqrt(area / count)
+    if at_random:
+        mesh = with_normals(part_mesh(1e9), True)
+        q, n = random_on(mesh, count, np.random.default_rng(4))
+        return StandIn("part, at random", polydata(q, n), part_distance, spacing, mesh)
+    mesh = with_normals(part_mesh(3.0 * spacing), False)
+    return StandIn("part, vertices", vertices(mesh), part_distance, spacing, mesh)
+
+
+# Surfaces with two parameters ----------------------------------------------------------------
+
+def parametric(function, columns, rows, u_range, v_range, closed=True):
+    """A mesh of function(u, v) (points, last axis 3), its normals by differences; u closed."""
+    u = np.linspace(*u_range, columns + 1)
+    v = np.linspace(*v_range, rows + 1)
+    u, v = np.meshgrid(u[:-1] if closed else u, v)
+    points, normals = function(u, v), normals_of(function, u, v)
+    numbers = np.arange(u.size).reshape(u.shape)
+    if closed:
+        numbers = np.pad(numbers, ((0, 0), (0, 1)), mode="wrap")
+    return polydata(points.reshape(-1, 3), normals.reshape(-1, 3),
+                    grid_triangles(columns, rows, numbers))
+
+
+def normals_of(function, u, v, step=1e-5):
+    du = function(u + step, v) - function(u - step, v)
+    dv = function(u, v + step) - function(u, v - step)
+    return unit(np.cross(du, dv))
+
+
+def random_of(function, u_range, v_range, count, rng):
+    """Points by equal areas."""
+    many = 4 * count
+    u, v = rng.uniform(*u_range, many), rng.uniform(*v_range, many)
+    du = (function(u + 1e-5, v) - function(u - 1e-5, v)) / 2e-5
+    dv = (function(u, v + 1e-5) - function(u, v - 1e-5)) / 2e-5
+    area = np.linalg.norm(np.cross(du, dv), axis=1)
+    pick = rng.choice(many, count, replace=False, p=area / area.sum())
+    return u[pick], v[pick]
+
+
+def to_parametric(function, u_range, v_range):
+    """The distance to such a surface: from the nearest of many of its points, and the plane there."""
+    u, v = np.meshgrid(np.linspace(*u_range, 1501), np.linspace(*v_range, 1001))
+    find = nearest(function(u, v).reshape(-1, 3), normals_of(function, u, v).reshape(-1, 3))
+
+    def distance(p):
+        q, n = find(p)
+        far = np.linalg.norm(p - q, axis=1)
+        return np.where(far < 0.05, np.abs(((p - q) * n).sum(1)), far)
+    return distance
+
+
+FOLDS = ((0, 2 * math.pi), (0.0, 2.4))
+
+
+def drapery_surface(u, v):
+    """A robe: folds that are round outside and sharp inside, that split and lean."""
+    phase = 9 * u + 1.1 * np.sin(2.1 * v) + 0.8 * np.sin(3 * u + 1.7 * v)
+    fold = np.abs(np.cos(phase / 2)) ** 0.9
+    small = np.abs(np.sin(1.5 * phase + 3 * v))
+    r = 0.42 + 0.12 * (1.6 - 0.25 * v) * fold + 0.02 * small + 0.05 * np.cos(1.3 * v)
+    return np.stack([r * np.cos(u), r * np.sin(u), v + 0.0 * u], -1)
+
+
+def drapery(count=50000):
+    rng = np.random.default_rng(6)
+    u, v = random_of(drapery_surface, *FOLDS, count, rng)
+    cloud = polydata(drapery_surface(u, v), normals_of(drapery_surface, u, v))
+    mesh = parametric(drapery_surface, 1800, 700, *FOLDS)
+    return StandIn("drapery", cloud, to_parametric(drapery_surface, *FOLDS),
+                   math.sqrt(9.0 / count), mesh)
+
+
+def drapery_vertices(count=50000):
+    """As a statue's mesh has them: its own mesh is the truth."""
+    rows = int(math.sqrt(count / 2.6))
+    mesh = parametric(drapery_surface, int(count / rows), rows, *FOLDS)
+    return StandIn("drapery, vertices", vertices(mesh), to_parametric(drapery_surface, *FOLDS),
+                   math.sqrt(9.0 / count), mesh)
+
+
+def along_grid_lines(ratio=8, count=60000):
+    """A solver's wall: points along lines, ratio times as dense along them as from line to line."""
+    def wall(u, v):
+        r = 0.5 + 0.12 * np.cos(2.5 * v) + 0.04 * np.cos(4 * u)
+        return np.stack([r * np.cos(u), r * np.sin(u), v + 0.0 * u], -1)
+    extent = ((0, 2 * math.pi), (0.0, 2.4))
+    # 3.1 around, 2.6 along.
+    rows = int(math.sqrt(count / ratio * 2.6 / 3.1))
+    u = np.linspace(*extent[0], int(count / rows), endpoint=False)
+    u, v = np.meshgrid(u, np.linspace(*extent[1], rows))
+    cloud = polydata(wall(u, v).reshape(-1, 3), normals_of(wall, u, v).reshape(-1, 3))
+    mesh = parametric(wall, 900, 700, *extent)
+    return StandIn("along grid lines", cloud, to_parametric(wall, *extent), 2.6 / rows, mesh)
+
+
+def thin_shell(gap=0.3, count=40000):
+    """A bowl: two sheets that face away from each other, gap spacings apart."""
+    rng = np.random.default_rng(7)
+    area = 2 * math.pi
+    spacing = math.sqrt(area / (count / 2))
+    radii = (1.0, 1.0 - gap * spacing)
+    extent = ((0, 2 * math.pi), (0.0, 0.5 * math.pi - 1e-4))
+
+    def sphere(radius):
+        return lambda u, v: radius * np.stack(
+            [np.cos(u) * np.cos(v), np.sin(u) * np.cos(v), -np.sin(v)], -1)
+    parts, meshes = [], []
+    for radius, side in zip(radii, (1, -1)):
+        z, u = rng.uniform(0, 1, count // 2), rng.uniform(0, 2 * math.pi, count // 2)
+        q = sphere(radius)(u, np.arcsin(z))
+        parts.append((q, side * q / radius))
+        mesh = parametric(sphere(radius), 600, 200, *extent)
+        p = vtk_to_numpy(mesh.GetPoints().GetData())
+        meshes.append((p, side * p / radius,
+                       vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)[:, ::-side]))
+    first = len(meshes[0][0])
+    both = polydata(np.concatenate([m[0] for m in meshes]), np.concatenate([m[1] for m in meshes]),
+                    np.concatenate([meshes[0][2], meshes[1][2] + first]))
+
+    def distance(p):
+        r = np.linalg.norm(p, axis=1)
+        to_sheets = np.minimum(np.abs(r - radii[0]), np.abs(r - radii[1]))
+        return np.hypot(to_sheets, np.maximum(p[:, 2], 0))
+    cloud = polydata(*(np.concatenate(part) for part in zip(*parts)))
+    return StandIn("thin shell, %g spacings" % gap, cloud, distance, spacing, both)
+
+
+# Particles -----------------------------------------------------------------------------------
+
+def spray(spacing=0.02, droplets=300):
+    """A dam break's particles: water at rest and a wave of it, jittered; droplets of one to twelve
+    particles in the air. Positions only: the truth is balls of half the spacing about them."""
+    rng = np.random.default_rng(8)
+    axis = [np.arange(0, s, spacing) for s in (1.6, 0.5, 0.5)]
+    p = np.stack(np.meshgrid(*axis, indexing="ij"), -1).reshape(-1, 3)
+    p = p[p[:, 2] < 0.15 + 0.25 * np.exp(-((p[:, 0] - 0.4) / 0.2) ** 2)]
+    p = p + rng.uniform(-0.2, 0.2, p.shape) * spacing
+    drops = []
+    for _ in range(droplets):
+        centre = rng.uniform((0, 0, 0.55), (1.6, 0.5, 1.2))
+        n = rng.integers(1, 13)
+        ball = np.stack(np.meshgrid(*3 * [np.arange(-2, 3)], indexing="ij"), -1).reshape(-1, 3)
+        ball = ball[np.argsort((ball ** 2).sum(1), kind="stable")][:n] * 0.9
+        drops.append(centre + (ball + rng.uniform(-0.15, 0.15, ball.shape)) * spacing)
+    p = np.concatenate([p] + drops)
+
+    find = nearest(p, p)
+
+    def distance(q):
+        return np.maximum(np.linalg.norm(q - find(q)[0], axis=1) - spacing / 2, 0)
+    return StandIn("spray", polydata(p, None), distance, spacing)
+
+
+# Scans ---------------------------------------------------------------------------------------
+
+SEMI_AXES = np.array([1.0, 0.7, 0.8])
+
+
+def overlapping_scans(noise=0.3, scans=6, step=0.012):
+    """Range scans of an ellipsoid from sensors around it: rows and columns of rays, normal errors
+    of `noise` spacings along them; normals by differences of each scan's ranges. Field data has the
+    sensors, point data the scan that each point is of."""
+    rng = np.random.default_rng(9)
+    found, sensors = [], []
+    for k in range(scans):
+        a, z = 2 * math.pi * k / scans, 1.2 * math.cos(2.4 * k)
+        sensor = np.array([3 * math.cos(a), 3 * math.sin(a), z])
+        w = unit(-sensor)
+        u = unit(np.cross(w, (0, 0, 1.0)))
+        v = np.cross(u, w)
+        n = int(2 * 1.1 / step)
+        x, y = np.meshgrid((np.arange(n) - n / 2) * step / 3, (np.arange(n) - n / 2) * step / 3)
+        rays = unit(w + x[..., None] * u + y[..., None] * v)
+        o, d = sensor / SEMI_AXES, rays / SEMI_AXES
+        A, B, C = (d * d).sum(-1), (d * o).sum(-1), (o * o).sum() - 1
+        root = B * B - A * C
+        t = np.where(root > 0, (-B - np.sqrt(np.maximum(root, 0))) / A, np.nan)
+        p = sensor + (t + rng.normal(0, noise * step, t.shape))[..., None] * rays
+        du, dv = p[1:-1, 2:] - p[1:-1, :-2], p[2:, 1:-1] - p[:-2, 1:-1]
+        m = unit(np.cross(du, dv))
+        m *= -np.sign((m * rays[1:-1, 1:-1]).sum(-1, keepdims=True))
+        keep = np.isfinite(m).all(-1) & (-(m * rays[1:-1, 1:-1]).sum(-1) > 0.25)
+        found.append((p[1:-1, 1:-1][keep], m[keep], np.full(keep.sum(), k)))
+        sensors.append(sensor)
+    p, m, scan = (np.concatenate(part) for part in zip(*found))
+    cloud = polydata(p, m)
+    for array, name, data in ((scan.astype(np.int32), "ScanId", cloud.GetPointData()),
+                              (np.array(sensors), "SensorPosition", cloud.GetFieldData())):
+        made = numpy_to_vtk(np.ascontiguousarray(array), deep=1)
+        made.SetName(name)
+        data.AddArray(made)
+
+    def body(u, v):
+        return SEMI_AXES * np.stack(
+            [np.cos(u) * np.cos(v), np.sin(u) * np.cos(v), np.sin(v)], -1)
+    extent = ((0, 2 * math.pi), (-0.5 * math.pi + 1e-4, 0.5 * math.pi - 1e-4))
+
+    def distance(q):
+        k0 = np.linalg.norm(q / SEMI_AXES, axis=1)
+        return np.abs(k0 * (k0 - 1) / np.linalg.norm(q / SEMI_AXES ** 2, axis=1))
+    return StandIn("overlapping scans", cloud, distance, step, parametric(body, 600, 300, *extent))
+
+
+ALL = {
+    "tubes_edges": lambda: tubes_and_specks("edges"),
+    "tubes_contour": lambda: tubes_and_specks("contour"),
+    "tubes_points": lambda: tubes_and_specks("points"),
+    "part_vertices": machined_part,
+    "part_random": lambda: machined_part(True),
+    "shell_01": lambda: thin_shell(0.1),
+    "shell_03": lambda: thin_shell(0.3),
+    "shell_1": lambda: thin_shell(1.0),
+    "drapery": drapery,
+    "drapery_vertices": drapery_vertices,
+    "grid_lines": along_grid_lines,
+    "grid_lines_20": lambda: along_grid_lines(20),
+    "spray": spray,
+    "scans": overlapping_scans,
+}
