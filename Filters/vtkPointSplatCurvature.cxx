@@ -16,6 +16,8 @@ constexpr double FullAgreement = 0.5;
 /// Of a fit that counts in full this much: splats that bend a little less than the surface
 /// overlap, where ones that bend more would leave cracks.
 constexpr double Caution = 0.9;
+/// Neighbours nearer than this part of the spacing count less: what their normals differ by is noise.
+constexpr double Softening = 0.35;
 /// Keeps the equations solvable where the neighbours lie in a row.
 constexpr double Damping = 1e-4;
 
@@ -63,6 +65,8 @@ void vtkPointSplatCurvature::Estimate(const vtkPointSplatNeighbors::Neighborhood
   const double n[3] = { centre[0], centre[1], centre[2] };
   double a[3], b[3];
   vtkMath::Perpendiculars(n, a, b, 0);
+  const double soft = Softening * sheet.Spacing;
+  const double softening = soft * soft;
   Equations equations;
   for (int k = 0; k < sheet.Count; ++k)
   {
@@ -74,7 +78,7 @@ void vtkPointSplatCurvature::Estimate(const vtkPointSplatNeighbors::Neighborhood
     const double cosine = vtkMath::Dot(m, n);
     const double u = vtkMath::Dot(d, a), v = vtkMath::Dot(d, b), h = vtkMath::Dot(d, n);
     const double side = cosine * squared < 2 * h * vtkMath::Dot(d, m) ? -1 : 1;
-    const double weight = 1 / squared;
+    const double weight = 1 / (squared + softening);
     equations.Add(u, v, 0, side * vtkMath::Dot(m, a), weight);
     equations.Add(0, u, v, side * vtkMath::Dot(m, b), weight);
     equations.Add(u * u, 2 * u * v, v * v, -2 * h, cosine * cosine * weight / squared);
@@ -88,7 +92,7 @@ void vtkPointSplatCurvature::Estimate(const vtkPointSplatNeighbors::Neighborhood
   const double explained = vtkMath::Dot(B, equations.Right) / equations.Total;
   const double part = Caution * std::clamp(explained / FullAgreement, 0.0, 1.0);
   const double mean = 0.5 * (B[0] + B[2]);
-  const double strongest = part * (std::abs(mean) + std::hypot(0.5 * (B[0] - B[2]), B[1]));
+  const double strongest = (std::abs(mean) + std::hypot(0.5 * (B[0] - B[2]), B[1]));
   // Singular equations give what is not finite, and points next to each other what no float is.
   if (!(strongest <= VTK_FLOAT_MAX))
   {

@@ -31,7 +31,7 @@ public:
   /// B as a tensor, XX, YY, ZZ, XY, YZ, XZ, in 1 / world units: B = 1 / R on a sphere of radius
   /// R whose normals point outward. Its null vector is the normal.
   float Tensor[6] = { 0, 0, 0, 0, 0, 0 };
-  /// The greater of the magnitudes of its eigenvalues.
+  /// The greater of the principal curvatures' magnitudes, of the fit as it is.
   float Strongest = 0;
 
   /**

@@ -10,8 +10,8 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-/// A normal is not that of the surface if its tangent plane leaves out more than this part of
-/// the neighbours' squared distances, and another plane much less.
+/// A normal is not that of the surface if it leaves out more than this part of the neighbours'
+/// squared distances, and another one much less.
 constexpr float LargestResidual = 0.25f;
 constexpr float ResidualRatio = 0.3f;
 /// The disk's radius, of the mean distance to the neighbours next to it: a square's corners' disks
@@ -20,22 +20,22 @@ constexpr float RadiusPerDistance = 0.72f;
 /// Neighbours lie in a row if their variance across it is less than this part of that along
 /// it; those of a point on a straight border have about a third.
 constexpr float RowVariance = 0.15f;
-/// The neighbour whose distance tells the spacing.
-constexpr int SpacingRank = 6;
 /// The longest ellipse, axis to axis.
 constexpr float LargestAspect = 8.0f;
 }
 
 namespace
 {
-/// The part of the neighbours' squared distances that lies across a plane.
-float Residual(const vtkPointSplatNeighbors::Neighborhood& around, const float n[3])
+/// How far surfaces with a normal through the centre and through its neighbours pass each other
+/// (vtkPointSplatSheet), squared, as a part of their squared distances.
+float Residual(const vtkPointSplatNeighbors::Neighborhood& around, const float* normals,
+  const float n[3])
 {
   float across = 0, all = 0;
   for (int i = 0; i < around.Count; ++i)
   {
-    const float height = around.X[i] * n[0] + around.Y[i] * n[1] + around.Z[i] * n[2];
-    across += height * height;
+    const float offset = vtkPointSplatSheet::Offset(around, i, normals, n);
+    across += 4 * offset * offset;
     all += around.SquaredDistance[i];
   }
   return all > 0 ? across / all : 0;
@@ -51,14 +51,14 @@ void vtkPointSplatDisk::ChoosePlane(
 {
   const float* n = normals + std::size_t(3) * around.Center;
   std::copy(n, n + 3, this->Normal);
-  const float residual = Residual(around, n);
+  const float residual = Residual(around, normals, n);
   if (residual <= LargestResidual || around.Count < 4)
   {
     return;
   }
   float fitted[3];
   vtkPointSplatNormals::FitPlane(around, fitted);
-  if (Residual(around, fitted) < ResidualRatio * residual)
+  if (Residual(around, normals, fitted) < ResidualRatio * residual)
   {
     const float side = n[0] * fitted[0] + n[1] * fitted[1] + n[2] * fitted[2] < 0 ? -1.0f : 1.0f;
     for (int i = 0; i < 3; ++i)
@@ -237,7 +237,7 @@ float vtkPointSplatDisk::MeanDistance() const
  * last neighbour; else its circumcentre counts, and none that is farther than that neighbour: past a
  * border triangles have it anywhere.
  */
-float vtkPointSplatDisk::Reach(float known) const
+float vtkPointSplatDisk::Reach(float known, bool closed) const
 {
   float farthest = 0;
   for (int j = 0; j < this->Size; ++j)
@@ -246,11 +246,12 @@ float vtkPointSplatDisk::Reach(float known) const
     const int a = this->Cell[j > 0 ? j - 1 : this->Size - 1].Edge;
     const int b = vertex.Edge;
     float squared = vertex.X * vertex.X + vertex.Y * vertex.Y;
-    if (a == Frame || b == Frame || squared > known * known)
+    const bool certain = 4 * squared <= known * known;
+    if (a == Frame || b == Frame || (!certain && !closed))
     {
       continue;
     }
-    if (4 * squared <= known * known)
+    if (certain)
     {
       const float aa = this->U[a] * this->U[a] + this->V[a] * this->V[a];
       const float bb = this->U[b] * this->U[b] + this->V[b] * this->V[b];
@@ -304,9 +305,10 @@ bool vtkPointSplatDisk::Estimate(const vtkPointSplatNeighbors::Neighborhood& aro
   const float* normals, bool elliptical, float usual)
 {
   vtkPointSplatNeighbors::Neighborhood near = around;
-  near.Count = vtkPointSplatSheet::CountNear(around, usual);
+  const float spacing = std::min(vtkPointSplatSheet::GetSpacing(around), usual);
+  near.Count = vtkPointSplatSheet::CountNear(around, spacing);
   this->ChoosePlane(near, normals);
-  this->Sheet.Select(around, near.Count, normals, this->Normal);
+  this->Sheet.Select(around, near.Count, normals, this->Normal, spacing);
   this->Project(around);
   if (elliptical)
   {
@@ -327,8 +329,8 @@ bool vtkPointSplatDisk::Estimate(const vtkPointSplatNeighbors::Neighborhood& aro
   if (count > 0)
   {
     radius = RadiusPerDistance * this->MeanDistance();
-    this->Gap = this->Reach(distance(count - 1)) * this->Scale1;
-    this->Spacing = distance(std::min(SpacingRank, count) - 1);
+    this->Gap = this->Reach(distance(count - 1), closed) * this->Scale1;
+    this->Spacing = distance(std::min(vtkPointSplatSheet::SpacingRank, count) - 1);
   }
   this->Length1 = radius * this->Scale1;
   this->Length2 = radius * this->Scale2;

@@ -62,7 +62,7 @@ private:
   void Clip(float nx, float ny, float offset, int edge);
   bool ClipByBisectors(int count);
   float MeanDistance() const;
-  float Reach(float known) const;
+  float Reach(float known, bool closed) const;
   bool IsWithin(float known) const;
 
   float Scale1, Scale2; // world units of the plane's two coordinates

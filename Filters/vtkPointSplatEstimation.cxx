@@ -51,11 +51,11 @@ constexpr int NumberOfWitnesses = 4;
 /// How far the normal may turn from the centre to the rim of a disk: the kernel's rim, a half
 /// farther out, then stays within a tube's silhouette.
 constexpr float LargestBend = 0.6f;
+/// What is left of a disk at least, however much the surface bends: noise may look like it.
+constexpr float LeastShare = 0.5f;
 /// The radius of a body alone, of the distance to what is nearest.
 constexpr float BodyRadius = 0.5f;
-/// The neighbour whose distance is a point's spacing, where the usual one is found, and of how many
-/// leaves of the search tree at least.
-constexpr int UsualRank = 2;
+/// Of how many leaves of the search tree, at least, the usual spacing is found.
 constexpr Slot UsualLeaves = 512;
 
 struct MarkUsable
@@ -136,18 +136,16 @@ float GetQuantile(std::vector<float>& values, double q)
   return *at;
 }
 
-/// The spacing of most points: the median distance to the second neighbour, of points all over the
-/// cloud.
+/// The spacing of most points: the median of points all over the cloud.
 float GetUsualSpacing(vtkAlgorithm* self, const vtkPointSplatNeighbors& neighbors)
 {
   const Slot slots = neighbors.GetNumberOfSlots();
   const Slot leaves = (slots + vtkPointSplatNeighbors::LeafSize - 1) / vtkPointSplatNeighbors::LeafSize;
   const Slot stride = std::max<Slot>(1, leaves / UsualLeaves);
   std::vector<float> spacings(slots, 0.0f);
-  neighbors.Visit(self, 0.05, 0.1, UsualRank,
+  neighbors.Visit(self, 0.05, 0.1, vtkPointSplatSheet::SpacingRank,
     [&](const vtkPointSplatNeighbors::Neighborhood& around, int) {
-      spacings[around.Center] =
-        around.Count > 0 ? std::sqrt(around.SquaredDistance[around.Count - 1]) : 0.0f;
+      spacings[around.Center] = vtkPointSplatSheet::GetSpacing(around);
       return true;
     },
     [&](Slot s) { return s / vtkPointSplatNeighbors::LeafSize % stride == 0; });
@@ -404,7 +402,9 @@ int vtkPointSplatEstimation::RequestData(
         }
         std::copy_n(curvature.Tensor, 6, tensor);
         std::copy(disk.Normal, disk.Normal + 3, disks.Planes.data() + std::size_t(3) * s);
-        largest = curvature.Strongest > 0 ? LargestBend / curvature.Strongest : largest;
+        largest = curvature.Strongest > 0
+          ? std::max(LargestBend / curvature.Strongest, LeastShare * disk.Length1)
+          : largest;
       }
       else
       {

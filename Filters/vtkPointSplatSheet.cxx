@@ -9,44 +9,58 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-/// Neighbours are near within this many spacings, their own or the cloud's; hardly any edge of a Delaunay triangulation of
-/// points at random is longer.
-constexpr float NearReach = 3.0f;
-/// The neighbour whose distance tells a point's own spacing.
-constexpr int SpacingRank = 3;
+/// Neighbours are near within this many spacings, their own or the cloud's; hardly any edge of a
+/// Delaunay triangulation of points at random is longer.
+constexpr float NearReach = 2.0f;
 /// How far apart, in spacings, the surfaces through two points may pass for them to be of one sheet:
 /// near ones, since points have noise ...
-constexpr float NearOffset = 0.8f;
+constexpr float NearOffset = 0.6f;
 /// ... and the sine of half the angle by which the arc between them may turn (106 degrees).
 constexpr float NearTurn = 0.8f;
 /// The same for those across a gap (35 degrees), where nothing but the normals tells of a sheet.
-constexpr float FarOffset = 0.5f;
+constexpr float FarOffset = 0.1f; // of their distance
 constexpr float FarTurn = 0.3f;
 /// Normals that part by more than this cosine (78 degrees) are those of two faces at an edge, unless
 /// the sheet has too few others: on a body of a few points all part so.
 constexpr float EdgeCosine = 0.2f;
 constexpr int FewMembers = 3;
+/// What is farther counts only where this part of it is of the sheet: some always is, by chance.
+constexpr float LeastFarShare = 0.34f;
+}
+
+float vtkPointSplatSheet::GetSpacing(const vtkPointSplatNeighbors::Neighborhood& around)
+{
+  return around.Count > 0
+    ? std::sqrt(around.SquaredDistance[std::min(SpacingRank, around.Count) - 1])
+    : 0.0f;
 }
 
 int vtkPointSplatSheet::CountNear(
-  const vtkPointSplatNeighbors::Neighborhood& around, float usual)
+  const vtkPointSplatNeighbors::Neighborhood& around, float spacing)
 {
+  const float reach = NearReach * spacing;
   const float* squared = around.SquaredDistance;
-  const float own = around.Count > 0 ? squared[std::min(SpacingRank, around.Count) - 1] : 0.0f;
-  const float reach = NearReach * NearReach * std::min(own, usual * usual);
-  return static_cast<int>(std::upper_bound(squared, squared + around.Count, reach) - squared);
+  return static_cast<int>(
+    std::upper_bound(squared, squared + around.Count, reach * reach) - squared);
+}
+
+float vtkPointSplatSheet::Offset(const vtkPointSplatNeighbors::Neighborhood& around, int i,
+  const float* normals, const float n[3])
+{
+  const float* m = normals + std::size_t(3) * around.Slots[i];
+  const float nd = n[0] * around.X[i] + n[1] * around.Y[i] + n[2] * around.Z[i];
+  const float md = m[0] * around.X[i] + m[1] * around.Y[i] + m[2] * around.Z[i];
+  const float nm = n[0] * m[0] + n[1] * m[1] + n[2] * m[2];
+  // Which side of the neighbour's normal n's mirror image lies on.
+  return 0.5f * std::abs(nm * around.SquaredDistance[i] < 2 * nd * md ? nd - md : nd + md);
 }
 
 void vtkPointSplatSheet::Select(const vtkPointSplatNeighbors::Neighborhood& around, int countNear,
-  const float* normals, const float n[3])
+  const float* normals, const float n[3], float spacing)
 {
   this->Count = this->Near = 0;
-  if (around.Count == 0)
-  {
-    return;
-  }
-  const float spacing =
-    std::sqrt(around.SquaredDistance[std::min(SpacingRank, around.Count) - 1]);
+  this->Spacing = spacing;
+  const float near2 = NearOffset * NearOffset * spacing * spacing;
   int edge[vtkPointSplatNeighbors::MaximumNumberOfNeighbors];
   int edges = 0;
   for (int i = 0; i < around.Count; ++i)
@@ -56,11 +70,10 @@ void vtkPointSplatSheet::Select(const vtkPointSplatNeighbors::Neighborhood& arou
     const float nd = n[0] * around.X[i] + n[1] * around.Y[i] + n[2] * around.Z[i];
     const float md = m[0] * around.X[i] + m[1] * around.Y[i] + m[2] * around.Z[i];
     const float nm = n[0] * m[0] + n[1] * m[1] + n[2] * m[2];
-    // On which side of the neighbour's normal n's mirror image lies.
-    const float offset = 0.5f * std::abs(nm * squared < 2 * nd * md ? nd - md : nd + md);
+    const float offset = Offset(around, i, normals, n);
     const bool isNear = i < countNear;
     const float turn2 = (isNear ? NearTurn * NearTurn : FarTurn * FarTurn) * squared;
-    if (nd * nd > turn2 || offset > (isNear ? NearOffset : FarOffset) * spacing ||
+    if (nd * nd > turn2 || offset * offset > (isNear ? near2 : FarOffset * FarOffset * squared) ||
       (!isNear && md * md > turn2))
     {
       continue;
@@ -75,6 +88,10 @@ void vtkPointSplatSheet::Select(const vtkPointSplatNeighbors::Neighborhood& arou
     }
     this->Near += isNear ? 1 : 0;
     this->Members[this->Count++] = i;
+  }
+  if (this->Count - this->Near < LeastFarShare * (around.Count - countNear))
+  {
+    this->Count = this->Near;
   }
   if (this->Near < FewMembers && edges > 0)
   {

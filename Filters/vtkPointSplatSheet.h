@@ -23,24 +23,32 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkPointSplatSheet
 {
 public:
-  /**
-   * How many of the neighbours lie as near as neighbours in this cloud do. usual: the spacing of most
-   * of its points.
-   */
-  static int CountNear(const vtkPointSplatNeighbors::Neighborhood& around, float usual);
+  /// The neighbour whose distance tells the spacing: past what lies together by chance, or around a
+  /// grid's vertex where an isosurface passes it.
+  static constexpr int SpacingRank = 6;
+  static float GetSpacing(const vtkPointSplatNeighbors::Neighborhood& around);
+
+  /// How many of the neighbours lie as near as neighbours do where points have that spacing.
+  static int CountNear(const vtkPointSplatNeighbors::Neighborhood& around, float spacing);
+
+  /// The distance at which the surfaces through the centre, with the normal n, and through a neighbour
+  /// pass each other.
+  static float Offset(const vtkPointSplatNeighbors::Neighborhood& around, int neighbor,
+    const float* normals, const float n[3]);
 
   /**
    * Selects of the neighbourhood, of which so many are near. normals: 3 floats a slot, unit length;
    * n: of the centre.
    */
   void Select(const vtkPointSplatNeighbors::Neighborhood& around, int countNear,
-    const float* normals, const float n[3]);
+    const float* normals, const float n[3], float spacing);
 
   /// The neighbours of the sheet, nearest first: their places in the neighbourhood.
   int Members[vtkPointSplatNeighbors::MaximumNumberOfNeighbors];
   int Count = 0;
   /// How many of these, the first ones, are near. What is farther is a neighbour only across a gap.
   int Near = 0;
+  float Spacing = 0; // as given
 };
 
 VTK_ABI_NAMESPACE_END
