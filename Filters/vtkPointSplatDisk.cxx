@@ -281,10 +281,11 @@ bool vtkPointSplatDisk::IsWithin(float known) const
     [known](const Vertex& v) { return v.X * v.X + v.Y * v.Y <= known * known; });
 }
 
-bool vtkPointSplatDisk::InRow() const
+bool vtkPointSplatDisk::InRow(int nearest) const
 {
+  const int count = std::min(nearest, this->Sheet.Count);
   float u = 0, v = 0, uu = 0, uv = 0, vv = 0;
-  for (int i = 0; i < this->Sheet.Count; ++i)
+  for (int i = 0; i < count; ++i)
   {
     u += this->U[i];
     v += this->V[i];
@@ -292,7 +293,7 @@ bool vtkPointSplatDisk::InRow() const
     uv += this->U[i] * this->V[i];
     vv += this->V[i] * this->V[i];
   }
-  const float n = static_cast<float>(std::max(this->Sheet.Count, 1));
+  const float n = static_cast<float>(std::max(count, 1));
   uu -= u * u / n;
   uv -= u * v / n;
   vv -= v * v / n;

@@ -37,8 +37,8 @@ public:
   bool Estimate(const vtkPointSplatNeighbors::Neighborhood& around, const float* normals,
     bool elliptical, float usual);
 
-  /// Whether the neighbours lie in a row rather than all around or to one side.
-  bool InRow() const;
+  /// Whether so many nearest neighbours lie in a row rather than all around or to one side.
+  bool InRow(int nearest) const;
 
   /// The distance to the sixth neighbour, or the last if there are fewer, in the plane where
   /// the disk is round.

@@ -21,8 +21,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <cmath>
-#include <iostream>
-#include <cstdlib>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -52,7 +50,7 @@ constexpr int NumberOfWitnesses = 4;
 /// farther out, then stays within a tube's silhouette.
 constexpr float LargestBend = 0.6f;
 /// What is left of a disk at least, however much the surface bends: noise may look like it.
-constexpr float LeastShare = 0.5f;
+constexpr float LeastShare = 0.75f;
 /// The radius of a body alone, of the distance to what is nearest.
 constexpr float BodyRadius = 0.5f;
 /// Of how many leaves of the search tree, at least, the usual spacing is found.
@@ -191,7 +189,6 @@ struct Disks
     const float usual = GetQuantile(sizes, 0.5), large = GetQuantile(sizes, 0.95);
     const float t = std::clamp(
       (large / usual - RegularSpread) / (IrregularSpread - RegularSpread), 0.0f, 1.0f);
-    if (getenv("DBG")) { std::cerr << "usual " << usual << " large " << large << " t " << t << " q999 " << GetQuantile(sizes, 0.999) << " max " << GetQuantile(sizes,1.0) << "\n"; if (getenv("DBG")[0] == '2') return 1e9f; }
     return large * (HoleFactor + t * (GapFactor - HoleFactor));
   }
 
@@ -388,7 +385,7 @@ int vtkPointSplatEstimation::RequestData(
       if (round > 0 && !closed)
       {
         // What more neighbours do not close is a border: the first round's disk stands.
-        return round == 2 || !disk.InRow();
+        return round == 2 || !disk.InRow(this->NumberOfNeighbors);
       }
       float largest = std::numeric_limits<float>::max();
       if (!elliptical)
