@@ -34,7 +34,7 @@ float Residual(const vtkPointSplatNeighbors::Neighborhood& around, const float* 
   float across = 0, all = 0;
   for (int i = 0; i < around.Count; ++i)
   {
-    const float offset = vtkPointSplatSheet::Offset(around, i, normals, n);
+    const float offset = vtkPointSplatSheet::GetArc(around, i, normals, n).Offset;
     across += 4 * offset * offset;
     all += around.SquaredDistance[i];
   }
@@ -222,8 +222,9 @@ float vtkPointSplatDisk::MeanDistance() const
     if (i != Frame)
     {
       const Vertex& to = this->Cell[j + 1 < this->Size ? j + 1 : 0];
-      const float weight = std::hypot(to.X - this->Cell[j].X, to.Y - this->Cell[j].Y);
-      sum += weight * std::hypot(this->U[i], this->V[i]);
+      const float x = to.X - this->Cell[j].X, y = to.Y - this->Cell[j].Y;
+      const float weight = std::sqrt(x * x + y * y);
+      sum += weight * std::sqrt(this->U[i] * this->U[i] + this->V[i] * this->V[i]);
       weights += weight;
     }
   }
@@ -317,7 +318,9 @@ bool vtkPointSplatDisk::Estimate(const vtkPointSplatNeighbors::Neighborhood& aro
   }
   this->Spacing = this->Gap = 0;
   int count = this->Sheet.Count;
-  const auto distance = [this](int i) { return std::hypot(this->U[i], this->V[i]); };
+  const auto distance = [this](int i) {
+    return std::sqrt(this->U[i] * this->U[i] + this->V[i] * this->V[i]);
+  };
   const bool closed =
     this->ClipByBisectors(count) && this->IsWithin(distance(count - 1));
   if (!closed && this->Sheet.Near < count)

@@ -5,7 +5,7 @@
  * @brief   normals where missing and the size of a splat for each point of a cloud
  *
  * The splats are disks (circles, or ellipses) in the points' tangent planes that cover the
- * surface without holes and are no larger than needed.
+ * surface without holes and reach no farther than their own sheet's points say.
  *
  * Input: any vtkPointSet with points of any type; only points and point data are used.
  * Coordinates may lie far from the origin: everything is measured from point to point.
@@ -33,29 +33,37 @@
  *    as if along a circle's arc, and edges that leave the tangent planes cost more, so that
  *    it does not jump to another sheet. Given normals start the tree; a piece of surface
  *    without any is turned outward at its extreme point.
- * 4. *Disk.* The neighbours are projected to the tangent plane (Pajarola, Sainz, Guidotti 2004,
- *    Confetti, section 4.3), but those of other sheets: that lie more than 53 degrees off the
- *    plane, or more than 17 where their normal differs by more than 78. Where most of them lie
- *    off the tangent plane, the normal cannot be the surface's (as at seams of meshes whose
- *    triangles are not oriented consistently), and the plane that fits them takes its place.
- *    Bisectors cut the point's Voronoi cell out of the plane, and the disk reaches to the cell's
- *    farthest vertex. A vertex between two neighbours that are more than 150 degrees apart is
- *    left to their disks. Where the cell stays open, four times as many neighbours are looked at,
- *    and if those lie in a row, one a leaf of the search tree, which reaches past it; if it is
- *    open still, the point lies on a border: then the cell ends at the convex hull of the
- *    neighbours. So border splats reach no farther than inner ones. For ellipses all this is done
- *    in the plane scaled along the principal axes of the neighbours' covariance (Confetti,
- *    section 4.2, equation 3) until it is round there; where Confetti scales the ellipse to bound
- *    the neighbours, here it bounds the cell. Where the whole cloud is as regular as a mesh's
- *    vertices are, vertices much farther than usual are left out: there is a hole in the surface.
- *    In random samplings such are gaps to be closed. Circular disks also get the surface's
- *    *curvature*: the second fundamental form that fits the NumberOfNeighbors nearest ones'
- *    normals and heights over the tangent plane best, by least squares (vtkPointSplatCurvature.h
- *    has the equations). What those do not agree on is left out, since noise has no curvature,
- *    and a tenth of the rest.
- * 5. *Bound.* No disk is larger than the distance to the farthest neighbour looked at, nor than
- *    two and a half times those of its neighbours, which keeps outliers small. With no neighbour
- *    at all, for a lone point, the radius is 0.1.
+ * 4. *Disk.* Of the neighbours only those of the point's own sheet count: between two points of a
+ *    sheet the surface runs about as a circle's arc, so that their normals are mirror images in the
+ *    plane half way (vtkPointSplatSheet.h). Neighbours within two spacings, the point's own or the
+ *    cloud's median, may be off by 0.6 spacings, for noise; farther ones only by a tenth of their
+ *    distance, and they count only where a third of them is of the sheet. Normals more than 78
+ *    degrees apart are of two faces at an edge, unless there is nothing else, as on a body of a few
+ *    points. Where the normal does not fit the neighbours' at all (as at seams of meshes whose
+ *    triangles are not oriented consistently), the plane that fits them takes its place.
+ *    The neighbours are projected to the tangent plane (Pajarola, Sainz, Guidotti 2004, Confetti,
+ *    section 4.3), as far off as they are in space, and bisectors cut the point's Voronoi cell out
+ *    of it. The radius is 0.72 of the mean distance of the neighbours that share the cell's edges,
+ *    weighted by their lengths, or more where a Delaunay triangle around the point needs it: what
+ *    must be covered is each triangle by its three disks together, so that one with an obtuse
+ *    angle asks less than its circumcentre's distance. Where the cell stays open, four times as
+ *    many neighbours are looked at, and if the nearest lie in a row, one a leaf of the search tree,
+ *    which reaches past it; what does not close the cell all around is left out then. Where the
+ *    whole cloud is as regular as a mesh's vertices are, gaps much larger than usual are holes in
+ *    the surface; in random samplings such are to be closed.
+ *    For ellipses all this is done in the plane scaled along the principal axes of the neighbours'
+ *    covariance (Confetti, section 4.2, equation 3) until it is round there.
+ *    Circular disks also get the surface's *curvature*: the second fundamental form that fits
+ *    normals and heights of the sheet's neighbours best, by least squares
+ *    (vtkPointSplatCurvature.h has the equations). What those do not agree on is left out, since
+ *    noise has no curvature, and a tenth of the rest. The normal turns by no more than 0.6 (34
+ *    degrees) from the centre to the rim, but the disk keeps three quarters of its radius: it does
+ *    not leave a tube or a fold.
+ * 5. *Bound.* No disk is larger than two and a half times those of its neighbours, which keeps
+ *    outliers small. A point with no neighbour of its own sheet is a body alone: half of the
+ *    distance to what is nearest is its radius, and at most the cloud's median radius; its
+ *    curvature is a ball's. GetNumberOfPointsAlone() counts them. With no neighbour at all, for a
+ *    lone point, the radius is 0.1.
  *
  * Bad input: points with a coordinate that is not finite (or beyond 1e37), and hidden ones
  * (vtkGhostType has HIDDENPOINT), take no part; they stay in the output, with radius 0, and

@@ -44,15 +44,20 @@ int vtkPointSplatSheet::CountNear(
     std::upper_bound(squared, squared + around.Count, reach * reach) - squared);
 }
 
-float vtkPointSplatSheet::Offset(const vtkPointSplatNeighbors::Neighborhood& around, int i,
-  const float* normals, const float n[3])
+vtkPointSplatSheet::Arc vtkPointSplatSheet::GetArc(
+  const vtkPointSplatNeighbors::Neighborhood& around, int i, const float* normals,
+  const float n[3])
 {
   const float* m = normals + std::size_t(3) * around.Slots[i];
-  const float nd = n[0] * around.X[i] + n[1] * around.Y[i] + n[2] * around.Z[i];
-  const float md = m[0] * around.X[i] + m[1] * around.Y[i] + m[2] * around.Z[i];
-  const float nm = n[0] * m[0] + n[1] * m[1] + n[2] * m[2];
+  Arc arc;
+  arc.Height = n[0] * around.X[i] + n[1] * around.Y[i] + n[2] * around.Z[i];
+  arc.OtherHeight = m[0] * around.X[i] + m[1] * around.Y[i] + m[2] * around.Z[i];
+  arc.Cosine = n[0] * m[0] + n[1] * m[1] + n[2] * m[2];
   // Which side of the neighbour's normal n's mirror image lies on.
-  return 0.5f * std::abs(nm * around.SquaredDistance[i] < 2 * nd * md ? nd - md : nd + md);
+  const bool turned =
+    arc.Cosine * around.SquaredDistance[i] < 2 * arc.Height * arc.OtherHeight;
+  arc.Offset = 0.5f * (turned ? arc.Height - arc.OtherHeight : arc.Height + arc.OtherHeight);
+  return arc;
 }
 
 void vtkPointSplatSheet::Select(const vtkPointSplatNeighbors::Neighborhood& around, int countNear,
@@ -65,20 +70,19 @@ void vtkPointSplatSheet::Select(const vtkPointSplatNeighbors::Neighborhood& arou
   int edges = 0;
   for (int i = 0; i < around.Count; ++i)
   {
-    const float* m = normals + std::size_t(3) * around.Slots[i];
     const float squared = around.SquaredDistance[i];
-    const float nd = n[0] * around.X[i] + n[1] * around.Y[i] + n[2] * around.Z[i];
-    const float md = m[0] * around.X[i] + m[1] * around.Y[i] + m[2] * around.Z[i];
-    const float nm = n[0] * m[0] + n[1] * m[1] + n[2] * m[2];
-    const float offset = Offset(around, i, normals, n);
+    const Arc arc = GetArc(around, i, normals, n);
     const bool isNear = i < countNear;
     const float turn2 = (isNear ? NearTurn * NearTurn : FarTurn * FarTurn) * squared;
-    if (nd * nd > turn2 || offset * offset > (isNear ? near2 : FarOffset * FarOffset * squared) ||
-      (!isNear && md * md > turn2))
+    const float offset2 = isNear ? near2 : FarOffset * FarOffset * squared;
+    const float height2 = arc.Height * arc.Height;
+    if (height2 > turn2 || arc.Offset * arc.Offset > offset2 ||
+      (!isNear && arc.OtherHeight * arc.OtherHeight > turn2))
     {
       continue;
     }
-    if (std::abs(nm) < EdgeCosine || (nm < 0 && nd * nd > FarTurn * FarTurn * squared))
+    if (std::abs(arc.Cosine) < EdgeCosine ||
+      (arc.Cosine < 0 && height2 > FarTurn * FarTurn * squared))
     {
       if (isNear)
       {

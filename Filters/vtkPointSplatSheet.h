@@ -31,14 +31,19 @@ public:
   /// How many of the neighbours lie as near as neighbours do where points have that spacing.
   static int CountNear(const vtkPointSplatNeighbors::Neighborhood& around, float spacing);
 
-  /// The distance at which the surfaces through the centre, with the normal n, and through a neighbour
-  /// pass each other.
-  static float Offset(const vtkPointSplatNeighbors::Neighborhood& around, int neighbor,
+  /// How a neighbour lies to the centre, whose normal is n.
+  struct Arc
+  {
+    float Height, OtherHeight; // n . d and m . d
+    float Cosine;              // n . m
+    float Offset;              // the distance at which the surfaces through both pass each other
+  };
+  static Arc GetArc(const vtkPointSplatNeighbors::Neighborhood& around, int neighbor,
     const float* normals, const float n[3]);
 
   /**
    * Selects of the neighbourhood, of which so many are near. normals: 3 floats a slot, unit length;
-   * n: of the centre.
+   * n: of the centre. spacing: of the points here.
    */
   void Select(const vtkPointSplatNeighbors::Neighborhood& around, int countNear,
     const float* normals, const float n[3], float spacing);
