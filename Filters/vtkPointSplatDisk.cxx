@@ -17,6 +17,8 @@ constexpr float ResidualRatio = 0.3f;
 /// The disk's radius, of the mean distance to the neighbours next to it: a square's corners' disks
 /// reach to its middle.
 constexpr float RadiusPerDistance = 0.72f;
+/// At borders: no farther over them than a triangle of equal sides needs, and a little for rounding.
+constexpr float BorderPerDistance = 0.6f;
 /// Neighbours lie in a row if their variance across it is less than this part of that along
 /// it; those of a point on a straight border have about a third.
 constexpr float RowVariance = 0.15f;
@@ -223,8 +225,10 @@ float vtkPointSplatDisk::MeanDistance() const
     {
       const Vertex& to = this->Cell[j + 1 < this->Size ? j + 1 : 0];
       const float x = to.X - this->Cell[j].X, y = to.Y - this->Cell[j].Y;
-      const float weight = std::sqrt(x * x + y * y);
-      sum += weight * std::sqrt(this->U[i] * this->U[i] + this->V[i] * this->V[i]);
+      const float distance = std::sqrt(this->U[i] * this->U[i] + this->V[i] * this->V[i]);
+      // Edges of open cells have any length.
+      const float weight = std::min(std::sqrt(x * x + y * y), distance);
+      sum += weight * distance;
       weights += weight;
     }
   }
@@ -332,7 +336,7 @@ bool vtkPointSplatDisk::Estimate(const vtkPointSplatNeighbors::Neighborhood& aro
   float radius = 0;
   if (count > 0)
   {
-    radius = RadiusPerDistance * this->MeanDistance();
+    radius = (closed ? RadiusPerDistance : BorderPerDistance) * this->MeanDistance();
     this->Gap = this->Reach(distance(count - 1), closed) * this->Scale1;
     this->Spacing = distance(std::min(vtkPointSplatSheet::SpacingRank, count) - 1);
   }

@@ -1,0 +1,57 @@
+# SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Splats of hard data, every setting at its default, against the truth."""
+import unittest
+
+import likeness
+import standins
+
+
+class TestStandIns(unittest.TestCase):
+    def check(self, name, largest, off, psnr, gap=100.0, opacity=1.0, views=2, holes=0):
+        """largest: of the radii, in spacings; off: the share of disks' area off the surface; psnr
+        and gap: of each view."""
+        standin = standins.ALL[name]()
+        fit = likeness.sizes(standin)
+        self.assertLess(fit["radii"][3], largest, name)
+        self.assertLess(fit["off"], off, name)
+        if standin.mesh:
+            found = likeness.compare(standin, 300, views, opacity)
+            self.assertGreater(min(found["psnr"]), psnr, name)
+            self.assertLess(found["gap"][0], gap, name)
+            self.assertLessEqual(found["holes"], holes, name)
+            self.assertLess(found["spill"], 0.01, name)
+
+    def test_tubes_and_specks(self):
+        # Disks ten times too large gave 14 dB, and 1.2 of the tubes' area was spilt.
+        standin = standins.tubes_and_specks()
+        fit = likeness.sizes(standin)
+        self.assertLess(fit["radii"][3], 3)
+        self.assertLess(fit["off"], 0.06)
+        for opacity in (1.0, 0.5):
+            found = likeness.compare(standin, 300, 1, opacity)
+            self.assertLess(found["gap"][0], 4.5, opacity)
+            self.assertEqual(found["holes"], 0, opacity)
+            self.assertLess(found["spill"], 0.01, opacity)
+
+    def test_edges(self):
+        self.check("part_random", 5, 0.012, 24)
+
+    def test_thin_shell(self):
+        self.check("shell_03", 3.5, 0.005, 45)
+
+    def test_grid_lines(self):
+        # Within rows the points are twenty times as dense as across them.
+        standin = standins.along_grid_lines(20)
+        self.assertLess(likeness.sizes(standin)["radii"][3], 0.7)
+        found = likeness.compare(standin, 300, 1)
+        self.assertGreater(found["psnr"][0], 34)
+        self.assertLess(found["holes"], 30)
+
+    def test_spray(self):
+        # 9 spacings, and a third of the area off, where disks reached from drop to drop.
+        self.check("spray", 4, 0.1, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
