@@ -16,7 +16,7 @@ constexpr float LargestResidual = 0.25f;
 constexpr float ResidualRatio = 0.3f;
 /// The disk's radius, of the mean distance to the neighbours next to it: a square's corners' disks
 /// reach to its middle.
-constexpr float RadiusPerDistance = 0.72f;
+constexpr float RadiusPerDistance = 0.74f;
 /// At borders: no farther over them than a triangle of equal sides needs, and a little for rounding.
 constexpr float BorderPerDistance = 0.6f;
 /// Neighbours lie in a row if their variance across it is less than this part of that along

@@ -53,6 +53,9 @@ constexpr float LargestBend = 0.6f;
 constexpr float LeastShare = 0.75f;
 /// The radius of a body alone, of the distance to what is nearest.
 constexpr float BodyRadius = 0.5f;
+/// The sixth neighbour's distance, of the third one's, for points at random in a plane (1.43) and a
+/// little: it is the neighbour of another body where most bodies have few points.
+constexpr float SixthPerThird = 1.5f;
 /// Of how many leaves of the search tree, at least, the usual spacing is found.
 constexpr Slot UsualLeaves = 512;
 
@@ -143,7 +146,11 @@ float GetUsualSpacing(vtkAlgorithm* self, const vtkPointSplatNeighbors& neighbor
   std::vector<float> spacings(slots, 0.0f);
   neighbors.Visit(self, 0.05, 0.1, vtkPointSplatSheet::SpacingRank,
     [&](const vtkPointSplatNeighbors::Neighborhood& around, int) {
-      spacings[around.Center] = vtkPointSplatSheet::GetSpacing(around);
+      const int third = std::min(3, around.Count) - 1;
+      spacings[around.Center] = third < 0
+        ? 0.0f
+        : std::min(vtkPointSplatSheet::GetSpacing(around),
+            SixthPerThird * std::sqrt(around.SquaredDistance[third]));
       return true;
     },
     [&](Slot s) { return s / vtkPointSplatNeighbors::LeafSize % stride == 0; });

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// That disks of vtkPointSplatEstimation keep to their own sheet: on specks, tubes, sheets that lie
+// close, and for points alone. The truth is known in closed form.
+#include "vtkFloatArray.h"
+#include "vtkMath.h"
+#include "vtkMinimalStandardRandomSequence.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSplatArrays.h"
+#include "vtkPointSplatEstimation.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+namespace
+{
+int failures = 0;
+
+/// Points, and normals if they are given.
+struct Cloud
+{
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkFloatArray> Normals;
+
+  Cloud() { this->Normals->SetNumberOfComponents(3); }
+
+  void Add(double x, double y, double z, double nx, double ny, double nz)
+  {
+    this->Points->InsertNextPoint(x, y, z);
+    this->Normals->InsertNextTuple3(nx, ny, nz);
+  }
+
+  /// The least and the greatest radius that there may be, and how many points are alone.
+  void Expect(const std::string& what, double least, double most, vtkIdType alone)
+  {
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(this->Points);
+    data->GetPointData()->SetNormals(this->Normals);
+    vtkNew<vtkPointSplatEstimation> estimation;
+    estimation->SetInputData(data);
+    estimation->Update();
+    double range[2];
+    estimation->GetOutput()->GetPointData()->GetArray(vtkPointSplatArrays::Radius)->GetRange(range);
+    const vtkIdType found = estimation->GetNumberOfPointsAlone();
+    std::cout << what << ": radii " << range[0] << " to " << range[1] << ", alone " << found << "\n";
+    if (range[0] < least || range[1] > most || found != alone)
+    {
+      std::cerr << "FAILED: " << what << ": radii are to be " << least << " to " << most << ", alone "
+                << alone << "\n";
+      ++failures;
+    }
+  }
+};
+
+/// Octahedra at random: no disk may reach from one to the other, nor past itself.
+void Specks()
+{
+  Cloud cloud;
+  vtkNew<vtkMinimalStandardRandomSequence> random;
+  random->SetSeed(3);
+  for (int speck = 0; speck < 200; ++speck)
+  {
+    double c[3] = { 8.0 * (speck % 6), 8.0 * (speck / 6 % 6), 8.0 * (speck / 36) };
+    for (double& x : c)
+    {
+      x += random->GetNextValue();
+    }
+    for (int side = 0; side < 6; ++side)
+    {
+      double n[3] = { 0, 0, 0 };
+      n[side / 2] = side % 2 ? 1 : -1;
+      cloud.Add(c[0] + 0.7 * n[0], c[1] + 0.7 * n[1], c[2] + 0.7 * n[2], n[0], n[1], n[2]);
+    }
+  }
+  cloud.Expect("octahedra of radius 0.7", 0.4, 0.75, 0);
+}
+
+/// Rings of so many points around a tube of radius 1.
+void Tube(int around)
+{
+  Cloud cloud;
+  const double step = 2 * vtkMath::Pi() / around;
+  for (int ring = 0; ring < 60; ++ring)
+  {
+    for (int k = 0; k < around; ++k)
+    {
+      const double a = step * (k + 0.5 * (ring % 2));
+      cloud.Add(std::cos(a), std::sin(a), 0.87 * step * ring, std::cos(a), std::sin(a), 0);
+    }
+  }
+  const double chord = 2 * std::sin(0.5 * step);
+  cloud.Expect("a tube of " + std::to_string(around) + " points around", 0.5 * chord, 0.8 * chord, 0);
+}
+
+/// Two grids that face away from each other: one is no neighbourhood of the other.
+void Sheets(double gap)
+{
+  Cloud cloud;
+  for (int i = 0; i < 2 * 40 * 40; ++i)
+  {
+    const double side = i % 2 ? 1 : -1;
+    cloud.Add(i / 2 % 40 + 0.4 * side, i / 80 + 0.3 * side, 0.5 * gap * side, 0, 0, side);
+  }
+  cloud.Expect("sheets " + std::to_string(gap) + " apart", 0.55, 0.8, 0);
+}
+
+/// Droplets over a grid: bodies of the local spacing.
+void Alone()
+{
+  Cloud cloud;
+  vtkNew<vtkMinimalStandardRandomSequence> random;
+  random->SetSeed(9);
+  for (int i = 0; i < 40 * 40; ++i)
+  {
+    cloud.Add(i % 40, i / 40, 0, 0, 0, 1);
+  }
+  for (int i = 0; i < 9; ++i)
+  {
+    cloud.Add(12 * (i % 3) + random->GetNextValue(), 12 * (i / 3), 9 + random->GetNextValue(), 1, 0, 0);
+  }
+  cloud.Expect("droplets", 0.5, 0.76, 9);
+}
+}
+
+int TestSplatSizes(int, char*[])
+{
+  Specks();
+  Tube(6);
+  Tube(8);
+  Tube(16);
+  Sheets(1.0);
+  Alone();
+  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
