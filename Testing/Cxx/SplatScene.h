@@ -279,6 +279,29 @@ struct Checks
   }
   int Result() const { return this->Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE; }
 };
+
+/// Of the channels of all pixels.
+inline int LargestDifference(const Picture& a, const Picture& b)
+{
+  int largest = 0;
+  for (size_t i = 0; i < a.Pixels.size(); ++i)
+  {
+    largest = std::max(largest, std::abs(int(a.Pixels[i]) - int(b.Pixels[i])));
+  }
+  return largest;
+}
+
+/// Of all pixels, whatever they show.
+inline double PsnrOfAll(const Picture& a, const Picture& b)
+{
+  double sum = 0.0;
+  for (size_t i = 0; i < a.Pixels.size(); ++i)
+  {
+    const double d = double(a.Pixels[i]) - b.Pixels[i];
+    sum += d * d;
+  }
+  return 10.0 * std::log10(255.0 * 255.0 * a.Pixels.size() / std::max(sum, 1e-9));
+}
 }
 
 #endif
