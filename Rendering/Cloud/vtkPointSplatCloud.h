@@ -108,7 +108,6 @@ public:
   {
     return this->Splats[this->GetWordsPerSplat() * static_cast<size_t>(splat) + 7];
   }
-  const std::vector<uint32_t>& GetSplats() const { return this->Splats; }
   size_t GetWordsPerSplat() const { return this->Circular ? 8 : 16; }
   bool IsCircular() const { return this->Circular; }
   /// Whether the input has several blocks, or might have.

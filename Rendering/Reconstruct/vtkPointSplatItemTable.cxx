@@ -32,14 +32,3 @@ void vtkPointSplatItemTable::Upload(
   }
   this->Table.Upload(table);
 }
-
-//------------------------------------------------------------------------------
-unsigned int vtkPointSplatItemTable::TagMask(size_t items)
-{
-  unsigned int mask = 127; // 64 slots, so that depths are as fine in small scenes
-  while (mask < 2 * items)
-  {
-    mask = 2 * mask + 1;
-  }
-  return mask;
-}

@@ -38,6 +38,10 @@ struct vtkPointSplatRequest
   bool IsPeeled() const { return this->MaximumLayers > 1 || this->SceneDepth != 0; }
   bool HasColours() const;
   int GetFactorCount() const;
+  /// The bits that tags of the items need (vtkPointSplatDepthCode.glsl).
+  unsigned int GetTagMask() const;
+  /// Layers that may be made where there is room for no more than this.
+  int GetMostLayers(vtkIdType room) const;
   /// Then: what the rim of a disk lies behind its centre, world units; or 0.
   double GetVoronoiScale() const;
   /// Five times the largest least layer distance, world units.

@@ -5,6 +5,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkPointSplatReach.h"
 #include "vtkPointSplatUnits.h"
 
 #include <algorithm>
@@ -196,10 +197,10 @@ bool vtkPointSplatTiles::Project(
     return false;
   }
   vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
-  program->Set("DiskReach", DiskReach);
-  program->Set("CoverageRadius", CoverageRadius);
-  program->Set("CoverageDot", CoverageDot);
-  program->Set("PrefilterRadius", PrefilterRadius);
+  program->Set("DiskReach", vtkPointSplatReach::Disk);
+  program->Set("CoverageRadius", vtkPointSplatReach::Coverage);
+  program->Set("CoverageDot", vtkPointSplatReach::CoverageDot);
+  program->Set("PrefilterRadius", vtkPointSplatReach::Prefilter);
   program->Set("TileShift", this->Grid.Shift);
   program->Set("TileReach",
     variant.Lanes > 1 ? 0.0f : 0.5f * glm::length(glm::vec2(variant.TileSize - 1)));
@@ -344,8 +345,8 @@ vtkPointSplatProgram* vtkPointSplatTiles::UseTiles(const vtkPointSplatRequest& r
   program->Set("BucketScale", this->BucketScale);
   program->Set("DepthReach", this->DepthReach);
   program->Set("DepthUnit", static_cast<float>(request.GetDepthUnit()));
-  program->Set("DiskReach", DiskReach);
-  program->Set("PrefilterRadius", PrefilterRadius);
+  program->Set("DiskReach", vtkPointSplatReach::Disk);
+  program->Set("PrefilterRadius", vtkPointSplatReach::Prefilter);
   program->Set("Kernel",
     glm::vec4(kernel.Shape, static_cast<float>(kernel.Support), kernel.Plateau ? 1.0f : 0.0f));
   program->Set("ZNear", static_cast<float>(view.Near));
@@ -415,18 +416,6 @@ void vtkPointSplatTiles::Run(vtkPointSplatProgram& program, const Variant& varia
 }
 
 //------------------------------------------------------------------------------
-int vtkPointSplatTiles::MostLayers(const vtkPointSplatRequest& request, int factors)
-{
-  GLint texels = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
-  const vtkIdType bytes = vtkPointSplatLayers::BytesPerLayer(request.View.Size, factors);
-  vtkIdType fit = texels / (static_cast<vtkIdType>(request.View.Size.x) * request.View.Size.y);
-  fit = request.MaximumMemory > 0 ? std::min(fit, request.MaximumMemory / bytes) : fit;
-  return static_cast<int>(
-    std::min<vtkIdType>(request.MaximumLayers, std::max<vtkIdType>(fit, 1)));
-}
-
-//------------------------------------------------------------------------------
 vtkPointSplatTiles::Result vtkPointSplatTiles::DrawLayers(const vtkPointSplatRequest& request,
   const vtkPointSplatPart& part, const Variant& variant, vtkPointSplatLayers& layers)
 {
@@ -469,7 +458,10 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::Reconstruct(const vtkPointSplatRe
 {
   vtkPointSplatRequest request = given;
   const Variant variant = VariantOf(request);
-  request.MaximumLayers = MostLayers(request, variant.Factors);
+  GLint texels = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
+  request.MaximumLayers = request.GetMostLayers(
+    texels / (static_cast<vtkIdType>(request.View.Size.x) * request.View.Size.y));
   this->Items.Upload(request.Items, request.View);
   int capacity = std::min(request.MaximumLayers, std::max(FirstCapacity, layers.GetCapacity()));
   Result result = Made;

@@ -33,24 +33,6 @@ class vtkPointSplatUnits;
 class vtkPointSplatTiles
 {
 public:
-  ///@{
-  /**
-   * How far disks reach in the visibility pass, in radii; the least radii, in pixels, of a
-   * disk's image there; and the prefilter's radius, in pixels, in the accumulation pass.
-   */
-  // Disks that cover their neighbours' Voronoi cells in the tangent plane leave cracks where the
-  // surface bends and is seen at a flat angle.
-  static constexpr float DiskReach = 1.15f;
-  // On planes that are seen edge-on no pixel falls between disks.
-  static constexpr float CoverageRadius = 0.1f;
-  // But splats with a silhouette on them are not widened: a tenth of a pixel about each centre
-  // costs bodies of a few hundred pixels 7 dB against their mesh.
-  static constexpr float CoverageDot = 1e-3f;
-  // Guennebaud, section 4.1, has the square root of two; the Gaussian of sigma 0.6 is then as
-  // wide as a pixel is, which blurs more than the pixels of a supersampled picture do.
-  static constexpr float PrefilterRadius = 0.8f;
-  ///@}
-
   /// Splats that can be drawn at once: as many as an entry of a list can name.
   static constexpr vtkIdType Capacity = vtkIdType(1) << 22;
 
@@ -107,7 +89,6 @@ private:
     const Bind& bind);
   Result DrawLayers(const vtkPointSplatRequest& request, const vtkPointSplatPart& part,
     const Variant& variant, vtkPointSplatLayers& layers);
-  static int MostLayers(const vtkPointSplatRequest& request, int factors);
 
   std::map<std::string, vtkPointSplatProgram> ProjectPrograms; // by defines
   std::map<std::string, vtkPointSplatProgram> TilePrograms;
