@@ -17,7 +17,8 @@ bool vtkPointSplatRequest::operator==(const vtkPointSplatRequest& other) const
     this->LeastContribution == other.LeastContribution && this->Gather == other.Gather &&
     this->ShowsEach == other.ShowsEach && this->SceneDepth == other.SceneDepth &&
     (this->SceneDepth == 0 || this->SceneFrame == other.SceneFrame) &&
-    this->MaximumMemory == other.MaximumMemory && this->HasIds == other.HasIds &&
+    this->MaximumMemory == other.MaximumMemory && this->Outlines == other.Outlines &&
+    this->HasIds == other.HasIds &&
     (!this->HasIds || this->Ids == other.Ids);
 }
 

@@ -30,7 +30,8 @@ struct vtkPointSplatRequest
   vtkIdType MaximumMemory = 0;            // bytes of all layers; 0: no bound
   ///@}
 
-  bool HasIds = false; // of the first layer
+  bool Outlines = false; // are smoothed; of tiles only
+  bool HasIds = false;   // of the first layer
   vtkPointSplatCloud::IdKind Ids = vtkPointSplatCloud::PointIds;
 
   bool operator==(const vtkPointSplatRequest& other) const;

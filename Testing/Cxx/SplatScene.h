@@ -74,6 +74,9 @@ struct Window
 {
   vtkNew<vtkEGLHeadlessRenderWindow> Win;
   vtkNew<vtkRenderer> Renderer;
+  // Pictures are held pixel by pixel against such as have no smooth outlines: those of meshes in
+  // framebuffers with one sample, and of splats that are drawn by quads.
+  bool SmoothOutlines = false;
 
   explicit Window(int size = Size)
   {
@@ -89,6 +92,11 @@ struct Window
     actor->GetProperty()->SetSpecular(0.4);
     actor->GetProperty()->SetSpecularPower(20);
     actor->GetProperty()->SetAmbient(0.1);
+    if (auto splats = vtkPointSplatMapper::SafeDownCast(mapper))
+    {
+      splats->SetAntiAliasing(splats->GetAntiAliasing() &&
+        (this->SmoothOutlines || splats->GetMethod() == vtkPointSplatMapper::IMAGE_SPACE));
+    }
     this->Renderer->AddActor(actor);
     return actor;
   }
