@@ -57,7 +57,7 @@ vtkIsosurfaceGrid DescribeGrid(vtkImageData* image, int numberOfComponents)
   vtkMatrix4x4* toWorld = image->GetIndexToPhysicalMatrix();
   vtkMatrix3x3* direction = image->GetDirectionMatrix();
   // vtkFlyingEdges3D mirrors the normals of an image that is mirrored, and so do we.
-  const double sign = direction->Determinant() < 0 ? 1 : -1;
+  grid.Side = direction->Determinant() < 0 ? 1 : -1;
   vtkIdType stride = numberOfComponents;
   for (int c = 0; c < 3; ++c)
   {
@@ -70,7 +70,7 @@ vtkIsosurfaceGrid DescribeGrid(vtkImageData* image, int numberOfComponents)
     {
       grid.ToWorld[c][r] = toWorld->GetElement(c, r);
       grid.ToWorld[c][3] += toWorld->GetElement(c, r) * extent[2 * r];
-      grid.ToNormal[c][r] = sign * direction->GetElement(c, r) / spacing[r];
+      grid.ToNormal[c][r] = grid.Side * direction->GetElement(c, r) / spacing[r];
     }
   }
   grid.PointGhosts = GetGhosts(image->GetPointData(), image->GetNumberOfPoints());
@@ -156,15 +156,27 @@ std::unique_ptr<vtkIsosurfaceExtraction> MakeExtraction(const vtkIsosurfaceGrid&
   return std::make_unique<vtkIsosurfaceEdges<T>>(grid, values, isovalues);
 }
 
-/// Points, normals and isovalues of one output data set.
+/// The arrays of one output data set.
 struct Surface
 {
   vtkSmartPointer<vtkPoints> Points = vtkSmartPointer<vtkPoints>::New();
   vtkSmartPointer<vtkFloatArray> Normals = vtkSmartPointer<vtkFloatArray>::New();
   vtkSmartPointer<vtkDoubleArray> Isovalues = vtkSmartPointer<vtkDoubleArray>::New();
+  vtkSmartPointer<vtkFloatArray> Radii; // both or none of these
+  vtkSmartPointer<vtkFloatArray> Curvatures;
 
-  Surface(vtkIdType count, bool precise)
+  Surface(vtkIdType count, bool precise, bool sizes)
   {
+    if (sizes)
+    {
+      this->Radii = vtkSmartPointer<vtkFloatArray>::New();
+      this->Radii->SetName(vtkPointSplatArrays::Radius);
+      this->Radii->SetNumberOfTuples(count);
+      this->Curvatures = vtkSmartPointer<vtkFloatArray>::New();
+      this->Curvatures->SetName(vtkPointSplatArrays::Curvature);
+      this->Curvatures->SetNumberOfComponents(6);
+      this->Curvatures->SetNumberOfTuples(count);
+    }
     this->Points->SetDataType(precise ? VTK_DOUBLE : VTK_FLOAT);
     this->Points->SetNumberOfPoints(count);
     this->Normals->SetName("Normals");
@@ -178,6 +190,11 @@ struct Surface
   {
     vtkIsosurfaceExtraction::Target target;
     target.Normals = this->Normals->GetPointer(0) + 3 * first;
+    if (this->Radii)
+    {
+      target.Radii = this->Radii->GetPointer(0) + first;
+      target.Curvatures = this->Curvatures->GetPointer(0) + 6 * first;
+    }
     void* points = this->Points->GetVoidPointer(0);
     if (this->Points->GetDataType() == VTK_DOUBLE)
     {
@@ -195,6 +212,11 @@ struct Surface
     output->SetPoints(this->Points);
     output->GetPointData()->SetNormals(this->Normals);
     output->GetPointData()->AddArray(this->Isovalues);
+    if (this->Radii)
+    {
+      output->GetPointData()->AddArray(this->Radii);
+      output->GetPointData()->AddArray(this->Curvatures);
+    }
   }
 };
 }
@@ -499,19 +521,23 @@ void vtkIsosurfacePoints::Extract(
     extractions.push_back(std::move(extraction));
   }
 
+  const bool sizes = this->SplatSizes &&
+    std::all_of(extractions.begin(), extractions.end(),
+      [](const std::unique_ptr<vtkIsosurfaceExtraction>& e) { return e->KnowsSizes(); });
+
   // One surface for all isovalues, or for each.
   std::vector<Surface> surfaces;
   std::vector<vtkIsosurfaceExtraction::Target> targets(number);
   if (!this->BlockPerIsovalue)
   {
-    surfaces.emplace_back(std::accumulate(counts.begin(), counts.end(), vtkIdType(0)), precise);
+    surfaces.emplace_back(std::accumulate(counts.begin(), counts.end(), vtkIdType(0)), precise, sizes);
   }
   vtkIdType first = 0;
   for (int i = 0; i < number; ++i)
   {
     if (this->BlockPerIsovalue)
     {
-      surfaces.emplace_back(counts[i], precise);
+      surfaces.emplace_back(counts[i], precise, sizes);
       first = 0;
     }
     targets[i] = surfaces.back().GetTarget(first);
@@ -564,6 +590,7 @@ void vtkIsosurfacePoints::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfNeighbors: " << this->NumberOfNeighbors << "\n";
   os << indent << "NeighborRadius: " << this->NeighborRadius << "\n";
   os << indent << "Correction: " << (this->Correction ? "On" : "Off") << "\n";
+  os << indent << "SplatSizes: " << (this->SplatSizes ? "On" : "Off") << "\n";
 }
 
 VTK_ABI_NAMESPACE_END

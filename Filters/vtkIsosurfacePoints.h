@@ -180,6 +180,17 @@ public:
   vtkBooleanMacro(Correction, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether the points get `SplatRadius` and `SplatCurvature`; on by default. Switch it off where a
+   * filter that comes after this one takes points away or moves them: what draws them then
+   * estimates sizes that fit what is left.
+   */
+  vtkSetMacro(SplatSizes, bool);
+  vtkGetMacro(SplatSizes, bool);
+  vtkBooleanMacro(SplatSizes, bool);
+  ///@}
+
 protected:
   vtkIsosurfacePoints();
   ~vtkIsosurfacePoints() override;
@@ -213,6 +224,7 @@ private:
   int NumberOfNeighbors = 26;
   double NeighborRadius = 0;
   bool Correction = true;
+  bool SplatSizes = true;
 };
 
 VTK_ABI_NAMESPACE_END
