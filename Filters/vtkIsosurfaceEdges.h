@@ -254,15 +254,19 @@ private:
         return false;
       }
     }
+    const vtkIsosurfaceGrid& grid = this->Field.Grid;
+    const T* first = this->Field.GetPointer(origin[0], origin[1], origin[2]);
     for (int corner = 0; corner < 8; ++corner)
     {
-      const vtkIdType ijk[3] = { origin[0] + (corner & 1), origin[1] + (corner >> 1 & 1),
-        origin[2] + (corner >> 2) };
-      if (!this->Field.IsUsable(ijk[0], ijk[1], ijk[2]))
+      const int i = corner & 1, j = corner >> 1 & 1, k = corner >> 2;
+      values[corner] = static_cast<double>(
+                         first[i * grid.Strides[0] + j * grid.Strides[1] + k * grid.Strides[2]]) -
+        isovalue;
+      if (!std::isfinite(values[corner]) ||
+        grid.IsHidden(origin[0] + i, origin[1] + j, origin[2] + k))
       {
         return false;
       }
-      values[corner] = this->Field.Get(ijk[0], ijk[1], ijk[2]) - isovalue;
     }
     return true;
   }

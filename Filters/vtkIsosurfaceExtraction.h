@@ -31,6 +31,7 @@ public:
     float* Normals = nullptr;
     float* Radii = nullptr; // both or none of these
     float* Curvatures = nullptr;
+    double LargestRadius = LargestNumber;
 
     /// Whether splats need their size and bend.
     bool HasSizes() const { return this->Radii != nullptr; }
@@ -51,8 +52,7 @@ public:
       }
       if (this->HasSizes())
       {
-        // What is beyond a float's numbers nobody can draw.
-        this->Radii[id] = static_cast<float>(std::min(splat.Radius, LargestNumber));
+        this->Radii[id] = static_cast<float>(std::min(splat.Radius, this->LargestRadius));
         for (int c = 0; c < 6; ++c)
         {
           this->Curvatures[6 * id + c] =
@@ -61,7 +61,7 @@ public:
       }
     }
 
-  private:
+    /// Floats hold little more.
     static constexpr double LargestNumber = 3e38;
   };
 

@@ -433,7 +433,7 @@ void vtkIsosurfacePoints::ExtractVolume(
     return extraction;
   };
   // As many isovalues in one sweep as a class can count.
-  this->Extract(make, 254, NeedsDouble(image), output);
+  this->Extract(make, 254, NeedsDouble(image), image, output);
 }
 
 void vtkIsosurfacePoints::ExtractScatter(
@@ -475,11 +475,11 @@ void vtkIsosurfacePoints::ExtractScatter(
       vtkIsosurfaceScatter::Settings{ this->PointSpacing, this->NumberOfNeighbors,
         this->NeighborRadius, this->Correction });
   };
-  this->Extract(make, VTK_INT_MAX, NeedsDouble(samples), output);
+  this->Extract(make, VTK_INT_MAX, NeedsDouble(samples), samples, output);
 }
 
 void vtkIsosurfacePoints::Extract(
-  const Factory& make, std::size_t most, bool precise, vtkDataObject* output)
+  const Factory& make, std::size_t most, bool precise, vtkDataSet* input, vtkDataObject* output)
 {
   const int number = static_cast<int>(this->GetNumberOfContours());
   std::vector<int> order;
@@ -530,8 +530,12 @@ void vtkIsosurfacePoints::Extract(
   std::vector<vtkIsosurfaceExtraction::Target> targets(number);
   if (!this->BlockPerIsovalue)
   {
-    surfaces.emplace_back(std::accumulate(counts.begin(), counts.end(), vtkIdType(0)), precise, sizes);
+    const vtkIdType all = std::accumulate(counts.begin(), counts.end(), vtkIdType(0));
+    surfaces.emplace_back(all, precise, sizes);
   }
+  // Whatever PointSpacing is, no disk is larger than what it is cut from.
+  const double largest =
+    std::min(vtkIsosurfaceExtraction::Target::LargestNumber, 0.5 * input->GetLength());
   vtkIdType first = 0;
   for (int i = 0; i < number; ++i)
   {
@@ -541,6 +545,7 @@ void vtkIsosurfacePoints::Extract(
       first = 0;
     }
     targets[i] = surfaces.back().GetTarget(first);
+    targets[i].LargestRadius = largest;
     double* isovalue = surfaces.back().Isovalues->GetPointer(0) + first;
     std::fill(isovalue, isovalue + counts[i], this->GetValue(i));
     first += counts[i];

@@ -337,7 +337,7 @@ private:
     }
   }
 
-  /// No place is farther than the distance from a point; see vtkIsosurfaceEdges.
+  /// No candidate is farther than the distance from a point; candidates lie a few tenths of it apart.
   static constexpr double RadiusPerDistance = 1.1;
 
   vtkIsosurfaceField<T> Field;
