@@ -240,7 +240,7 @@ private:
         found = true;
       }
     }
-    // With no cell around, all that is known of the surface is that it ends before the next samples.
+    // With no cell around, all that is known is that the surface ends before the next samples.
     return found ? std::max(reach, LeastReach * least) : 0.5 * least;
   }
 

@@ -108,7 +108,8 @@ private:
       const double* v = this->Values;
       const double scale = std::max(
         { std::abs(v[a]), std::abs(v[b]), std::abs(v[besideA]), std::abs(v[besideB]) });
-      const double saddle = v[a] / scale * (v[besideB] / scale) - v[besideA] / scale * (v[b] / scale);
+      const double saddle =
+        v[a] / scale * (v[besideB] / scale) - v[besideA] / scale * (v[b] / scale);
       const bool connectsA = this->IsAbove(a) ? saddle >= 0 : saddle > 0;
       byA = !connectsA;
     }

@@ -6,11 +6,11 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkContourValues.h"
 #include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIsosurfaceEdges.h"
+#include "vtkIsosurfaceOutput.h"
 #include "vtkIsosurfaceSamples.h"
 #include "vtkIsosurfaceScatter.h"
 #include "vtkMath.h"
@@ -155,70 +155,6 @@ std::unique_ptr<vtkIsosurfaceExtraction> MakeExtraction(const vtkIsosurfaceGrid&
   }
   return std::make_unique<vtkIsosurfaceEdges<T>>(grid, values, isovalues);
 }
-
-/// The arrays of one output data set.
-struct Surface
-{
-  vtkSmartPointer<vtkPoints> Points = vtkSmartPointer<vtkPoints>::New();
-  vtkSmartPointer<vtkFloatArray> Normals = vtkSmartPointer<vtkFloatArray>::New();
-  vtkSmartPointer<vtkDoubleArray> Isovalues = vtkSmartPointer<vtkDoubleArray>::New();
-  vtkSmartPointer<vtkFloatArray> Radii; // both or none of these
-  vtkSmartPointer<vtkFloatArray> Curvatures;
-
-  Surface(vtkIdType count, bool precise, bool sizes)
-  {
-    if (sizes)
-    {
-      this->Radii = vtkSmartPointer<vtkFloatArray>::New();
-      this->Radii->SetName(vtkPointSplatArrays::Radius);
-      this->Radii->SetNumberOfTuples(count);
-      this->Curvatures = vtkSmartPointer<vtkFloatArray>::New();
-      this->Curvatures->SetName(vtkPointSplatArrays::Curvature);
-      this->Curvatures->SetNumberOfComponents(6);
-      this->Curvatures->SetNumberOfTuples(count);
-    }
-    this->Points->SetDataType(precise ? VTK_DOUBLE : VTK_FLOAT);
-    this->Points->SetNumberOfPoints(count);
-    this->Normals->SetName("Normals");
-    this->Normals->SetNumberOfComponents(3);
-    this->Normals->SetNumberOfTuples(count);
-    this->Isovalues->SetName(vtkPointSplatArrays::Isovalue);
-    this->Isovalues->SetNumberOfTuples(count);
-  }
-
-  vtkIsosurfaceExtraction::Target GetTarget(vtkIdType first) const
-  {
-    vtkIsosurfaceExtraction::Target target;
-    target.Normals = this->Normals->GetPointer(0) + 3 * first;
-    if (this->Radii)
-    {
-      target.Radii = this->Radii->GetPointer(0) + first;
-      target.Curvatures = this->Curvatures->GetPointer(0) + 6 * first;
-    }
-    void* points = this->Points->GetVoidPointer(0);
-    if (this->Points->GetDataType() == VTK_DOUBLE)
-    {
-      target.PrecisePoints = static_cast<double*>(points) + 3 * first;
-    }
-    else
-    {
-      target.Points = static_cast<float*>(points) + 3 * first;
-    }
-    return target;
-  }
-
-  void MoveTo(vtkPolyData* output) const
-  {
-    output->SetPoints(this->Points);
-    output->GetPointData()->SetNormals(this->Normals);
-    output->GetPointData()->AddArray(this->Isovalues);
-    if (this->Radii)
-    {
-      output->GetPointData()->AddArray(this->Radii);
-      output->GetPointData()->AddArray(this->Curvatures);
-    }
-  }
-};
 }
 
 vtkIsosurfacePoints::vtkIsosurfacePoints()
@@ -526,7 +462,7 @@ void vtkIsosurfacePoints::Extract(
       [](const std::unique_ptr<vtkIsosurfaceExtraction>& e) { return e->KnowsSizes(); });
 
   // One surface for all isovalues, or for each.
-  std::vector<Surface> surfaces;
+  std::vector<vtkIsosurfaceOutput> surfaces;
   std::vector<vtkIsosurfaceExtraction::Target> targets(number);
   if (!this->BlockPerIsovalue)
   {

@@ -44,15 +44,17 @@
  *    differences; the normal is its gradient. It is trilinear in a cell that has an
  *    unusable sample around, and where the steps do not settle within half a voxel.
  *
- * Sizes of volumes' points. Without PointSpacing the isosurface crosses the faces of each cell in
- * closed outlines of three to seven points, or more; a point's radius is its distance to the farthest
- * centroid of the outlines, weighted by length, in the four cells around its edge. So the disks of
- * an outline's points together cover the fan of triangles from its centroid, whatever the voxels'
- * shape, and no disk reaches farther than a cell. With PointSpacing the radius is 1.1 times the
- * distance that the points keep, at most half of the volume's diagonal. The curvature is B = s P H P / |g| by gradient g and Hessian H,
- * P = I - n n^T, s the side of the normal (vtkIsosurfaceSplat.h). H is made of differences of second
- * order at the samples: along the axes the mean of those one and two samples wide, interpolated
- * as the gradient is; B's eigenvalues are held within 1 / radius.
+ * Sizes of volumes' points, with the last stage.
+ * 1. *Radius.* Without PointSpacing: in each cell the isosurface crosses the faces in closed
+ *    outlines of three points or more (vtkIsosurfaceOutline.h). A point's radius is its distance to
+ *    the farthest centroid, weighted by length, of its outlines in the four cells around its edge.
+ *    So the disks of an outline's points together cover the fan of triangles around its centroid,
+ *    whatever the voxels' shape, and no disk reaches farther than a cell. With PointSpacing:
+ *    1.1 times the distance that points keep, at most half of the volume's diagonal.
+ * 2. *Curvature.* B = s P H P / |g| by gradient g and Hessian H, P = I - n n^T, and the normal's
+ *    side s (vtkIsosurfaceSplat.h). H is made of differences of second order at the samples,
+ *    along an axis the mean of those one and two samples wide, interpolated as the gradient is.
+ *    B's eigenvalues are held within 1 / radius.
  *
  * Stages of scattered samples (after Rosenthal, Linsen 2006, Direct isosurface extraction from
  * scattered volume data: points by linear interpolation between pairs of neighbours):
@@ -74,9 +76,9 @@
  *    nearer than 0.8 s, until there is none left: this closes the gaps between links, and makes
  *    points denser than the samples if s is less than their spacing. Places not surrounded by
  *    samples on all sides, or without samples on either side of the isovalue, are left out.
- * 6. *Sizes*, with Correction. The radius is 1.1 times the distance that a point keeps to others, and
- *    a quarter more where stage 5 left a place beside it empty; the curvature is as of volumes, by
- *    the field's gradient and the mean Hessian of the fits around.
+ * 6. *Sizes*, with Correction. The radius is 1.1 times the distance that a point keeps to others,
+ *    and a quarter more where stage 5 left a place beside it empty; the curvature is as of volumes,
+ *    by the field's gradient and the mean Hessian of the fits around.
  * Without Correction there are only the points of stage 3 as thinned by stage 4, without sizes.
  *
  * Bad input of volumes: no edge (with PointSpacing: no cell) that touches a sample that is hidden

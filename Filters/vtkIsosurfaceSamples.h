@@ -337,7 +337,7 @@ private:
     }
   }
 
-  /// No candidate is farther than the distance from a point; candidates lie a few tenths of it apart.
+  /// No candidate is farther than the distance from a point, but what is between candidates.
   static constexpr double RadiusPerDistance = 1.1;
 
   vtkIsosurfaceField<T> Field;

@@ -9,8 +9,8 @@
  * The normal is n = s g / |g| with the field's gradient g and a sign s, -1 where it points to
  * lesser values. A step d across n changes it, to first order, by B d with
  *   B = s P H P / |g|,   P = I - n n^T,
- * H being the Hessian (Goldman 2005, Curvature formulas for implicit curves and surfaces,
- * section 4, has the invariants of this matrix). B is the second fundamental form: 1 / R on a
+ * H being the Hessian (Goldman 2005, Curvature formulas for implicit curves and surfaces, has
+ * the invariants of this matrix). B is the second fundamental form: 1 / R on a
  * sphere of radius R whose normals point outward.
  *
  * B's eigenvalues are held within 1 / radius, where the disk's rim has turned by 45 degrees: so a

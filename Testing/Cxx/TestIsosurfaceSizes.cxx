@@ -211,7 +211,8 @@ void Curvatures(const std::array<double, 3>& spacing, bool turned, bool mirrored
         const double tube = std::hypot(q, x[2]);
         const double t[3] = { -x[1] / ring, x[0] / ring, 0 };
         const double u[3] = { -x[2] / tube * x[0] / ring, -x[2] / tube * x[1] / ring, q / tube };
-        const double side = n[0] * x[0] / ring * q + n[1] * x[1] / ring * q + n[2] * x[2] > 0 ? 1 : -1;
+        const double outward[3] = { x[0] / ring * q, x[1] / ring * q, x[2] };
+        const double side = vtkMath::Dot(n, outward) > 0 ? 1 : -1;
         for (int r = 0; r < 3; ++r)
         {
           for (int c = 0; c < 3; ++c)
@@ -334,7 +335,8 @@ void Coverage()
   // A tube 0.7 samples in radius, as a scanner would have it, and a speck.
   const Field vessel = [](const double x[3]) {
     const double tube = std::hypot(x[0] - 0.4 * std::sin(2 * x[2]), x[1]);
-    const double speck = std::sqrt(vtkMath::Distance2BetweenPoints(x, std::array<double, 3>{ { -0.6, 0.6, 0.1 } }.data()));
+    const double centre[3] = { -0.6, 0.6, 0.1 };
+    const double speck = std::sqrt(vtkMath::Distance2BetweenPoints(x, centre));
     return std::clamp(0.5 - (std::min(tube, speck) - 0.07) / 0.2, 0.0, 1.0);
   };
   for (const double s : { 0.0, 0.08 })
