@@ -304,29 +304,41 @@ private:
       vtkIdType id = slab.First[v];
       for (const Sample& sample : slab.Surfaces[v].GetSamples())
       {
-        double index[3], gradient[3], x[3], normal[3];
+        double index[3], gradient[3];
+        vtkIsosurfaceSplat splat;
         for (int c = 0; c < 3; ++c)
         {
           index[c] = sample.Position[c] / grid.Spacing[c];
         }
         interpolant.Place(this->Field.Isovalues[v], index, gradient);
-        if (!grid.GetNormal(gradient, normal))
+        if (!grid.GetNormal(gradient, splat.Normal))
         {
+          double side[3];
           for (int c = 0; c < 3; ++c)
           {
-            gradient[c] = sample.Side[c] * grid.Spacing[c];
+            side[c] = sample.Side[c] * grid.Spacing[c];
           }
-          if (!grid.GetNormal(gradient, normal))
+          if (!grid.GetNormal(side, splat.Normal))
           {
-            normal[0] = normal[1] = 0;
-            normal[2] = 1;
+            splat.Normal[0] = splat.Normal[1] = 0;
+            splat.Normal[2] = 1;
           }
         }
-        grid.GetWorld(index, x);
-        targets[v].Put(id++, x, normal);
+        grid.GetWorld(index, splat.Position);
+        if (targets[v].HasSizes())
+        {
+          double hessian[6];
+          interpolant.InterpolateHessian(index, hessian);
+          splat.Radius = RadiusPerDistance * this->Distance;
+          grid.Bend(gradient, hessian, splat);
+        }
+        targets[v].Put(id++, splat);
       }
     }
   }
+
+  /// No candidate is farther than the distance from a point, but what is between candidates.
+  static constexpr double RadiusPerDistance = 1.1;
 
   vtkIsosurfaceField<T> Field;
   double Distance;
