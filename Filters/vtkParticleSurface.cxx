@@ -1,0 +1,302 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkParticleSurface.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkPointSplatBatches.h"
+#include "vtkSMPThreadLocal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+constexpr double Isovalue = vtkParticleSurfaceKernels::Isovalue;
+/// Points this near to one another, in cells, are not told apart by steps in single precision.
+constexpr double Settled = 1e-4;
+constexpr int MostSteps = 12;
+/// How far one step goes, and how far all of them lead, in cells.
+constexpr double LongestStep = 0.5, FarthestMove = 0.95;
+/// Coarser spacings would let leaves of one turn see each other's points.
+constexpr double CoarsestSpacing = vtkParticleSurfaceTree::CellsPerSide;
+
+double GetNorm(const double x[3])
+{
+  return std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+}
+}
+
+bool vtkParticleSurface::Sieve::HasNear(const Sample& sample, double distance) const
+{
+  for (const auto& [other, thinning] : this->Thinnings)
+  {
+    if (thinning.HasNear(sample, std::min(distance, other)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void vtkParticleSurface::Sieve::Add(const Sample& sample, double distance)
+{
+  this->Thinnings.try_emplace(distance, distance).first->second.Add(sample);
+}
+
+vtkParticleSurface::vtkParticleSurface(const std::vector<Kernel>& kernels,
+  const vtkParticleSurfaceTree& tree, double spacing, const unsigned char* ghosts)
+  : Kernels(kernels)
+  , Leaves(tree.GetLeaves())
+  , Spacing(spacing)
+  , Ghosts(ghosts)
+  , Samples(tree.GetLeaves().size())
+{
+}
+
+double vtkParticleSurface::GetSpacing(const Leaf& leaf) const
+{
+  return this->Spacing > 0
+    ? std::clamp(this->Spacing, FinestSpacing * leaf.Cell, CoarsestSpacing * leaf.Cell)
+    : leaf.Cell;
+}
+
+bool vtkParticleSurface::Find(vtkAlgorithm* self, double from, double to, vtkIdType& count)
+{
+  vtkSMPThreadLocal<Scratch> scratches;
+  count = 0;
+  for (std::size_t begin = 0; begin < this->Leaves.size();)
+  {
+    // Leaves of one turn do not reach each other, and see what turns before have found.
+    auto key = [this](std::size_t l) {
+      return std::make_tuple(this->Leaves[l].Cell, this->Leaves[l].Turn);
+    };
+    std::size_t end = begin;
+    while (end < this->Leaves.size() && key(end) == key(begin))
+    {
+      ++end;
+    }
+    auto fill = [&](vtkIdType first, vtkIdType last) {
+      for (vtkIdType l = first; l < last; ++l)
+      {
+        this->FillLeaf(begin + l, scratches.Local());
+      }
+    };
+    const double step = (to - from) / this->Leaves.size();
+    if (!vtkPointSplatBatches::For(self, static_cast<vtkIdType>(end - begin), 1,
+          from + step * begin, from + step * end, fill))
+    {
+      return false;
+    }
+    for (; begin < end; ++begin)
+    {
+      const double distance =
+        vtkIsosurfaceDivision::DistancePerSpacing * this->GetSpacing(this->Leaves[begin]);
+      for (const Sample& sample : this->Samples[begin])
+      {
+        this->Found.Add(sample, distance);
+      }
+      count += static_cast<vtkIdType>(this->Samples[begin].size());
+    }
+  }
+  return true;
+}
+
+void vtkParticleSurface::FindCandidates(const Leaf& leaf, Scratch& scratch) const
+{
+  constexpr int side = vtkParticleSurfaceTree::CellsPerSide;
+  constexpr int row = vtkParticleSurfaceField::NodesPerSide;
+  scratch.Candidates.clear();
+  const float* nodes = scratch.Field.EvaluateNodes().data();
+  const double sides[3] = { leaf.Cell, leaf.Cell, leaf.Cell };
+  const vtkIsosurfaceDivision division(sides, this->GetSpacing(leaf));
+  const float isovalue = static_cast<float>(Isovalue);
+  vtkIsosurfaceDivision::Cell cell;
+  for (int k = 0; k < side; ++k)
+  {
+    for (int j = 0; j < side; ++j)
+    {
+      for (int i = 0; i < side; ++i)
+      {
+        const float* at = nodes + i + row * (j + row * k);
+        const float corners[8] = { at[0], at[1], at[row], at[row + 1], at[row * row],
+          at[row * row + 1], at[row * row + row], at[row * row + row + 1] };
+        int inside = 0;
+        for (const float corner : corners)
+        {
+          inside += corner >= isovalue;
+        }
+        if (inside == 0 || inside == 8)
+        {
+          continue;
+        }
+        cell.Index[0] = i;
+        cell.Index[1] = j;
+        cell.Index[2] = k;
+        for (int corner = 0; corner < 8; ++corner)
+        {
+          cell.Corners[corner] = corners[corner] - isovalue;
+        }
+        division.Divide(cell, scratch.Division, scratch.Candidates);
+      }
+    }
+  }
+}
+
+void vtkParticleSurface::FillLeaf(std::size_t l, Scratch& scratch)
+{
+  const Leaf& leaf = this->Leaves[l];
+  scratch.Field.SetLeaf(leaf, this->Kernels);
+  this->FindCandidates(leaf, scratch);
+  vtkIsosurfaceThinning::Shuffle(scratch.Candidates);
+  const double distance = vtkIsosurfaceDivision::DistancePerSpacing * this->GetSpacing(leaf);
+  Sieve own;
+  auto isFree = [&](const Sample& local, Sample& sample) {
+    sample = local;
+    for (int c = 0; c < 3; ++c)
+    {
+      sample.Position[c] += leaf.Origin[c];
+    }
+    return !own.HasNear(sample, distance) && !this->Found.HasNear(sample, distance);
+  };
+  Sample sample;
+  for (Sample& candidate : scratch.Candidates)
+  {
+    // Most places are taken, which is sooner known than where exactly they are.
+    if (!isFree(candidate, sample) || !this->Place(leaf.Cell, scratch.Field, candidate) ||
+      !isFree(candidate, sample))
+    {
+      continue;
+    }
+    if (this->Ghosts)
+    {
+      scratch.Field.GetShares(candidate.Position, scratch.Shares);
+      if (!this->IsOwn(scratch.Shares))
+      {
+        continue;
+      }
+    }
+    own.Add(sample, distance);
+    this->Samples[l].push_back(sample);
+  }
+}
+
+/// Newton steps along the gradient onto the surface; false where they do not settle.
+bool vtkParticleSurface::Place(
+  double cell, vtkParticleSurfaceField& field, Sample& sample) const
+{
+  const double start[3] = { sample.Position[0], sample.Position[1], sample.Position[2] };
+  vtkParticleSurfaceField::Value value;
+  for (int step = 0; step < MostSteps; ++step)
+  {
+    field.Evaluate(sample.Position, value);
+    const double slope = GetNorm(value.Gradient);
+    const double difference = value.Sum - Isovalue;
+    if (!(slope > 0))
+    {
+      return false;
+    }
+    const double move = std::clamp(difference / slope, -LongestStep * cell, LongestStep * cell);
+    double moved[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      sample.Position[c] -= move * value.Gradient[c] / slope;
+      sample.Side[c] = static_cast<float>(value.Gradient[c] / slope);
+      moved[c] = sample.Position[c] - start[c];
+    }
+    if (!(GetNorm(moved) <= FarthestMove * cell))
+    {
+      return false;
+    }
+    if (std::abs(move) <= Settled * cell)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Of several processes the one whose particle has the largest share.
+bool vtkParticleSurface::IsOwn(const std::vector<Share>& shares) const
+{
+  auto lesser = [](const Share& a, const Share& b) {
+    return a.Weight < b.Weight || (a.Weight == b.Weight && a.Id > b.Id);
+  };
+  const auto largest = std::max_element(shares.begin(), shares.end(), lesser);
+  return largest != shares.end() &&
+    !(this->Ghosts[largest->Id] & vtkDataSetAttributes::DUPLICATEPOINT);
+}
+
+void vtkParticleSurface::Describe(
+  const Leaf& leaf, const Sample& sample, Scratch& scratch, Point& point) const
+{
+  double x[3];
+  for (int c = 0; c < 3; ++c)
+  {
+    x[c] = sample.Position[c] - leaf.Origin[c];
+    point.Position[c] = sample.Position[c];
+    point.Normal[c] = -sample.Side[c];
+  }
+  vtkParticleSurfaceField::Value value;
+  scratch.Field.EvaluateSecond(x, value);
+  const double slope = GetNorm(value.Gradient);
+  if (slope > 0)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      point.Normal[c] = -value.Gradient[c] / slope;
+    }
+  }
+  // The normal's derivative is that of -gradient / slope: -P H P / slope with P = 1 - n n^T.
+  const double* n = point.Normal;
+  const double* h = value.Hessian;
+  const double hn[3] = { h[0] * n[0] + h[3] * n[1] + h[5] * n[2],
+    h[3] * n[0] + h[1] * n[1] + h[4] * n[2], h[5] * n[0] + h[4] * n[1] + h[2] * n[2] };
+  const double nhn = hn[0] * n[0] + hn[1] * n[1] + hn[2] * n[2];
+  static const int rows[6] = { 0, 1, 2, 0, 1, 0 };
+  static const int columns[6] = { 0, 1, 2, 1, 2, 2 };
+  for (int k = 0; k < 6; ++k)
+  {
+    const int i = rows[k], j = columns[k];
+    const double bend = h[k] - n[i] * hn[j] - hn[i] * n[j] + nhn * n[i] * n[j];
+    point.Curvature[k] = slope > 0 ? -bend / slope : 0.0;
+  }
+  // No place on the surface is farther from a point than points are from one another at least.
+  point.Radius = vtkIsosurfaceDivision::DistancePerSpacing * this->GetSpacing(leaf);
+  scratch.Field.GetShares(x, scratch.Shares);
+  point.Shares = &scratch.Shares;
+}
+
+bool vtkParticleSurface::Write(
+  vtkAlgorithm* self, double from, double to, const Writer& write) const
+{
+  std::vector<vtkIdType> first(this->Leaves.size() + 1, 0);
+  for (std::size_t l = 0; l < this->Leaves.size(); ++l)
+  {
+    first[l + 1] = first[l] + static_cast<vtkIdType>(this->Samples[l].size());
+  }
+  vtkSMPThreadLocal<Scratch> scratches;
+  auto describe = [&](vtkIdType begin, vtkIdType end) {
+    Scratch& scratch = scratches.Local();
+    Point point;
+    for (vtkIdType l = begin; l < end; ++l)
+    {
+      if (this->Samples[l].empty())
+      {
+        continue;
+      }
+      scratch.Field.SetLeaf(this->Leaves[l], this->Kernels);
+      for (std::size_t i = 0; i < this->Samples[l].size(); ++i)
+      {
+        this->Describe(this->Leaves[l], this->Samples[l][i], scratch, point);
+        write(first[l] + static_cast<vtkIdType>(i), point);
+      }
+    }
+  };
+  return vtkPointSplatBatches::For(
+    self, static_cast<vtkIdType>(this->Leaves.size()), 1, from, to, describe);
+}
+
+VTK_ABI_NAMESPACE_END
