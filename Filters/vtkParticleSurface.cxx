@@ -118,7 +118,7 @@ void vtkParticleSurface::FindCandidates(const Leaf& leaf, Scratch& scratch) cons
   {
     for (int j = 0; j < side; ++j)
     {
-      for (int i = 0; i < side; ++i)
+      for (int i = 0; i < side && scratch.Field.IsNear(j, k); ++i)
       {
         const float* at = nodes + i + row * (j + row * k);
         const float corners[8] = { at[0], at[1], at[row], at[row + 1], at[row * row],
@@ -148,6 +148,11 @@ void vtkParticleSurface::FindCandidates(const Leaf& leaf, Scratch& scratch) cons
 void vtkParticleSurface::FillLeaf(std::size_t l, Scratch& scratch)
 {
   const Leaf& leaf = this->Leaves[l];
+  auto isDeep = [this](std::uint32_t k) { return this->Kernels[k].Deep; };
+  if (std::all_of(leaf.Kernels.begin(), leaf.Kernels.end(), isDeep))
+  {
+    return;
+  }
   scratch.Field.SetLeaf(leaf, this->Kernels);
   this->FindCandidates(leaf, scratch);
   vtkIsosurfaceThinning::Shuffle(scratch.Candidates);

@@ -22,6 +22,7 @@ void vtkParticleSurfaceField::SetLeaf(const Leaf& leaf, const std::vector<Kernel
     }
     std::copy_n(kernel.Metric, 6, local.Metric);
     local.Amplitude = kernel.Amplitude;
+    local.Deep = kernel.Deep;
     local.Id = kernel.Id;
     this->Kernels.push_back(local);
   }
@@ -34,6 +35,7 @@ void vtkParticleSurfaceField::SetLeaf(const Leaf& leaf, const std::vector<Kernel
 const std::vector<float>& vtkParticleSurfaceField::EvaluateNodes()
 {
   this->Nodes.assign(static_cast<std::size_t>(NodesPerSide) * NodesPerSide * NodesPerSide, 0.0f);
+  this->MarkRows();
   for (const Local& kernel : this->Kernels)
   {
     this->AddToNodes(kernel);
@@ -41,40 +43,94 @@ const std::vector<float>& vtkParticleSurfaceField::EvaluateNodes()
   return this->Nodes;
 }
 
+/// Deep inside the fluid nobody asks for the sum.
+void vtkParticleSurfaceField::MarkRows()
+{
+  for (auto& rows : this->NearRows)
+  {
+    std::fill_n(rows, PartsPerSide, false);
+  }
+  const double side = PartSide * this->Cell;
+  auto find = [side](double x) {
+    return static_cast<int>(std::floor(std::clamp(x / side, -1.0, double(PartsPerSide))));
+  };
+  for (const Local& kernel : this->Kernels)
+  {
+    if (kernel.Deep)
+    {
+      continue;
+    }
+    const int begin[2] = { std::max(find(kernel.Center[1] - kernel.Extent[1]), 0),
+      std::max(find(kernel.Center[2] - kernel.Extent[2]), 0) };
+    const int end[2] = { std::min(find(kernel.Center[1] + kernel.Extent[1]), PartsPerSide - 1),
+      std::min(find(kernel.Center[2] + kernel.Extent[2]), PartsPerSide - 1) };
+    for (int j = begin[0]; j <= end[0]; ++j)
+    {
+      std::fill(&this->NearRows[j][begin[1]], &this->NearRows[j][begin[1]] +
+          std::max(end[1] - begin[1] + 1, 0), true);
+    }
+  }
+  for (int j = 0; j < NodesPerSide; ++j)
+  {
+    for (int k = 0; k < NodesPerSide; ++k)
+    {
+      // A row of nodes is an edge of four rows of cells.
+      bool near = false;
+      for (int cell = 0; cell < 4; ++cell)
+      {
+        const int row[2] = { j - (cell & 1), k - (cell >> 1) };
+        near = near ||
+          (row[0] >= 0 && row[1] >= 0 && row[0] < NodesPerSide - 1 && row[1] < NodesPerSide - 1 &&
+            this->IsNear(row[0], row[1]));
+      }
+      this->Rows[k][j] = near;
+    }
+  }
+}
+
 void vtkParticleSurfaceField::AddToNodes(const Local& kernel)
 {
-  const float cell = static_cast<float>(this->Cell);
-  auto first = [cell](float x) {
-    return static_cast<int>(std::ceil(std::clamp(x / cell, 0.0f, float(NodesPerSide))));
-  };
-  auto last = [cell](float x) {
-    return static_cast<int>(std::floor(std::clamp(x / cell, -1.0f, float(NodesPerSide - 1))));
-  };
-  const float* m = kernel.Metric;
-  const float* x = kernel.Center;
-  const int high[2] = { last(x[1] + kernel.Extent[1]), last(x[2] + kernel.Extent[2]) };
-  for (int k = first(x[2] - kernel.Extent[2]); k <= high[1]; ++k)
+  // In cells.
+  const float cell = static_cast<float>(this->Cell), inverse = 1 / cell;
+  const float x = kernel.Center[0] * inverse, y = kernel.Center[1] * inverse,
+              z = kernel.Center[2] * inverse;
+  float m[6];
+  for (int i = 0; i < 6; ++i)
   {
-    const float dz = k * cell - x[2];
-    for (int j = first(x[1] - kernel.Extent[1]); j <= high[0]; ++j)
+    m[i] = kernel.Metric[i] * cell * cell;
+  }
+  auto first = [](float at) {
+    return static_cast<int>(std::clamp(at, -1.0f, float(NodesPerSide - 1)) + 1);
+  };
+  auto last = [](float at) {
+    return static_cast<int>(std::clamp(at + 1, 0.0f, float(NodesPerSide))) - 1;
+  };
+  const float extent[2] = { kernel.Extent[1] * inverse, kernel.Extent[2] * inverse };
+  const int begin[2] = { first(y - extent[0]), first(z - extent[1]) };
+  const int end[2] = { last(y + extent[0]), last(z + extent[1]) };
+  const float inverse0 = 1 / m[0];
+  for (int k = begin[1]; k <= end[1]; ++k)
+  {
+    const float dz = k - z;
+    for (int j = begin[0]; j <= end[0]; ++j)
     {
       // Along a row q is a square function, less than 1 between its roots.
-      const float dy = j * cell - x[1];
+      const float dy = j - y;
       const float b = m[3] * dy + m[5] * dz;
-      const float c = m[1] * dy * dy + m[2] * dz * dz + 2 * m[4] * dy * dz;
-      const float discriminant = b * b - m[0] * (c - 1);
-      if (!(discriminant > 0))
+      const float c = m[1] * dy * dy + m[2] * dz * dz + 2 * m[4] * dy * dz - 1;
+      const float discriminant = b * b - m[0] * c;
+      if (!(discriminant > 0) || !this->Rows[k][j])
       {
         continue;
       }
-      const float half = std::sqrt(discriminant) / m[0], middle = x[0] - b / m[0];
-      const int begin = first(middle - half), end = last(middle + half);
+      const float half = std::sqrt(discriminant) * inverse0, middle = x - b * inverse0;
+      const int from = first(middle - half), to = last(middle + half);
       float* row =
         this->Nodes.data() + NodesPerSide * (j + static_cast<std::size_t>(NodesPerSide) * k);
-      for (int i = begin; i <= end; ++i)
+      for (int i = from; i <= to; ++i)
       {
-        const float dx = i * cell - x[0];
-        const float t = std::max(1 - (m[0] * dx * dx + 2 * b * dx + c), 0.0f);
+        const float dx = i - x;
+        const float t = std::max(-(m[0] * dx * dx + 2 * b * dx + c), 0.0f);
         row[i] += kernel.Amplitude * t * t * t;
       }
     }

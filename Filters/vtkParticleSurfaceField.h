@@ -39,8 +39,10 @@ public:
 
   void SetLeaf(const Leaf& leaf, const std::vector<Kernel>& kernels);
 
-  /// The sums at all nodes, x fastest. They live until the next leaf.
+  /// The sums at the nodes, x fastest, of cells that IsNear(). They live until the next leaf.
   const std::vector<float>& EvaluateNodes();
+  /// Whether a kernel that is not deep inside the fluid reaches a row of cells.
+  bool IsNear(int j, int k) const { return this->NearRows[j / PartSide][k / PartSide]; }
 
   /// At a position relative to the leaf's origin, which may lie outside by up to a cell.
   void Evaluate(const double x[3], Value& value);
@@ -57,10 +59,12 @@ private:
     float Metric[6];
     float Amplitude;
     float Extent[3];
+    bool Deep;
     vtkIdType Id;
   };
   /// Parts of the leaf have lists of their own, made when they are needed.
   static constexpr int PartsPerSide = 4;
+  static constexpr int PartSide = vtkParticleSurfaceTree::CellsPerSide / PartsPerSide; // in cells
   struct Part
   {
     bool Listed;
@@ -68,12 +72,15 @@ private:
   };
 
   const std::vector<Local>& GetKernelsAt(const double x[3]);
+  void MarkRows();
   void AddToNodes(const Local& kernel);
 
   double Cell = 1;
   std::vector<Local> Kernels;
   std::array<Part, PartsPerSide * PartsPerSide * PartsPerSide> Parts;
   std::vector<float> Nodes;
+  bool NearRows[PartsPerSide][PartsPerSide];                    // of parts' cells
+  std::array<std::array<bool, NodesPerSide>, NodesPerSide> Rows; // of nodes
 };
 
 VTK_ABI_NAMESPACE_END

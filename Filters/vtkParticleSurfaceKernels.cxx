@@ -17,12 +17,10 @@ namespace
 {
 using Neighborhood = vtkPointSplatNeighbors::Neighborhood;
 
-/// Enough for all that a kernel of 2.5 spacings reaches inside the fluid (65 of a lattice's).
-constexpr int NumberOfNeighbors = 64;
-/// The spacing is measured on ranks from this one on, below which lattices and pairs differ most, ...
-constexpr int FirstRank = 6;
-/// ... to this one, ...
-constexpr int LastRank = 48;
+/// The spacing is measured on so many neighbours, or on this part of all particles, ...
+constexpr int MostRanks = 48, RanksPerParticles = 8;
+/// ... but not on less of them, where only the nearest counts, ...
+constexpr int LeastRanks = 8;
 /// ... around about so many particles.
 constexpr vtkIdType NumberOfProbes = 20000;
 /// A lone particle without a size has this spacing, as a lone point has this radius in
@@ -40,8 +38,22 @@ constexpr double FullVariance = 0.15;
 /// The radius of a lone particle's kernel, in spacings: sqrt(3) (3 / (4 pi))^(1/3). Of all radii
 /// it lets the level be highest at which the ball has the particle's volume.
 constexpr double LoneReach = 1.0745;
-/// Up to so many neighbours tell no direction, and from so many on they tell it in full.
-constexpr double FewNeighbors = 2, EnoughNeighbors = 10;
+/// A cube with a kernel's reach as side is deep inside the fluid if it and those around have together
+/// at least this part of the particles that they would have at the usual spacing, ...
+constexpr double DeepSum = 0.9;
+/// ... and each of them this part; some have a half, as lattices fall. Then the surface is about two
+/// spacings away at least.
+constexpr double DeepLeast = 0.3;
+/// Of particles that are smaller or larger than the usual ones by more than this, the cubes tell
+/// nothing.
+constexpr double UsualRatio = 1.3;
+/// One neighbour tells no direction, and from so many on they tell it in full.
+constexpr double EnoughNeighbors = 5;
+/// At its centre the sum of a kernel and its neighbours' alike is at least this, twice the level of
+/// the surface: what is thinner than kernels are wide would vanish otherwise.
+constexpr double LeastSum = 2 * vtkParticleSurfaceKernels::Isovalue;
+/// In so many steps a kernel shrinks to that.
+constexpr int ShrinkingSteps = 4;
 
 template <typename T>
 void MarkFinite(const T* points, std::vector<unsigned char>& used)
@@ -72,37 +84,135 @@ double GetQuantile(std::vector<double>& values, double part)
   return *at;
 }
 
-/// The volume of the unit ball in d dimensions.
-double GetBall(double d)
+/// How densely particles lie around one.
+struct Probe
 {
-  return std::pow(vtkMath::Pi(), 0.5 * d) / std::tgamma(0.5 * d + 1);
+  double Dimension = 0; // 3 in a body, 2 in a sheet, 1 in a line, or between; 0 if unknown
+  double LogDistance = 0, LogRank = 0; // means over the ranks
+  double Nearest = 0;
+
+  /// The mean logarithms of distances, and of how many particles are within, the particle itself
+  /// included: between those just within and just past.
+  static void GetMeans(
+    const Neighborhood& around, int first, int last, double& distance, double& rank)
+  {
+    distance = rank = 0;
+    for (int k = first; k < last; ++k)
+    {
+      distance += 0.5 * std::log(static_cast<double>(around.SquaredDistance[k])) / (last - first);
+      rank += std::log(k + 1.5) / (last - first);
+    }
+  }
+
+  void Measure(const Neighborhood& around)
+  {
+    this->Nearest = std::sqrt(static_cast<double>(around.SquaredDistance[0]));
+    if (around.Count >= LeastRanks)
+    {
+      // Means over many ranks, since in lattices distances come in steps.
+      double distances[2], ranks[2];
+      GetMeans(around, around.Count / 8, around.Count / 3, distances[0], ranks[0]);
+      GetMeans(around, 2 * around.Count / 3, around.Count, distances[1], ranks[1]);
+      this->Dimension = (ranks[1] - ranks[0]) / (distances[1] - distances[0]);
+      GetMeans(around, around.Count / 8, around.Count, this->LogDistance, this->LogRank);
+    }
+  }
+
+  double GetSpacing(int dimension) const
+  {
+    const double ball = dimension == 1 ? 2 : dimension == 2 ? vtkMath::Pi() : vtkMath::Pi() * 4 / 3;
+    return this->LogRank > 0
+      ? std::exp(this->LogDistance - (this->LogRank - std::log(ball)) / dimension)
+      : this->Nearest;
+  }
+};
+
+/// As many as a kernel reaches inside the fluid.
+int GetNumberOfNeighbors(double reach)
+{
+  return static_cast<int>(std::ceil(vtkMath::Pi() * 4 / 3 * reach * reach * reach));
 }
 
-/// The distance of particles as if they filled the line, sheet or body that they lie in.
-double MeasureAround(const Neighborhood& around)
+/// Cubes of space, by the number of particles in them.
+class Cubes
 {
-  const int last = std::min(around.Count, LastRank);
-  if (last < 2 * FirstRank)
+public:
+  /// Numbers of cubes along an axis have so many bits.
+  static constexpr int Bits = 21;
+
+  Cubes(const double origin[3], double side)
+    : Side(side)
   {
-    return std::sqrt(around.SquaredDistance[0]);
+    std::copy_n(origin, 3, this->Origin);
   }
-  // How the number within a distance grows with it tells the dimension.
-  double sums[4] = { 0, 0, 0, 0 };
-  for (int k = FirstRank; k < last; ++k)
+
+  std::uint64_t GetKey(const double x[3]) const
   {
-    const double x = 0.5 * std::log(static_cast<double>(around.SquaredDistance[k]));
-    const double y = std::log(k + 1.5);
-    sums[0] += x;
-    sums[1] += y;
-    sums[2] += x * x;
-    sums[3] += x * y;
+    std::uint64_t key = 0;
+    for (int c = 0; c < 3; ++c)
+    {
+      // From 1 on, so that there is a cube before the first.
+      key = key << Bits |
+        (static_cast<std::uint64_t>(std::floor((x[c] - this->Origin[c]) / this->Side)) + 1);
+    }
+    return key;
   }
-  const double n = last - FirstRank;
-  const double spread = n * sums[2] - sums[0] * sums[0];
-  const double slope = (n * sums[3] - sums[0] * sums[1]) / spread;
-  const double d = slope >= 1 && slope <= 3 ? slope : slope < 1 ? 1.0 : 3.0;
-  return std::exp((sums[0] - (sums[1] - n * std::log(GetBall(d))) / d) / n);
-}
+
+  /// keys: of all particles.
+  void Count(std::vector<std::uint64_t> keys)
+  {
+    vtkSMPTools::Sort(keys.begin(), keys.end());
+    for (const std::uint64_t key : keys)
+    {
+      if (this->Keys.empty() || this->Keys.back() != key)
+      {
+        this->Keys.push_back(key);
+        this->Counts.push_back(0);
+      }
+      ++this->Counts.back();
+    }
+  }
+
+  /// full: how many particles a cube has at the usual spacing.
+  void MarkDeep(double full)
+  {
+    this->Deep.resize(this->Keys.size());
+    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Keys.size()), [&](vtkIdType i, vtkIdType end) {
+      for (; i < end; ++i)
+      {
+        bool deep = true;
+        double sum = 0;
+        for (int around = 0; around < 27 && deep; ++around)
+        {
+          const std::uint64_t one = 1;
+          const std::uint64_t offset = (around % 3) + ((around / 3 % 3) * (one << Bits)) +
+            ((around / 9) * (one << 2 * Bits));
+          const std::uint64_t centre = 1 + (one << Bits) + (one << 2 * Bits);
+          const std::size_t at = this->Find(this->Keys[i] + offset - centre);
+          deep = at < this->Keys.size() && this->Counts[at] >= DeepLeast * full;
+          sum += deep ? this->Counts[at] : 0;
+        }
+        this->Deep[i] = deep && sum >= DeepSum * 27 * full;
+      }
+    });
+  }
+
+  bool IsDeep(std::uint64_t key) const { return this->Deep[this->Find(key)] != 0; }
+
+private:
+  /// The number of cubes where there is none.
+  std::size_t Find(std::uint64_t key) const
+  {
+    const auto at = std::lower_bound(this->Keys.begin(), this->Keys.end(), key);
+    return at != this->Keys.end() && *at == key ? at - this->Keys.begin() : this->Keys.size();
+  }
+
+  double Origin[3];
+  double Side;
+  std::vector<std::uint64_t> Keys;
+  std::vector<std::uint32_t> Counts;
+  std::vector<unsigned char> Deep;
+};
 
 /// A symmetric matrix R diag(s) R^T; the columns of r are the axes.
 void Compose(const double r[3][3], const double s[3], double m[6])
@@ -150,40 +260,58 @@ bool vtkParticleSurfaceKernels::Sort(const Particles& particles)
     count += used[id];
   }
   this->Neighbors.Build(particles.Points, used.data());
-  vtkIdType slots = 0;
+  this->NumberOfParticles = 0;
   for (Slot slot = 0; slot < this->Neighbors.GetNumberOfSlots(); ++slot)
   {
-    slots += this->Neighbors.GetId(slot) >= 0;
+    this->NumberOfParticles += this->Neighbors.GetId(slot) >= 0;
   }
-  this->Left.Duplicates = count - slots;
-  return slots > 0;
+  this->Left.Duplicates = count - this->NumberOfParticles;
+  return this->NumberOfParticles > 0;
 }
 
 bool vtkParticleSurfaceKernels::MeasureSpacing(vtkAlgorithm* self, double from, double to)
 {
   const Slot slots = this->Neighbors.GetNumberOfSlots();
   const Slot step = static_cast<Slot>(std::max<vtkIdType>(slots / NumberOfProbes, 1));
-  std::vector<double> probes((slots + step - 1) / step, 0.0);
+  std::vector<Probe> probes((slots + step - 1) / step);
   auto visit = [&](const Neighborhood& around, int) {
     if (around.Count > 0)
     {
-      probes[around.Center / step] = MeasureAround(around);
+      probes[around.Center / step].Measure(around);
     }
     return true;
   };
   auto wanted = [&](Slot slot) {
     return slot % step == 0 && this->Neighbors.GetId(slot) >= 0;
   };
-  if (!this->Neighbors.Visit(self, from, to, LastRank, visit, wanted))
+  const int ranks = static_cast<int>(
+    std::clamp<vtkIdType>(this->NumberOfParticles / RanksPerParticles, 1, MostRanks));
+  if (!this->Neighbors.Visit(self, from, to, ranks, visit, wanted))
   {
     return false;
   }
-  probes.erase(std::remove_if(probes.begin(), probes.end(),
-                 [](double d) { return !(d > 0) || !std::isfinite(d); }),
-    probes.end());
-  // Around particles at the surface half of the space is empty, but hardly ever do three quarters
+  // Near a surface the number grows more slowly, so that it tells less than the dimension.
+  std::vector<double> dimensions, spacings;
+  for (const Probe& probe : probes)
+  {
+    if (probe.Dimension > 0 && std::isfinite(probe.Dimension))
+    {
+      dimensions.push_back(probe.Dimension);
+    }
+  }
+  const double typical = GetQuantile(dimensions, 0.75);
+  const int dimension = typical >= 2.5 || dimensions.empty() ? 3 : typical >= 1.5 ? 2 : 1;
+  for (const Probe& probe : probes)
+  {
+    const double spacing = probe.GetSpacing(dimension);
+    if (spacing > 0 && std::isfinite(spacing))
+    {
+      spacings.push_back(spacing);
+    }
+  }
+  // Half of the space around particles at the surface is empty, but hardly ever do three quarters
   // of them lie there.
-  this->Measured = GetQuantile(probes, 0.25);
+  this->Measured = GetQuantile(spacings, 0.25);
   return true;
 }
 
@@ -275,18 +403,97 @@ void vtkParticleSurfaceKernels::SetSizes(const Particles& particles, double want
   }
 }
 
+/// Marks particles of the usual size that no kernel's length away from the surface.
+void vtkParticleSurfaceKernels::MarkDeep(const Settings& settings)
+{
+  const Slot slots = this->Neighbors.GetNumberOfSlots();
+  const double side = settings.Reach * this->Usual;
+  this->Deep.assign(slots, 0);
+  double low[3], high[3];
+  std::fill_n(low, 3, VTK_DOUBLE_MAX);
+  std::fill_n(high, 3, -VTK_DOUBLE_MAX);
+  for (Slot slot = 0; slot < slots; ++slot)
+  {
+    if (this->Neighbors.GetId(slot) >= 0)
+    {
+      double x[3];
+      this->Neighbors.GetPosition(slot, x);
+      for (int c = 0; c < 3; ++c)
+      {
+        low[c] = std::min(low[c], x[c]);
+        high[c] = std::max(high[c], x[c]);
+      }
+    }
+  }
+  const double size = std::max({ high[0] - low[0], high[1] - low[1], high[2] - low[2] });
+  if (!(size / side < (1 << Cubes::Bits) - 3))
+  {
+    return;
+  }
+  Cubes cubes(low, side);
+  auto get = [&](Slot slot) {
+    double x[3];
+    this->Neighbors.GetPosition(slot, x);
+    return cubes.GetKey(x);
+  };
+  std::vector<std::uint64_t> keys;
+  keys.reserve(this->NumberOfParticles);
+  for (Slot slot = 0; slot < slots; ++slot)
+  {
+    if (this->Neighbors.GetId(slot) >= 0)
+    {
+      keys.push_back(get(slot));
+    }
+  }
+  cubes.Count(std::move(keys));
+  cubes.MarkDeep(settings.Reach * settings.Reach * settings.Reach);
+  auto mark = [&](vtkIdType begin, vtkIdType end) {
+    for (Slot slot = static_cast<Slot>(begin); slot < static_cast<Slot>(end); ++slot)
+    {
+      const Size& s = this->Sizes[slot];
+      this->Deep[slot] = this->Neighbors.GetId(slot) >= 0 &&
+        std::max(s.Length, s.Spacing) < UsualRatio && std::min(s.Length, s.Spacing) > 1 / UsualRatio &&
+        cubes.IsDeep(get(slot));
+    }
+  };
+  vtkSMPTools::For(0, static_cast<vtkIdType>(slots), mark);
+}
+
+/// A ball, as those inside the fluid nearly are.
+vtkParticleSurfaceKernels::Kernel vtkParticleSurfaceKernels::MakeBall(
+  Slot slot, const Settings& settings) const
+{
+  Kernel kernel;
+  kernel.Id = this->Neighbors.GetId(slot);
+  this->Neighbors.GetPosition(slot, kernel.Center);
+  kernel.Deep = true;
+  const double spacing = this->Usual * this->Sizes[slot].Spacing;
+  const double reach = settings.Reach * this->Usual * this->Sizes[slot].Length;
+  for (int c = 0; c < 3; ++c)
+  {
+    kernel.Metric[c] = static_cast<float>(1 / (reach * reach));
+    kernel.Metric[3 + c] = 0.0f;
+    kernel.Extent[c] = static_cast<float>(reach);
+  }
+  const double ratio = spacing / reach;
+  kernel.Amplitude = static_cast<float>(315 / (64 * vtkMath::Pi()) * ratio * ratio * ratio);
+  kernel.Spacing = static_cast<float>(spacing);
+  return kernel;
+}
+
 vtkParticleSurfaceKernels::Kernel vtkParticleSurfaceKernels::MakeKernel(
   const Neighborhood& around, const Settings& settings) const
 {
   Kernel kernel;
   kernel.Id = this->Neighbors.GetId(around.Center);
+  kernel.Deep = false;
   this->Neighbors.GetPosition(around.Center, kernel.Center);
   const Size& size = this->Sizes[around.Center];
 
   // No kernel has more than so many particles in it, whatever its size is said to be.
   double spacing = this->Usual * size.Spacing;
   double reach = settings.Reach * this->Usual * size.Length;
-  if (around.Count == NumberOfNeighbors)
+  if (around.Count == GetNumberOfNeighbors(settings.Reach))
   {
     const double farthest = std::sqrt(around.SquaredDistance[around.Count - 1]);
     reach = std::min(reach, farthest);
@@ -331,8 +538,7 @@ vtkParticleSurfaceKernels::Kernel vtkParticleSurfaceKernels::MakeKernel(
   vtkMath::Diagonalize3x3(covariance, variances, axes);
 
   // Few neighbours stretch a kernel less.
-  const double told =
-    std::clamp((count - FewNeighbors) / (EnoughNeighbors - FewNeighbors), 0.0, 1.0);
+  const double told = std::clamp((count - 1) / (EnoughNeighbors - 1), 0.0, 1.0);
   const double stretch = 1 + told * (settings.LargestStretch - 1);
   const double largest = std::max({ variances[0], variances[1], variances[2] });
   double half[3], product = 1;
@@ -342,21 +548,46 @@ vtkParticleSurfaceKernels::Kernel vtkParticleSurfaceKernels::MakeKernel(
     product *= half[a];
   }
   const double lone = LoneReach * spacing;
-  if (!(product >= lone * lone * lone))
+  const double volume = 315 / (64 * vtkMath::Pi()) * spacing * spacing * spacing;
+  double metric[6];
+  for (int step = 0;; ++step)
   {
-    const double scale = product > 0 ? lone / std::cbrt(product) : 0;
+    const double least = lone * lone * lone;
+    if (!(product >= least))
+    {
+      const double scale = std::cbrt(least / product);
+      for (double& h : half)
+      {
+        h = std::isfinite(scale) && h > 0 ? scale * h : lone;
+      }
+      product = least;
+    }
+    double inverse[3];
+    for (int a = 0; a < 3; ++a)
+    {
+      inverse[a] = 1 / (half[a] * half[a]);
+    }
+    Compose(axes, inverse, metric);
+    double sum = 1;
+    for (int i = 0; i < count; ++i)
+    {
+      const double t = std::max(1 - GetForm(metric, around.X[i], around.Y[i], around.Z[i]), 0.0);
+      sum += t * t * t;
+    }
+    sum *= volume / product;
+    if (sum >= LeastSum || product <= least || step == ShrinkingSteps)
+    {
+      break;
+    }
     for (double& h : half)
     {
-      h = scale > 0 && std::isfinite(scale) ? scale * h : lone;
+      h *= std::cbrt(sum / LeastSum);
     }
-    product = lone * lone * lone;
+    product *= sum / LeastSum;
   }
 
-  double metric[6], box[6];
-  const double inverse[3] = { 1 / (half[0] * half[0]), 1 / (half[1] * half[1]),
-    1 / (half[2] * half[2]) };
+  double box[6];
   const double squares[3] = { half[0] * half[0], half[1] * half[1], half[2] * half[2] };
-  Compose(axes, inverse, metric);
   Compose(axes, squares, box);
   for (int k = 0; k < 6; ++k)
   {
@@ -367,8 +598,7 @@ vtkParticleSurfaceKernels::Kernel vtkParticleSurfaceKernels::MakeKernel(
     // A little more, so that rounding cuts no kernel.
     kernel.Extent[c] = static_cast<float>(1.0001 * std::sqrt(box[c]));
   }
-  kernel.Amplitude = static_cast<float>(
-    315 / (64 * vtkMath::Pi()) * spacing * (spacing / product * spacing));
+  kernel.Amplitude = static_cast<float>(volume / product);
 
   // The mean of those within the kernel: along the surface, and hardly across it.
   double weights = 1, shift[3] = { 0, 0, 0 };
@@ -407,14 +637,23 @@ bool vtkParticleSurfaceKernels::Build(
   }
   this->SetSizes(particles, settings.Spacing);
 
+  this->MarkDeep(settings);
+
   const Slot slots = this->Neighbors.GetNumberOfSlots();
   std::vector<Kernel> kernels(slots);
   auto visit = [&](const Neighborhood& around, int) {
     kernels[around.Center] = this->MakeKernel(around, settings);
     return true;
   };
-  auto wanted = [&](Slot slot) { return this->Neighbors.GetId(slot) >= 0; };
-  if (!this->Neighbors.Visit(self, measured, to, NumberOfNeighbors, visit, wanted))
+  auto wanted = [&](Slot slot) {
+    if (this->Deep[slot])
+    {
+      kernels[slot] = this->MakeBall(slot, settings);
+    }
+    return this->Neighbors.GetId(slot) >= 0 && !this->Deep[slot];
+  };
+  if (!this->Neighbors.Visit(
+        self, measured, to, GetNumberOfNeighbors(settings.Reach), visit, wanted))
   {
     return false;
   }
@@ -422,7 +661,7 @@ bool vtkParticleSurfaceKernels::Build(
   Slot kept = 0;
   for (Slot slot = 0; slot < slots; ++slot)
   {
-    if (!wanted(slot))
+    if (this->Neighbors.GetId(slot) < 0)
     {
       continue;
     }

@@ -33,6 +33,7 @@ public:
     float Extent[3]; // half of the sides of the box around the ellipsoid
     float Spacing;   // the edge of a cube of the particle's volume
     vtkIdType Id;    // of the particle
+    bool Deep;       // the surface is farther away than the kernel reaches
   };
 
   /// What the input has; arrays may be null.
@@ -89,10 +90,14 @@ private:
   bool Sort(const Particles& particles);
   bool MeasureSpacing(vtkAlgorithm* self, double from, double to);
   void SetSizes(const Particles& particles, double wanted);
+  void MarkDeep(const Settings& settings);
+  Kernel MakeBall(Slot slot, const Settings& settings) const;
   Kernel MakeKernel(const Neighborhood& around, const Settings& settings) const;
 
   vtkPointSplatNeighbors Neighbors;
-  std::vector<Size> Sizes; // of slots
+  vtkIdType NumberOfParticles = 0; // that take part
+  std::vector<Size> Sizes;         // of slots
+  std::vector<unsigned char> Deep; // of slots
   std::vector<Kernel> Kernels;
   Skipped Left;
   double Measured = 0;

@@ -36,8 +36,8 @@
  *    are equal. So may the units be any: the median is put to d^3, unless masses and densities make
  *    it smaller (spray is farther apart than it is large) or ParticleSpacing is set. The same for
  *    smoothing lengths, which no two programs define alike.
- * 2. *Kernels.* Of the particles within the reach r = KernelReach times the particle's spacing (at
- *    most 64 of them), the weighted covariance C is taken (section 4, equations 9 to 11, weights
+ * 2. *Kernels.* Of the particles within the reach r = KernelReach times the particle's spacing (as
+ *    many at most as such a ball has inside the fluid, 66), the weighted covariance C is taken (section 4, equations 9 to 11, weights
  *    1 - (distance / r)^3). The half axes of its kernel's ellipsoid are r times C's
  *    eigenvalues over those of a full ball, 0.15 r^2 (equations 12 to 14), but no eigenvalue counts
  *    less than the largest by LargestStretch. Less than ten neighbours stretch a kernel less, down
@@ -122,10 +122,10 @@ public:
 
   ///@{
   /**
-   * How far a particle's kernel reaches inside the fluid, in its spacings; 1.5 to 4, 2.5 by
+   * How far a particle's kernel reaches inside the fluid, in its spacings; 1.5 to 3, 2.5 by
    * default. A longer reach makes smoother surfaces that keep fewer details.
    */
-  vtkSetClampMacro(KernelReach, double, 1.5, 4.0);
+  vtkSetClampMacro(KernelReach, double, 1.5, 3.0);
   vtkGetMacro(KernelReach, double);
   ///@}
 
