@@ -20,8 +20,25 @@ constexpr double Settled = 1e-4;
 constexpr int MostSteps = 12;
 /// How far one step goes, and how far all of them lead, in cells.
 constexpr double LongestStep = 0.5, FarthestMove = 0.95;
+/// Without a wish points are 0.4 particle spacings apart.
+constexpr double SpacingPerCell = 0.8;
 /// Coarser spacings would let leaves of one turn see each other's points.
 constexpr double CoarsestSpacing = vtkParticleSurfaceTree::CellsPerSide;
+
+/// From its centre to its rim a splat turns by so much (radians) at most, ...
+constexpr double LargestTurn = 0.6;
+/// ... unless it would be smaller than this part of those on planes.
+constexpr double LeastRadius = 0.5;
+
+/// The largest curvature in any direction, of a tensor across the normal.
+double GetBend(const double b[6])
+{
+  // Its eigenvalues are 0 and two with this sum and this sum of squares.
+  const double sum = b[0] + b[1] + b[2];
+  const double squares = b[0] * b[0] + b[1] * b[1] + b[2] * b[2] +
+    2 * (b[3] * b[3] + b[4] * b[4] + b[5] * b[5]);
+  return 0.5 * (std::abs(sum) + std::sqrt(std::max(2 * squares - sum * sum, 0.0)));
+}
 
 double GetNorm(const double x[3])
 {
@@ -60,7 +77,7 @@ double vtkParticleSurface::GetSpacing(const Leaf& leaf) const
 {
   return this->Spacing > 0
     ? std::clamp(this->Spacing, FinestSpacing * leaf.Cell, CoarsestSpacing * leaf.Cell)
-    : leaf.Cell;
+    : SpacingPerCell * leaf.Cell;
 }
 
 bool vtkParticleSurface::Find(vtkAlgorithm* self, double from, double to, vtkIdType& count)
@@ -269,7 +286,10 @@ void vtkParticleSurface::Describe(
     point.Curvature[k] = slope > 0 ? -bend / slope : 0.0;
   }
   // No place on the surface is farther from a point than points are from one another at least.
-  point.Radius = vtkIsosurfaceDivision::DistancePerSpacing * this->GetSpacing(leaf);
+  // Where it bends strongly points lie on all sides, and disks as large would stand out.
+  const double full = vtkIsosurfaceDivision::DistancePerSpacing * this->GetSpacing(leaf);
+  const double turn = full * GetBend(point.Curvature);
+  point.Radius = full * std::clamp(LargestTurn / turn, LeastRadius, 1.0);
   scratch.Field.GetShares(x, scratch.Shares);
   point.Shares = &scratch.Shares;
 }

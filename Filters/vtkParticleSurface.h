@@ -42,7 +42,7 @@ public:
   /// The finest spacing of points for which cells are divided far enough, in cells.
   static constexpr double FinestSpacing = 2.5 / 64;
 
-  /// All must outlive this. spacing: of points, 0: a leaf's cell. ghosts may be null.
+  /// All must outlive this. spacing: of points, 0: by the particles. ghosts may be null.
   vtkParticleSurface(const std::vector<Kernel>& kernels, const vtkParticleSurfaceTree& tree,
     double spacing, const unsigned char* ghosts);
 

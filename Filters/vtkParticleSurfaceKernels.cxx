@@ -48,7 +48,7 @@ constexpr double DeepLeast = 0.3;
 /// nothing.
 constexpr double UsualRatio = 1.3;
 /// One neighbour tells no direction, and from so many on they tell it in full.
-constexpr double EnoughNeighbors = 5;
+constexpr double EnoughNeighbors = 10;
 /// At its centre the sum of a kernel and its neighbours' alike is at least this, twice the level of
 /// the surface: what is thinner than kernels are wide would vanish otherwise.
 constexpr double LeastSum = 2 * vtkParticleSurfaceKernels::Isovalue;

@@ -57,7 +57,9 @@
  *    steps onto the surface of the exact sum, and stay if no other of the same side is nearer than
  *    0.8 PointSpacing. Blocks go in turns of such as are not next to each other, in parallel.
  * 7. *Writing.* From the sum's gradient g and Hessian H at the point: the normal n = -g / |g|, the
- *    curvature -P H P / |g| with P = 1 - n n^T, and the radius 0.8 PointSpacing.
+ *    curvature -P H P / |g| with P = 1 - n n^T, and the radius 0.8 PointSpacing, as
+ *    no place on the surface is farther from a point; down to a half of that where the surface
+ *    turns by more than 0.6 radians on this way.
  *
  * Memory: about 120 bytes a particle and 100 a point of the output, besides input and output, and
  * the samples of one block a thread.
@@ -103,9 +105,9 @@ public:
 
   ///@{
   /**
-   * The wanted distance between neighbouring points in world units; 0, the default, is about half of
-   * the particles' spacing, finer where particles are smaller. It is kept between 1/25 of that
-   * and 16 times that.
+   * The wanted distance between neighbouring points in world units; 0, the default, is 0.4 of
+   * the particles' spacing, finer where particles are smaller. It is kept between a fiftieth of
+   * their spacing and eight times it.
    */
   vtkSetClampMacro(PointSpacing, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(PointSpacing, double);
@@ -140,7 +142,8 @@ public:
 
   ///@{
   /**
-   * The largest ratio of a kernel's axes; 1, which makes them all balls, to 16, 4 by default.
+   * The largest ratio of a kernel's axes; 1, which makes them all balls, to 16, 3 by default, by which
+   * a sheet of one layer of particles is as thick as its particles are apart.
    */
   vtkSetClampMacro(LargestStretch, double, 1.0, 16.0);
   vtkGetMacro(LargestStretch, double);
@@ -169,7 +172,7 @@ private:
   double ParticleSpacing = 0;
   double KernelReach = 2.5;
   double Smoothing = 0.9;
-  double LargestStretch = 4;
+  double LargestStretch = 3;
   double MeasuredSpacing = 0;
 };
 
