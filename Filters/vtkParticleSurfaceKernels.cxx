@@ -501,6 +501,11 @@ vtkParticleSurfaceKernels::Kernel vtkParticleSurfaceKernels::MakeKernel(
   }
   kernel.Spacing = static_cast<float>(spacing);
 
+  // Of a neighbour, relative to the particle's own: many small ones are no more than a large one.
+  auto getVolume = [&](int i) {
+    const double ratio = this->Sizes[around.Slots[i]].Spacing / size.Spacing;
+    return ratio * ratio * ratio;
+  };
   // Weighted mean and covariance, in units of the reach; the particle itself is one of them.
   double total = 1, mean[3] = { 0, 0, 0 }, second[6] = { 0, 0, 0, 0, 0, 0 };
   int count = 0;
@@ -513,7 +518,7 @@ vtkParticleSurfaceKernels::Kernel vtkParticleSurfaceKernels::MakeKernel(
     {
       break;
     }
-    const double w = 1 - squared * std::sqrt(squared);
+    const double w = (1 - squared * std::sqrt(squared)) * getVolume(count);
     const double p[6] = { x * x, y * y, z * z, x * y, y * z, x * z };
     total += w;
     mean[0] += w * x;
@@ -572,7 +577,7 @@ vtkParticleSurfaceKernels::Kernel vtkParticleSurfaceKernels::MakeKernel(
     for (int i = 0; i < count; ++i)
     {
       const double t = std::max(1 - GetForm(metric, around.X[i], around.Y[i], around.Z[i]), 0.0);
-      sum += t * t * t;
+      sum += t * t * t * getVolume(i);
     }
     sum *= volume / product;
     if (sum >= LeastSum || product <= least || step == ShrinkingSteps)
@@ -607,7 +612,7 @@ vtkParticleSurfaceKernels::Kernel vtkParticleSurfaceKernels::MakeKernel(
     const double q = GetForm(metric, around.X[i], around.Y[i], around.Z[i]);
     if (q < 1)
     {
-      const double w = 1 - q * std::sqrt(q);
+      const double w = (1 - q * std::sqrt(q)) * getVolume(i);
       weights += w;
       shift[0] += w * around.X[i];
       shift[1] += w * around.Y[i];

@@ -248,6 +248,7 @@ int vtkParticleSurfacePoints::RequestData(
 {
   vtkPointSet* input = vtkPointSet::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
+  output->Initialize();
   this->MeasuredSpacing = 0;
   const vtkIdType number = input->GetNumberOfPoints();
   if (number == 0)

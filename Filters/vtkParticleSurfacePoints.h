@@ -38,7 +38,7 @@
  *    smoothing lengths, which no two programs define alike.
  * 2. *Kernels.* Of the particles within the reach r = KernelReach times the particle's spacing (as
  *    many at most as such a ball has inside the fluid, 66), the weighted covariance C is taken (section 4, equations 9 to 11, weights
- *    1 - (distance / r)^3). The half axes of its kernel's ellipsoid are r times C's
+ *    1 - (distance / r)^3 times their volume). The half axes of its kernel's ellipsoid are r times C's
  *    eigenvalues over those of a full ball, 0.15 r^2 (equations 12 to 14), but no eigenvalue counts
  *    less than the largest by LargestStretch. Less than ten neighbours stretch a kernel less, down
  *    to a ball for two. No ellipsoid is smaller than the ball that a lone particle has,
