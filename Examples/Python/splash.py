@@ -20,11 +20,11 @@ from pointsplatting import (
 # Particles about one unit apart: a pool with rings on it, a crown one particle thick, a jet in its
 # middle, and spray, faster the higher it is.
 random = np.random.default_rng(4)
-x, y, z = np.meshgrid(np.arange(-35, 36), np.arange(0, 14), np.arange(-35, 36), indexing="ij")
-pool = np.stack([x, y, z], -1).reshape(-1, 3) + random.uniform(-0.2, 0.2, (x.size, 3))
-r = np.hypot(pool[:, 0], pool[:, 2])
-pool = pool[pool[:, 1] < 9 - 5 * np.exp(-((r / 9) ** 2)) + 2.5 * np.exp(-(((r - 16) / 7) ** 2)) *
-            np.cos(0.55 * (r - 15))]
+x, depth, z = np.meshgrid(np.arange(-35, 36), np.arange(14), np.arange(-35, 36), indexing="ij")
+r = np.hypot(x, z)
+level = 9 - 5 * np.exp(-((r / 9) ** 2)) + 2.5 * np.exp(-(((r - 16) / 7) ** 2)) * np.cos(0.55 * (r - 15))
+pool = np.stack([x, level - 0.5 - depth, z], -1)[level > depth + 0.5]
+pool += random.uniform(-0.2, 0.2, pool.shape)
 crown = []
 for k in range(11):
     radius = 11 + 0.04 * k * k
@@ -50,7 +50,7 @@ surface.Update()
 
 
 def sky(width=1024, height=512):
-    """Brighter towards the horizon, with a sun, over a dark tiled ground; y is up."""
+    """Brighter towards the horizon, with a sun, over a tiled ground; y is up."""
     a, b = np.meshgrid(2 * np.pi * ((np.arange(width) + 0.5) / width - 0.5),
                        np.pi * ((np.arange(height) + 0.5) / height - 0.5))
     d = np.stack([np.cos(b) * np.cos(a), np.sin(b), np.cos(b) * np.sin(a)], axis=-1)
@@ -60,7 +60,7 @@ def sky(width=1024, height=512):
     colour += 2 * np.clip(400 * (sun - 0.995), 0, 1)[..., None]
     p = 2 * d / np.minimum(d[..., 1:2], -1e-2)
     tile = (np.floor(p[..., 0]) + np.floor(p[..., 2])) % 2
-    colour = np.where(d[..., 1:2] < 0, 0.25 + 0.12 * tile[..., None], colour)
+    colour = np.where(d[..., 1:2] < 0, 0.5 + 0.2 * tile[..., None], colour)
     image = vtkImageData()
     image.SetDimensions(width, height, 1)
     image.GetPointData().SetScalars(
