@@ -22,6 +22,8 @@ constexpr int MostSteps = 12;
 constexpr double LongestStep = 0.5, FarthestMove = 0.95;
 /// Without a wish points are 0.4 particle spacings apart.
 constexpr double SpacingPerCell = 0.8;
+/// Where splats would turn too far, points lie at this part of the spacing.
+constexpr double DenserSpacing = 0.5;
 /// Coarser spacings would let leaves of one turn see each other's points.
 constexpr double CoarsestSpacing = vtkParticleSurfaceTree::CellsPerSide;
 
@@ -43,6 +45,36 @@ double GetBend(const double b[6])
 double GetNorm(const double x[3])
 {
   return std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+}
+
+/// The normal, and its derivative, which is that of -gradient / slope: -P H P / slope with
+/// P = 1 - n n^T. Leaves the normal as it is, and returns false, where there is no slope.
+bool GetCurvature(
+  const vtkParticleSurfaceField::Value& value, double normal[3], double curvature[6])
+{
+  const double slope = GetNorm(value.Gradient);
+  std::fill_n(curvature, 6, 0.0);
+  if (!(slope > 0))
+  {
+    return false;
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    normal[c] = -value.Gradient[c] / slope;
+  }
+  const double* n = normal;
+  const double* h = value.Hessian;
+  const double hn[3] = { h[0] * n[0] + h[3] * n[1] + h[5] * n[2],
+    h[3] * n[0] + h[1] * n[1] + h[4] * n[2], h[5] * n[0] + h[4] * n[1] + h[2] * n[2] };
+  const double nhn = hn[0] * n[0] + hn[1] * n[1] + hn[2] * n[2];
+  static const int rows[6] = { 0, 1, 2, 0, 1, 0 };
+  static const int columns[6] = { 0, 1, 2, 1, 2, 2 };
+  for (int k = 0; k < 6; ++k)
+  {
+    const int i = rows[k], j = columns[k];
+    curvature[k] = -(h[k] - n[i] * hn[j] - hn[i] * n[j] + nhn * n[i] * n[j]) / slope;
+  }
+  return true;
 }
 }
 
@@ -70,6 +102,7 @@ vtkParticleSurface::vtkParticleSurface(const std::vector<Kernel>& kernels,
   , Spacing(spacing)
   , Ghosts(ghosts)
   , Samples(tree.GetLeaves().size())
+  , Bent(tree.GetLeaves().size(), 0)
 {
 }
 
@@ -111,9 +144,10 @@ bool vtkParticleSurface::Find(vtkAlgorithm* self, double from, double to, vtkIdT
     {
       const double distance =
         vtkIsosurfaceDivision::DistancePerSpacing * this->GetSpacing(this->Leaves[begin]);
-      for (const Sample& sample : this->Samples[begin])
+      for (std::size_t i = 0; i < this->Samples[begin].size(); ++i)
       {
-        this->Found.Add(sample, distance);
+        this->Found.Add(
+          this->Samples[begin][i], i < this->Bent[begin] ? distance : DenserSpacing * distance);
       }
       count += static_cast<vtkIdType>(this->Samples[begin].size());
     }
@@ -121,14 +155,14 @@ bool vtkParticleSurface::Find(vtkAlgorithm* self, double from, double to, vtkIdT
   return true;
 }
 
-void vtkParticleSurface::FindCandidates(const Leaf& leaf, Scratch& scratch) const
+void vtkParticleSurface::FindCandidates(const Leaf& leaf, double spacing, Scratch& scratch) const
 {
   constexpr int side = vtkParticleSurfaceTree::CellsPerSide;
   constexpr int row = vtkParticleSurfaceField::NodesPerSide;
   scratch.Candidates.clear();
-  const float* nodes = scratch.Field.EvaluateNodes().data();
+  const float* nodes = scratch.Field.GetNodes().data();
   const double sides[3] = { leaf.Cell, leaf.Cell, leaf.Cell };
-  const vtkIsosurfaceDivision division(sides, this->GetSpacing(leaf));
+  const vtkIsosurfaceDivision division(sides, spacing);
   const float isovalue = static_cast<float>(Isovalue);
   vtkIsosurfaceDivision::Cell cell;
   for (int k = 0; k < side; ++k)
@@ -137,6 +171,10 @@ void vtkParticleSurface::FindCandidates(const Leaf& leaf, Scratch& scratch) cons
     {
       for (int i = 0; i < side && scratch.Field.IsNear(j, k); ++i)
       {
+        if (!scratch.Wanted[i + side * (j + side * k)])
+        {
+          continue;
+        }
         const float* at = nodes + i + row * (j + row * k);
         const float corners[8] = { at[0], at[1], at[row], at[row + 1], at[row * row],
           at[row * row + 1], at[row * row + row], at[row * row + row + 1] };
@@ -171,10 +209,27 @@ void vtkParticleSurface::FillLeaf(std::size_t l, Scratch& scratch)
     return;
   }
   scratch.Field.SetLeaf(leaf, this->Kernels);
-  this->FindCandidates(leaf, scratch);
-  vtkIsosurfaceThinning::Shuffle(scratch.Candidates);
-  const double distance = vtkIsosurfaceDivision::DistancePerSpacing * this->GetSpacing(leaf);
+  scratch.Field.EvaluateNodes();
+  scratch.Wanted.fill(true);
   Sieve own;
+  const double spacing = this->GetSpacing(leaf);
+  this->AddPoints(l, spacing, own, scratch);
+  this->Bent[l] = this->Samples[l].size();
+  // A spacing that was asked for is kept.
+  if (!(this->Spacing > 0) && this->MarkBent(l, scratch))
+  {
+    this->AddPoints(l, DenserSpacing * spacing, own, scratch);
+  }
+}
+
+/// Points on the surface in the wanted cells.
+void vtkParticleSurface::AddPoints(
+  std::size_t l, double spacing, Sieve& own, Scratch& scratch)
+{
+  const Leaf& leaf = this->Leaves[l];
+  const double distance = vtkIsosurfaceDivision::DistancePerSpacing * spacing;
+  this->FindCandidates(leaf, spacing, scratch);
+  vtkIsosurfaceThinning::Shuffle(scratch.Candidates);
   auto isFree = [&](const Sample& local, Sample& sample) {
     sample = local;
     for (int c = 0; c < 3; ++c)
@@ -203,6 +258,50 @@ void vtkParticleSurface::FillLeaf(std::size_t l, Scratch& scratch)
     own.Add(sample, distance);
     this->Samples[l].push_back(sample);
   }
+}
+
+/// Makes those cells the wanted ones that are at points where splats would turn too far; false if
+/// there are none.
+bool vtkParticleSurface::MarkBent(std::size_t l, Scratch& scratch) const
+{
+  constexpr int side = vtkParticleSurfaceTree::CellsPerSide;
+  const Leaf& leaf = this->Leaves[l];
+  const double radius = vtkIsosurfaceDivision::DistancePerSpacing * this->GetSpacing(leaf);
+  scratch.Wanted.fill(false);
+  bool any = false;
+  vtkParticleSurfaceField::Value value;
+  double normal[3], curvature[6];
+  for (const Sample& sample : this->Samples[l])
+  {
+    double x[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      x[c] = sample.Position[c] - leaf.Origin[c];
+    }
+    scratch.Field.EvaluateSecond(x, value);
+    if (!GetCurvature(value, normal, curvature) || !(radius * GetBend(curvature) > LargestTurn))
+    {
+      continue;
+    }
+    any = true;
+    int low[3], high[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      low[c] = std::clamp(static_cast<int>((x[c] - radius) / leaf.Cell), 0, side - 1);
+      high[c] = std::clamp(static_cast<int>((x[c] + radius) / leaf.Cell), 0, side - 1);
+    }
+    for (int k = low[2]; k <= high[2]; ++k)
+    {
+      for (int j = low[1]; j <= high[1]; ++j)
+      {
+        for (int i = low[0]; i <= high[0]; ++i)
+        {
+          scratch.Wanted[i + side * (j + side * k)] = true;
+        }
+      }
+    }
+  }
+  return any;
 }
 
 /// Newton steps along the gradient onto the surface; false where they do not settle.
@@ -252,8 +351,10 @@ bool vtkParticleSurface::IsOwn(const std::vector<Share>& shares) const
 }
 
 void vtkParticleSurface::Describe(
-  const Leaf& leaf, const Sample& sample, Scratch& scratch, Point& point) const
+  std::size_t l, std::size_t i, Scratch& scratch, Point& point) const
 {
+  const Leaf& leaf = this->Leaves[l];
+  const Sample& sample = this->Samples[l][i];
   double x[3];
   for (int c = 0; c < 3; ++c)
   {
@@ -263,31 +364,11 @@ void vtkParticleSurface::Describe(
   }
   vtkParticleSurfaceField::Value value;
   scratch.Field.EvaluateSecond(x, value);
-  const double slope = GetNorm(value.Gradient);
-  if (slope > 0)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      point.Normal[c] = -value.Gradient[c] / slope;
-    }
-  }
-  // The normal's derivative is that of -gradient / slope: -P H P / slope with P = 1 - n n^T.
-  const double* n = point.Normal;
-  const double* h = value.Hessian;
-  const double hn[3] = { h[0] * n[0] + h[3] * n[1] + h[5] * n[2],
-    h[3] * n[0] + h[1] * n[1] + h[4] * n[2], h[5] * n[0] + h[4] * n[1] + h[2] * n[2] };
-  const double nhn = hn[0] * n[0] + hn[1] * n[1] + hn[2] * n[2];
-  static const int rows[6] = { 0, 1, 2, 0, 1, 0 };
-  static const int columns[6] = { 0, 1, 2, 1, 2, 2 };
-  for (int k = 0; k < 6; ++k)
-  {
-    const int i = rows[k], j = columns[k];
-    const double bend = h[k] - n[i] * hn[j] - hn[i] * n[j] + nhn * n[i] * n[j];
-    point.Curvature[k] = slope > 0 ? -bend / slope : 0.0;
-  }
+  GetCurvature(value, point.Normal, point.Curvature);
   // No place on the surface is farther from a point than points are from one another at least.
   // Where it bends strongly points lie on all sides, and disks as large would stand out.
-  const double full = vtkIsosurfaceDivision::DistancePerSpacing * this->GetSpacing(leaf);
+  const double full = vtkIsosurfaceDivision::DistancePerSpacing * this->GetSpacing(leaf) *
+    (i < this->Bent[l] ? 1.0 : DenserSpacing);
   const double turn = full * GetBend(point.Curvature);
   point.Radius = full * std::clamp(LargestTurn / turn, LeastRadius, 1.0);
   scratch.Field.GetShares(x, scratch.Shares);
@@ -315,7 +396,7 @@ bool vtkParticleSurface::Write(
       scratch.Field.SetLeaf(this->Leaves[l], this->Kernels);
       for (std::size_t i = 0; i < this->Samples[l].size(); ++i)
       {
-        this->Describe(this->Leaves[l], this->Samples[l][i], scratch, point);
+        this->Describe(l, i, scratch, point);
         write(first[l] + static_cast<vtkIdType>(i), point);
       }
     }

@@ -12,6 +12,7 @@
 #include "vtkIsosurfaceDivision.h"
 #include "vtkParticleSurfaceField.h"
 
+#include <array>
 #include <functional>
 #include <map>
 #include <vector>
@@ -74,15 +75,20 @@ private:
     vtkParticleSurfaceField Field;
     vtkIsosurfaceDivision::Scratch Division;
     std::vector<Sample> Candidates;
+    std::array<bool, vtkParticleSurfaceTree::CellsPerSide * vtkParticleSurfaceTree::CellsPerSide *
+        vtkParticleSurfaceTree::CellsPerSide>
+      Wanted; // cells
     std::vector<Share> Shares;
   };
 
   double GetSpacing(const Leaf& leaf) const;
   void FillLeaf(std::size_t l, Scratch& scratch);
-  void FindCandidates(const Leaf& leaf, Scratch& scratch) const;
+  void AddPoints(std::size_t l, double spacing, Sieve& own, Scratch& scratch);
+  bool MarkBent(std::size_t l, Scratch& scratch) const;
+  void FindCandidates(const Leaf& leaf, double spacing, Scratch& scratch) const;
   bool Place(double cell, vtkParticleSurfaceField& field, Sample& sample) const;
   bool IsOwn(const std::vector<Share>& shares) const;
-  void Describe(const Leaf& leaf, const Sample& sample, Scratch& scratch, Point& point) const;
+  void Describe(std::size_t l, std::size_t i, Scratch& scratch, Point& point) const;
 
   const std::vector<Kernel>& Kernels;
   const std::vector<Leaf>& Leaves;
@@ -90,6 +96,7 @@ private:
   const unsigned char* Ghosts;
   Sieve Found;
   std::vector<std::vector<Sample>> Samples; // of leaves
+  std::vector<std::size_t> Bent;            // of leaves: the first of the denser samples
 };
 
 VTK_ABI_NAMESPACE_END

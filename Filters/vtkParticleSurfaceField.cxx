@@ -32,7 +32,7 @@ void vtkParticleSurfaceField::SetLeaf(const Leaf& leaf, const std::vector<Kernel
   }
 }
 
-const std::vector<float>& vtkParticleSurfaceField::EvaluateNodes()
+void vtkParticleSurfaceField::EvaluateNodes()
 {
   this->Nodes.assign(static_cast<std::size_t>(NodesPerSide) * NodesPerSide * NodesPerSide, 0.0f);
   this->MarkRows();
@@ -40,7 +40,6 @@ const std::vector<float>& vtkParticleSurfaceField::EvaluateNodes()
   {
     this->AddToNodes(kernel);
   }
-  return this->Nodes;
 }
 
 /// Deep inside the fluid nobody asks for the sum.
@@ -158,7 +157,8 @@ const std::vector<vtkParticleSurfaceField::Local>& vtkParticleSurfaceField::GetK
       {
         // Positions outside of the leaf belong to the parts at its border.
         const double reach = kernel.Extent[c] + this->Cell;
-        near = kernel.Center[c] + reach > at[c] * side && kernel.Center[c] - reach < (at[c] + 1) * side;
+        near = kernel.Center[c] + reach > at[c] * side &&
+          kernel.Center[c] - reach < (at[c] + 1) * side;
       }
       if (near)
       {

@@ -39,8 +39,9 @@ public:
 
   void SetLeaf(const Leaf& leaf, const std::vector<Kernel>& kernels);
 
-  /// The sums at the nodes, x fastest, of cells that IsNear(). They live until the next leaf.
-  const std::vector<float>& EvaluateNodes();
+  /// The sums at the nodes, x fastest, of cells that IsNear(). They live until the next leaf's.
+  void EvaluateNodes();
+  const std::vector<float>& GetNodes() const { return this->Nodes; }
   /// Whether a kernel that is not deep inside the fluid reaches a row of cells.
   bool IsNear(int j, int k) const { return this->NearRows[j / PartSide][k / PartSide]; }
 

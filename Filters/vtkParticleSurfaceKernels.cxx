@@ -38,11 +38,11 @@ constexpr double FullVariance = 0.15;
 /// The radius of a lone particle's kernel, in spacings: sqrt(3) (3 / (4 pi))^(1/3). Of all radii
 /// it lets the level be highest at which the ball has the particle's volume.
 constexpr double LoneReach = 1.0745;
-/// A cube with a kernel's reach as side is deep inside the fluid if it and those around have together
-/// at least this part of the particles that they would have at the usual spacing, ...
+/// A cube with a kernel's reach as side is deep inside the fluid if it and those around have
+/// together at least this part of the particles that they would have at the usual spacing, ...
 constexpr double DeepSum = 0.9;
-/// ... and each of them this part; some have a half, as lattices fall. Then the surface is about two
-/// spacings away at least.
+/// ... and each of them this part; some have a half, as lattices fall. Then the surface is about
+/// two spacings away at least.
 constexpr double DeepLeast = 0.3;
 /// Of particles that are smaller or larger than the usual ones by more than this, the cubes tell
 /// nothing.
@@ -452,7 +452,8 @@ void vtkParticleSurfaceKernels::MarkDeep(const Settings& settings)
     {
       const Size& s = this->Sizes[slot];
       this->Deep[slot] = this->Neighbors.GetId(slot) >= 0 &&
-        std::max(s.Length, s.Spacing) < UsualRatio && std::min(s.Length, s.Spacing) > 1 / UsualRatio &&
+        std::max(s.Length, s.Spacing) < UsualRatio &&
+        std::min(s.Length, s.Spacing) > 1 / UsualRatio &&
         cubes.IsDeep(get(slot));
     }
   };

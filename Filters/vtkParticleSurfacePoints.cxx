@@ -102,8 +102,8 @@ public:
       largest = std::max(largest, std::abs(input->GetBounds()[c]));
     }
     // NaN and infinity are not less.
-    const bool single = largest * std::numeric_limits<float>::epsilon() < 2 * Resolution * spacing &&
-      largest < LargestSingle;
+    const bool single = largest < LargestSingle &&
+      largest * std::numeric_limits<float>::epsilon() < 2 * Resolution * spacing;
     this->Points->SetDataType(single ? VTK_FLOAT : VTK_DOUBLE);
     this->Points->SetNumberOfPoints(count);
     this->Normals->SetName("Normals");
@@ -289,7 +289,8 @@ int vtkParticleSurfacePoints::RequestData(
                           << " lie where another one lies; they take no part. " << skipped.Sizes
                           << " have a smoothing length, mass or density that is not positive and "
                              "finite, and get the usual size; "
-                          << skipped.Clamped << " are more than a thousand times larger or smaller.");
+                          << skipped.Clamped
+                          << " are more than a thousand times larger or smaller than that.");
   }
   this->MeasuredSpacing = kernels.GetSpacing();
 

@@ -37,15 +37,21 @@
  *    it smaller (spray is farther apart than it is large) or ParticleSpacing is set. The same for
  *    smoothing lengths, which no two programs define alike.
  * 2. *Kernels.* Of the particles within the reach r = KernelReach times the particle's spacing (as
- *    many at most as such a ball has inside the fluid, 66), the weighted covariance C is taken (section 4, equations 9 to 11, weights
- *    1 - (distance / r)^3 times their volume). The half axes of its kernel's ellipsoid are r times C's
- *    eigenvalues over those of a full ball, 0.15 r^2 (equations 12 to 14), but no eigenvalue counts
- *    less than the largest by LargestStretch. Less than ten neighbours stretch a kernel less, down
- *    to a ball for two. No ellipsoid is smaller than the ball that a lone particle has,
- *    of 1.07 spacings' radius. A kernel is (1 - q)^3 (q: the square of the scaled distance), and its
- *    integral is the particle's volume.
+ *    many at most as such a ball has inside the fluid, 66), the weighted covariance C is taken
+ *    (section 4; weights 1 - (distance / r)^3 times their volume). The half
+ *    axes of its kernel's ellipsoid are r times C's eigenvalues over those of a full ball, 0.15
+ *    r^2, but no eigenvalue counts less than the largest by LargestStretch.
+ *    Less than ten neighbours stretch a kernel less, down to a ball for one. No ellipsoid is
+ *    smaller than the ball that a lone particle has, of 1.07 spacings' radius, and where the sum
+ *    at its centre would be less than twice the surface's value it shrinks towards that, so that
+ *    ligaments do not vanish. A kernel is (1 - q)^3 (q: the square of the scaled distance), and
+ *    its integral is the particle's volume.
+ *    Particles so deep in the fluid that their kernel does not reach the surface (the cubes of
+ *    side r around are nearly as full as at the usual spacing) get balls without a look at their
+ *    neighbours, and where only such reach no surface is looked for: bubbles of less than about
+ *    two spacings there are not seen.
  * 3. *Centres* move to the weighted mean of the particles within their kernel, by Smoothing
- *    (equation 6). There the mean is over a ball, which draws the surface inward; in the flattened
+ *    (section 4). There the mean is over a ball, which draws the surface inward; in the flattened
  *    kernel it is along the surface.
  * 4. *Blocks.* An octree over the kernels, not over space: blocks of 16^3 cells, whose
  *    side is about half of the spacing of the smallest particle that reaches them. What no kernel
@@ -56,6 +62,8 @@
  * 6. *Placing and thinning.* In random but always equal order, candidates are moved by Newton
  *    steps onto the surface of the exact sum, and stay if no other of the same side is nearer than
  *    0.8 PointSpacing. Blocks go in turns of such as are not next to each other, in parallel.
+ *    Without PointSpacing, points are added at half the spacing in cells where the surface bends
+ *    so that splats would turn by more than 0.6 radians from their centre to their rim.
  * 7. *Writing.* From the sum's gradient g and Hessian H at the point: the normal n = -g / |g|, the
  *    curvature -P H P / |g| with P = 1 - n n^T, and the radius 0.8 PointSpacing, as
  *    no place on the surface is farther from a point; down to a half of that where the surface
@@ -66,12 +74,12 @@
  *
  * Bad input: particles with coordinates that are not finite (beyond 1e37, or so large that double
  * precision does not resolve a thousandth of their spacing), hidden ones (vtkGhostType has
- * HIDDENPOINT), and all but the first at one position take no part. Sizes that are not positive and
- * finite are replaced by the usual one, and are within a factor of 1000 of it. All these are counted
- * in one warning. Duplicate ghosts (DUPLICATEPOINT, another process' particles) belong to the
- * fluid, but points where they have the largest share are left out. A lone particle of unknown size
- * has the spacing 0.1. No particles give an empty output; an array that was asked for and is not
- * there, or has not one number a particle, is an error, and the output empty.
+ * HIDDENPOINT), and all but the first at one position take no part. Sizes that are not positive
+ * and finite are replaced by the usual one, and are within a factor of 1000 of it. All these are
+ * counted in one warning. Duplicate ghosts (DUPLICATEPOINT, another process' particles) belong to
+ * the fluid, but points where they have the largest share are left out. A lone particle of unknown
+ * size has the spacing 0.1. No particles give an empty output; an array that was asked for and is
+ * not there, or has not one number a particle, is an error, and the output empty.
  *
  * Results do not depend on the number of threads. The filter reports progress and can be
  * aborted, with an empty output then.
@@ -105,8 +113,9 @@ public:
 
   ///@{
   /**
-   * The wanted distance between neighbouring points in world units; 0, the default, is 0.4 of
-   * the particles' spacing, finer where particles are smaller. It is kept between a fiftieth of
+   * The wanted distance between neighbouring points in world units; 0, the default, is 0.4 of the
+   * particles' spacing, finer where particles are smaller, and half of it where the surface
+   * bends strongly. It is kept between a fiftieth of
    * their spacing and eight times it.
    */
   vtkSetClampMacro(PointSpacing, double, 0.0, VTK_DOUBLE_MAX);
@@ -142,8 +151,8 @@ public:
 
   ///@{
   /**
-   * The largest ratio of a kernel's axes; 1, which makes them all balls, to 16, 3 by default, by which
-   * a sheet of one layer of particles is as thick as its particles are apart.
+   * The largest ratio of a kernel's axes; 1, which makes them all balls, to 16. By default
+   * 3: a sheet of one layer of particles is then about as thick as its particles are apart.
    */
   vtkSetClampMacro(LargestStretch, double, 1.0, 16.0);
   vtkGetMacro(LargestStretch, double);

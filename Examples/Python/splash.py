@@ -22,7 +22,8 @@ from pointsplatting import (
 random = np.random.default_rng(4)
 x, depth, z = np.meshgrid(np.arange(-35, 36), np.arange(14), np.arange(-35, 36), indexing="ij")
 r = np.hypot(x, z)
-level = 9 - 5 * np.exp(-((r / 9) ** 2)) + 2.5 * np.exp(-(((r - 16) / 7) ** 2)) * np.cos(0.55 * (r - 15))
+level = (9 - 5 * np.exp(-((r / 9) ** 2)) +
+         2.5 * np.exp(-(((r - 16) / 7) ** 2)) * np.cos(0.55 * (r - 15)))
 pool = np.stack([x, level - 0.5 - depth, z], -1)[level > depth + 0.5]
 pool += random.uniform(-0.2, 0.2, pool.shape)
 crown = []

@@ -230,8 +230,8 @@ Options Options::Parse(int argc, char* argv[])
     { "--json", [&o](auto&, auto& v) { o.Json = v; } },
   };
   const std::map<std::string, bool Options::*> flags = { { "--particles", &Options::Particles },
-    { "--scalar-bar", &Options::ScalarBar }, { "--quiet", &Options::Quiet }, { "--help", &Options::Help }, { "-h", &Options::Help },
-    { "--version", &Options::Version } };
+    { "--scalar-bar", &Options::ScalarBar }, { "--quiet", &Options::Quiet },
+    { "--help", &Options::Help }, { "-h", &Options::Help }, { "--version", &Options::Version } };
 
   for (int i = 1; i < argc; ++i)
   {

@@ -152,7 +152,8 @@ void Arrays()
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double odd[] = { 0, -1, nan, std::numeric_limits<double>::infinity() };
   AddArray(box, "h", [&odd](vtkIdType i) { return i % 10 == 0 ? odd[i / 10 % 4] : 1.2; });
-  AtMost(GetOutside(Run(box, 0, 1, "52 have a smoothing length", "odd lengths"), 8), 0.7, "lengths");
+  AtMost(
+    GetOutside(Run(box, 0, 1, "52 have a smoothing length", "odd lengths"), 8), 0.7, "lengths");
   AddArray(box, "h", [](vtkIdType i) { return std::pow(10.0, (i * 7919) % 13 - 6); });
   ExpectPoints(Run(box, 0, 1, "more than a thousand times", "wild lengths"), true, "wild lengths");
   AddArray(box, "h", [](vtkIdType i) { return i == 0 ? 1e300 : i == 1 ? 1e-300 : 1.2; });
