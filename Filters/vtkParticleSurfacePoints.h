@@ -69,7 +69,7 @@
  *    no place on the surface is farther from a point; down to a half of that where the surface
  *    turns by more than 0.6 radians on this way.
  *
- * Memory: about 120 bytes a particle and 100 a point of the output, besides input and output, and
+ * Memory: about 200 bytes a particle and 100 a point of the output, besides input and output, and
  * the samples of one block a thread.
  *
  * Bad input: particles with coordinates that are not finite (beyond 1e37, or so large that double
