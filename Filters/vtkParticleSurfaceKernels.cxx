@@ -6,6 +6,8 @@
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkMath.h"
+#include "vtkParticleSurfaceCubes.h"
+#include "vtkParticleSurfaceProbe.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -19,8 +21,6 @@ using Neighborhood = vtkPointSplatNeighbors::Neighborhood;
 
 /// The spacing is measured on so many neighbours, or on this part of all particles, ...
 constexpr int MostRanks = 48, RanksPerParticles = 8;
-/// ... but not on less of them, where only the nearest counts, ...
-constexpr int LeastRanks = 8;
 /// ... around about so many particles.
 constexpr vtkIdType NumberOfProbes = 20000;
 /// A lone particle without a size has this spacing, as a lone point has this radius in
@@ -38,12 +38,6 @@ constexpr double FullVariance = 0.15;
 /// The radius of a lone particle's kernel, in spacings: sqrt(3) (3 / (4 pi))^(1/3). Of all radii
 /// it lets the level be highest at which the ball has the particle's volume.
 constexpr double LoneReach = 1.0745;
-/// A cube with a kernel's reach as side is deep inside the fluid if it and those around have
-/// together at least this part of the particles that they would have at the usual spacing, ...
-constexpr double DeepSum = 0.9;
-/// ... and each of them this part; some have a half, as lattices fall. Then the surface is about
-/// two spacings away at least.
-constexpr double DeepLeast = 0.3;
 /// Of particles that are smaller or larger than the usual ones by more than this, the cubes tell
 /// nothing.
 constexpr double UsualRatio = 1.3;
@@ -84,135 +78,11 @@ double GetQuantile(std::vector<double>& values, double part)
   return *at;
 }
 
-/// How densely particles lie around one.
-struct Probe
-{
-  double Dimension = 0; // 3 in a body, 2 in a sheet, 1 in a line, or between; 0 if unknown
-  double LogDistance = 0, LogRank = 0; // means over the ranks
-  double Nearest = 0;
-
-  /// The mean logarithms of distances, and of how many particles are within, the particle itself
-  /// included: between those just within and just past.
-  static void GetMeans(
-    const Neighborhood& around, int first, int last, double& distance, double& rank)
-  {
-    distance = rank = 0;
-    for (int k = first; k < last; ++k)
-    {
-      distance += 0.5 * std::log(static_cast<double>(around.SquaredDistance[k])) / (last - first);
-      rank += std::log(k + 1.5) / (last - first);
-    }
-  }
-
-  void Measure(const Neighborhood& around)
-  {
-    this->Nearest = std::sqrt(static_cast<double>(around.SquaredDistance[0]));
-    if (around.Count >= LeastRanks)
-    {
-      // Means over many ranks, since in lattices distances come in steps.
-      double distances[2], ranks[2];
-      GetMeans(around, around.Count / 8, around.Count / 3, distances[0], ranks[0]);
-      GetMeans(around, 2 * around.Count / 3, around.Count, distances[1], ranks[1]);
-      this->Dimension = (ranks[1] - ranks[0]) / (distances[1] - distances[0]);
-      GetMeans(around, around.Count / 8, around.Count, this->LogDistance, this->LogRank);
-    }
-  }
-
-  double GetSpacing(int dimension) const
-  {
-    const double ball = dimension == 1 ? 2 : dimension == 2 ? vtkMath::Pi() : vtkMath::Pi() * 4 / 3;
-    return this->LogRank > 0
-      ? std::exp(this->LogDistance - (this->LogRank - std::log(ball)) / dimension)
-      : this->Nearest;
-  }
-};
-
 /// As many as a kernel reaches inside the fluid.
 int GetNumberOfNeighbors(double reach)
 {
   return static_cast<int>(std::ceil(vtkMath::Pi() * 4 / 3 * reach * reach * reach));
 }
-
-/// Cubes of space, by the number of particles in them.
-class Cubes
-{
-public:
-  /// Numbers of cubes along an axis have so many bits.
-  static constexpr int Bits = 21;
-
-  Cubes(const double origin[3], double side)
-    : Side(side)
-  {
-    std::copy_n(origin, 3, this->Origin);
-  }
-
-  std::uint64_t GetKey(const double x[3]) const
-  {
-    std::uint64_t key = 0;
-    for (int c = 0; c < 3; ++c)
-    {
-      // From 1 on, so that there is a cube before the first.
-      key = key << Bits |
-        (static_cast<std::uint64_t>(std::floor((x[c] - this->Origin[c]) / this->Side)) + 1);
-    }
-    return key;
-  }
-
-  /// keys: of all particles.
-  void Count(std::vector<std::uint64_t> keys)
-  {
-    vtkSMPTools::Sort(keys.begin(), keys.end());
-    for (const std::uint64_t key : keys)
-    {
-      if (this->Keys.empty() || this->Keys.back() != key)
-      {
-        this->Keys.push_back(key);
-        this->Counts.push_back(0);
-      }
-      ++this->Counts.back();
-    }
-  }
-
-  /// full: how many particles a cube has at the usual spacing.
-  void MarkDeep(double full)
-  {
-    this->Deep.resize(this->Keys.size());
-    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Keys.size()), [&](vtkIdType i, vtkIdType end) {
-      for (; i < end; ++i)
-      {
-        bool deep = true;
-        double sum = 0;
-        for (int around = 0; around < 27 && deep; ++around)
-        {
-          const std::uint64_t one = 1;
-          const std::uint64_t offset = (around % 3) + ((around / 3 % 3) * (one << Bits)) +
-            ((around / 9) * (one << 2 * Bits));
-          const std::uint64_t centre = 1 + (one << Bits) + (one << 2 * Bits);
-          const std::size_t at = this->Find(this->Keys[i] + offset - centre);
-          deep = at < this->Keys.size() && this->Counts[at] >= DeepLeast * full;
-          sum += deep ? this->Counts[at] : 0;
-        }
-        this->Deep[i] = deep && sum >= DeepSum * 27 * full;
-      }
-    });
-  }
-
-  bool IsDeep(std::uint64_t key) const { return this->Deep[this->Find(key)] != 0; }
-
-private:
-  /// The number of cubes where there is none.
-  std::size_t Find(std::uint64_t key) const
-  {
-    const auto at = std::lower_bound(this->Keys.begin(), this->Keys.end(), key);
-    return at != this->Keys.end() && *at == key ? at - this->Keys.begin() : this->Keys.size();
-  }
-
-  double Origin[3];
-  double Side;
-  std::vector<std::uint64_t> Keys;
-  std::vector<std::uint32_t> Counts;
-  std::vector<unsigned char> Deep;
-};
 
 /// A symmetric matrix R diag(s) R^T; the columns of r are the axes.
 void Compose(const double r[3][3], const double s[3], double m[6])
@@ -273,7 +143,7 @@ bool vtkParticleSurfaceKernels::MeasureSpacing(vtkAlgorithm* self, double from, 
 {
   const Slot slots = this->Neighbors.GetNumberOfSlots();
   const Slot step = static_cast<Slot>(std::max<vtkIdType>(slots / NumberOfProbes, 1));
-  std::vector<Probe> probes((slots + step - 1) / step);
+  std::vector<vtkParticleSurfaceProbe> probes((slots + step - 1) / step);
   auto visit = [&](const Neighborhood& around, int) {
     if (around.Count > 0)
     {
@@ -292,7 +162,7 @@ bool vtkParticleSurfaceKernels::MeasureSpacing(vtkAlgorithm* self, double from, 
   }
   // Near a surface the number grows more slowly, so that it tells less than the dimension.
   std::vector<double> dimensions, spacings;
-  for (const Probe& probe : probes)
+  for (const vtkParticleSurfaceProbe& probe : probes)
   {
     if (probe.Dimension > 0 && std::isfinite(probe.Dimension))
     {
@@ -301,7 +171,7 @@ bool vtkParticleSurfaceKernels::MeasureSpacing(vtkAlgorithm* self, double from, 
   }
   const double typical = GetQuantile(dimensions, 0.75);
   const int dimension = typical >= 2.5 || dimensions.empty() ? 3 : typical >= 1.5 ? 2 : 1;
-  for (const Probe& probe : probes)
+  for (const vtkParticleSurfaceProbe& probe : probes)
   {
     const double spacing = probe.GetSpacing(dimension);
     if (spacing > 0 && std::isfinite(spacing))
@@ -426,11 +296,11 @@ void vtkParticleSurfaceKernels::MarkDeep(const Settings& settings)
     }
   }
   const double size = std::max({ high[0] - low[0], high[1] - low[1], high[2] - low[2] });
-  if (!(size / side < (1 << Cubes::Bits) - 3))
+  if (!(size / side < (1 << vtkParticleSurfaceCubes::Bits) - 3))
   {
     return;
   }
-  Cubes cubes(low, side);
+  vtkParticleSurfaceCubes cubes(low, side);
   auto get = [&](Slot slot) {
     double x[3];
     this->Neighbors.GetPosition(slot, x);
