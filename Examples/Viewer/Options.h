@@ -38,6 +38,7 @@ struct Options
   std::string Normals = "keep";
   double RadiusScale = 1.0;
   int Frames = 5;
+  bool Particles = false;
   bool ScalarBar = false;
   bool Quiet = false;
   bool Help = false;
