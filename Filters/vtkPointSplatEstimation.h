@@ -32,7 +32,12 @@
  *    Reconstruction from Unorganized Points, section 3.3), in which the normal is carried on
  *    as if along a circle's arc, and edges that leave the tangent planes cost more, so that
  *    it does not jump to another sheet. Given normals start the tree; a piece of surface
- *    without any is turned outward at its extreme point.
+ *    without any is turned outward at its extreme point. Where the input says where the sensor
+ *    stood that saw a point, the normal faces it, and starts the tree for points of sensors that
+ *    nobody knows (not finite): a point array `SensorPosition` (3 components, world units), or
+ *    a field array `SensorPosition` of one position a scan with a point array `ScanId` (1
+ *    component, counted from 0). Such arrays of wrong shape, or scans without position, are an error, and
+ *    are not used.
  * 4. *Disk.* The neighbours are projected to the tangent plane (Pajarola, Sainz, Guidotti 2004,
  *    Confetti, section 4.3), but those of other sheets: that lie more than 53 degrees off the
  *    plane, or more than 17 where their normal differs by more than 78. Where most of them lie
@@ -115,8 +120,9 @@ public:
 
   ///@{
   /**
-   * Which way estimated normals point: Consistent (default) within each connected surface,
-   * outward if it is closed, or TowardsViewpoint. Normals that the input has keep their sign.
+   * Which way estimated normals point: Consistent (default) within each connected surface, towards
+   * the sensors where the input says where they stood, otherwise outward if it is closed; or
+   * TowardsViewpoint, whatever the input says. Normals that the input has keep their sign.
    */
   vtkSetClampMacro(Orientation, int, Consistent, TowardsViewpoint);
   vtkGetMacro(Orientation, int);
@@ -141,6 +147,20 @@ public:
   vtkGetMacro(RadiusScale, double);
   ///@}
 
+  /**
+   * The share of points, of every 32nd, whose neighbours contradict one another: with their given
+   * normals they lie off one surface by more than 0.15 of their mean distance. 0 where normals were
+   * estimated.
+   */
+  vtkGetMacro(Noise, double);
+
+  /**
+   * Whether that is more than 0.3: then the cloud is one for vtkPointSplatProjection. Meshes'
+   * vertices, isosurfaces and parts with normals averaged over their edges have at most 0.1, noise
+   * of a fifth of the spacing 0.7, overlapping range scans 0.86.
+   */
+  bool IsNoisy() const { return this->Noise > 0.3; }
+
 protected:
   vtkPointSplatEstimation();
   ~vtkPointSplatEstimation() override;
@@ -157,6 +177,7 @@ private:
   int Orientation = Consistent;
   double Viewpoint[3] = { 0, 0, 0 };
   double RadiusScale = 1;
+  double Noise = 0; // that the last update found
 };
 
 VTK_ABI_NAMESPACE_END

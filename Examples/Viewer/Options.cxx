@@ -230,8 +230,9 @@ Options Options::Parse(int argc, char* argv[])
     { "--json", [&o](auto&, auto& v) { o.Json = v; } },
   };
   const std::map<std::string, bool Options::*> flags = { { "--particles", &Options::Particles },
-    { "--scalar-bar", &Options::ScalarBar }, { "--quiet", &Options::Quiet },
-    { "--help", &Options::Help }, { "-h", &Options::Help }, { "--version", &Options::Version } };
+    { "--project", &Options::Project }, { "--scalar-bar", &Options::ScalarBar },
+    { "--quiet", &Options::Quiet }, { "--help", &Options::Help }, { "-h", &Options::Help },
+    { "--version", &Options::Version } };
 
   for (int i = 1; i < argc; ++i)
   {
@@ -311,6 +312,8 @@ What is drawn
   --magnify N          resample volumes N times finer first, cubically (1 to 16)
   --array NAME         point array to contour, or to colour points by
   --normals WHICH      keep (default) or estimate
+  --project            move noisy points onto one smooth surface with sharp edges first, and leave
+                       outliers out
   --radius-scale F     multiplies all splats' radii
 
 How it looks
@@ -347,6 +350,7 @@ Examples
   splatview bunny.ply --output bunny.png
   splatview head.vti --iso 500,1150 --opacity .4,1 --color 'orange;white' --output head.png
   splatview scan.xyz --normals estimate --camera 30,20,1.5 --json report.json --output scan.png
+  splatview scans.ply --project --output scans.png
   splatview flow.vtp --array pressure --scalar-bar
   splatview tank.vtp --particles --opacity 0.5 --array velocity
   splatview before.ply after.ply --color '#5588ee;1,.6,.2'

@@ -39,6 +39,7 @@ struct Options
   double RadiusScale = 1.0;
   int Frames = 5;
   bool Particles = false;
+  bool Project = false;
   bool ScalarBar = false;
   bool Quiet = false;
   bool Help = false;

@@ -22,6 +22,7 @@
 #include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkPointSplatEstimation.h"
+#include "vtkPointSplatProjection.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
@@ -257,6 +258,16 @@ void ColourPoints(Scene& scene, const Options& options, Surface& surface, vtkDat
   }
 }
 
+vtkSmartPointer<vtkDataSet> Project(vtkDataSet* points, int outliers, bool quiet)
+{
+  vtkNew<vtkPointSplatProjection> projection;
+  projection->SetOutliers(outliers);
+  projection->SetInputData(points);
+  ShowProgress(projection, "projection", quiet);
+  projection->Update();
+  return projection->GetOutput();
+}
+
 void AddPoints(Scene& scene, const Options& options, const std::string& name, vtkDataSet* data)
 {
   if (!options.Isovalues.empty())
@@ -310,11 +321,22 @@ void AddPoints(Scene& scene, const Options& options, const std::string& name, vt
   {
     normals = "estimated";
   }
-  // Here and not in the mapper, so that there is a progress bar.
+  // Here and not in the mapper, so that there are progress bars.
+  if (options.Project)
+  {
+    points = Project(points, vtkPointSplatProjection::Remove, options.Quiet);
+  }
   vtkNew<vtkPointSplatEstimation> estimation;
   estimation->SetInputData(points);
   ShowProgress(estimation, "normals and splat sizes", options.Quiet);
   estimation->Update();
+  if (estimation->IsNoisy() && !options.Project)
+  {
+    // As the mapper does by itself where it estimates.
+    points = Project(points, vtkPointSplatProjection::Keep, options.Quiet);
+    estimation->SetInputData(points);
+    estimation->Update();
+  }
   Surface& surface = AddSurface(scene, options, name, estimation->GetOutput());
   surface.Normals = normals;
 

@@ -102,6 +102,8 @@ public:
 
   vtkIdType GetNumberOfSplats() const { return this->Count; }
   vtkIdType GetNumberOfSkippedPoints() const { return this->Skipped; }
+  /// Whether points of some block are drawn where they were projected to.
+  bool IsProjected() const { return this->Projected; }
   vtkIdType GetNumberOfPoints() const { return this->Points; }
   /// The point, of its block, that a splat was made from.
   vtkIdType GetPointId(vtkIdType splat) const
@@ -160,6 +162,8 @@ private:
   vtkIdType Skipped = 0;
   bool Circular = true;
   bool Sized = true;
+  bool MayProject = true; // as asked when splats were made
+  bool Projected = false;
   bool Composite = false;
   double Spacing = 0.0;
   vtkTimeStamp SpacingTime;

@@ -11,11 +11,11 @@ import time
 from splatview_tools import PROGRAM, Picture, SplatviewTest, main
 
 OPTIONS = (
-    "--iso --particles --spacing --magnify --array --normals --radius-scale --color --opacity --background"
-    " --camera --size --scalar-bar --shadows --target-error --method --transparency --layers --projection"
-    " --output --json --frames --quiet --help --version"
+    "--iso --particles --spacing --magnify --array --normals --project --radius-scale --color --opacity"
+    " --background --camera --size --scalar-bar --shadows --target-error --method --transparency --layers"
+    " --projection --output --json --frames --quiet --help --version"
 ).split()
-FLAGS = {"--particles", "--scalar-bar", "--quiet", "--help", "--version"}
+FLAGS = {"--particles", "--project", "--scalar-bar", "--quiet", "--help", "--version"}
 
 # A tetrahedron's corners, with its outward normals.
 CLOUD = "".join(
