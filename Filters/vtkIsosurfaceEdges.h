@@ -11,6 +11,7 @@
 
 #include "vtkIsosurfaceExtraction.h"
 #include "vtkIsosurfaceField.h"
+#include "vtkIsosurfaceOutline.h"
 #include "vtkPointSplatBatches.h"
 #include "vtkSMPThreadLocal.h"
 
@@ -187,23 +188,91 @@ private:
     double index[3] = { static_cast<double>(from[0]), static_cast<double>(from[1]),
       static_cast<double>(from[2]) };
     index[axis] += t;
-    double g0[3], g1[3], x[3], normal[3];
+    double g0[3], g1[3];
+    vtkIsosurfaceSplat splat;
     this->Field.GetGradient(from, g0);
     this->Field.GetGradient(to, g1);
     for (int c = 0; c < 3; ++c)
     {
       g0[c] += t * (g1[c] - g0[c]);
     }
-    this->Field.Grid.GetWorld(index, x);
-    if (!this->Field.Grid.GetNormal(g0, normal))
+    this->Field.Grid.GetWorld(index, splat.Position);
+    if (!this->Field.Grid.GetNormal(g0, splat.Normal))
     {
       // A sheet one sample thick has the same value on both sides; the edge knows better.
       double along[3] = { 0, 0, 0 };
       along[axis] = s1 > s0 ? 1 : -1;
-      this->Field.Grid.GetNormal(along, normal);
+      this->Field.Grid.GetNormal(along, splat.Normal);
     }
-    target.Put(id, x, normal);
+    if (target.HasSizes())
+    {
+      splat.Radius = this->GetRadius(from, axis, this->Field.Isovalues[edge.Isovalue]);
+      double h0[6], h1[6];
+      this->Field.GetHessian(from, h0);
+      this->Field.GetHessian(to, h1);
+      for (int c = 0; c < 6; ++c)
+      {
+        h0[c] += t * (h1[c] - h0[c]);
+      }
+      this->Field.Grid.Bend(g0, h0, splat);
+    }
+    target.Put(id, splat);
   }
+
+  /// The radius with which disks cover the outlines in the four cells around an edge.
+  double GetRadius(const vtkIdType from[3], int axis, double isovalue) const
+  {
+    const double* h = this->Field.Grid.Spacing;
+    const double least = std::min({ h[0], h[1], h[2] });
+    double reach = 0;
+    bool found = false;
+    for (int side = 0; side < 4; ++side)
+    {
+      const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+      vtkIdType origin[3] = { from[0], from[1], from[2] };
+      origin[u] -= side & 1;
+      origin[v] -= side >> 1;
+      double values[8];
+      if (this->GetCell(origin, isovalue, values))
+      {
+        const vtkIsosurfaceOutline outline(values, h);
+        reach = std::max(reach, outline.GetReach((side & 1) << u | (side >> 1) << v, axis));
+        found = true;
+      }
+    }
+    // With no cell around, all that is known is that the surface ends before the next samples.
+    return found ? std::max(reach, LeastReach * least) : 0.5 * least;
+  }
+
+  /// A cell's samples less the isovalue; false where one of them is not to be used.
+  bool GetCell(const vtkIdType origin[3], double isovalue, double values[8]) const
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      if (origin[c] < 0 || origin[c] + 1 >= this->Field.Grid.Dimensions[c])
+      {
+        return false;
+      }
+    }
+    const vtkIsosurfaceGrid& grid = this->Field.Grid;
+    const T* first = this->Field.GetPointer(origin[0], origin[1], origin[2]);
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const int i = corner & 1, j = corner >> 1 & 1, k = corner >> 2;
+      values[corner] = static_cast<double>(
+                         first[i * grid.Strides[0] + j * grid.Strides[1] + k * grid.Strides[2]]) -
+        isovalue;
+      if (!std::isfinite(values[corner]) ||
+        grid.IsHidden(origin[0] + i, origin[1] + j, origin[2] + k))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// In sample spacings, where all points around lie at one place.
+  static constexpr double LeastReach = 1e-3;
 
   vtkIsosurfaceField<T> Field;
   std::vector<Slice> Slices;

@@ -9,9 +9,11 @@
 #ifndef vtkIsosurfaceExtraction_h
 #define vtkIsosurfaceExtraction_h
 
+#include "vtkIsosurfaceSplat.h"
 #include "vtkPointSplattingABI.h"
 #include "vtkType.h"
 
+#include <algorithm>
 #include <vector>
 
 class vtkAlgorithm;
@@ -27,25 +29,46 @@ public:
     float* Points = nullptr;
     double* PrecisePoints = nullptr;
     float* Normals = nullptr;
+    float* Radii = nullptr; // both or none of these
+    float* Curvatures = nullptr;
+    double LargestRadius = LargestNumber;
 
-    void Put(vtkIdType id, const double x[3], const double n[3]) const
+    /// Whether splats need their size and bend.
+    bool HasSizes() const { return this->Radii != nullptr; }
+
+    void Put(vtkIdType id, const vtkIsosurfaceSplat& splat) const
     {
       for (int c = 0; c < 3; ++c)
       {
         if (this->Points)
         {
-          this->Points[3 * id + c] = static_cast<float>(x[c]);
+          this->Points[3 * id + c] = static_cast<float>(splat.Position[c]);
         }
         else
         {
-          this->PrecisePoints[3 * id + c] = x[c];
+          this->PrecisePoints[3 * id + c] = splat.Position[c];
         }
-        this->Normals[3 * id + c] = static_cast<float>(n[c]);
+        this->Normals[3 * id + c] = static_cast<float>(splat.Normal[c]);
+      }
+      if (this->HasSizes())
+      {
+        this->Radii[id] = static_cast<float>(std::min(splat.Radius, this->LargestRadius));
+        for (int c = 0; c < 6; ++c)
+        {
+          this->Curvatures[6 * id + c] =
+            static_cast<float>(std::clamp(splat.Curvature[c], -LargestNumber, LargestNumber));
+        }
       }
     }
+
+    /// Floats hold little more.
+    static constexpr double LargestNumber = 3e38;
   };
 
   virtual ~vtkIsosurfaceExtraction() = default;
+
+  /// Whether it knows how far the points lie apart, so that it can give splats their size.
+  virtual bool KnowsSizes() const { return true; }
 
   ///@{
   /**

@@ -12,6 +12,7 @@
 #define vtkIsosurfaceField_h
 
 #include "vtkDataSetAttributes.h"
+#include "vtkIsosurfaceSplat.h"
 #include "vtkPointSplattingABI.h"
 #include "vtkType.h"
 
@@ -33,6 +34,7 @@ struct vtkIsosurfaceGrid
   double Spacing[3];    // lengths of a cell's sides
   double ToWorld[3][4]; // from indices counted from 0
   double ToNormal[3][3]; // from a gradient in index space, not normalised
+  double Side;           // of the normal: -1 against the gradient, 1 along it
   const unsigned char* PointGhosts = nullptr;
   const unsigned char* CellGhosts = nullptr;
 
@@ -88,6 +90,31 @@ struct vtkIsosurfaceGrid
     normal[1] *= inverse;
     normal[2] *= inverse;
     return true;
+  }
+
+  /// Bends a splat, its normal and radius set, by a gradient and a Hessian in index space.
+  void Bend(const double gradient[3], const double hessian[6], vtkIsosurfaceSplat& splat) const
+  {
+    const double (&m)[3][3] = this->ToNormal;
+    double slope = 0, rotated[6];
+    static const int rows[6] = { 0, 1, 2, 0, 1, 0 };
+    static const int columns[6] = { 0, 1, 2, 1, 2, 2 };
+    const double* h = hessian;
+    for (int r = 0; r < 3; ++r)
+    {
+      // The normal is the gradient's direction, or against it.
+      slope += splat.Normal[r] *
+        (m[r][0] * gradient[0] + m[r][1] * gradient[1] + m[r][2] * gradient[2]);
+    }
+    for (int k = 0; k < 6; ++k)
+    {
+      const double *p = m[rows[k]], *q = m[columns[k]];
+      rotated[k] = this->Side *
+        (h[0] * p[0] * q[0] + h[1] * p[1] * q[1] + h[2] * p[2] * q[2] +
+          h[3] * (p[0] * q[1] + p[1] * q[0]) + h[4] * (p[1] * q[2] + p[2] * q[1]) +
+          h[5] * (p[0] * q[2] + p[2] * q[0]));
+    }
+    splat.Bend(rotated, slope);
   }
 };
 
@@ -201,7 +228,100 @@ public:
     }
   }
 
+  /**
+   * The Hessian in index space, XX, YY, ZZ, XY, YZ, XZ. Second derivatives along an axis are the
+   * mean of second differences one and two samples wide: the narrow ones follow thin parts, the
+   * wide ones, which are the central differences of GetGradient's, average noise. Mixed ones
+   * are central differences of central differences. Where the volume ends they are those of the
+   * next sample inside, and where a sample is not to be used, the narrow ones or zero.
+   */
+  void GetHessian(const vtkIdType ijk[3], double hessian[6]) const
+  {
+    const vtkIdType* n = this->Grid.Dimensions;
+    bool inner = !this->Grid.PointGhosts;
+    for (int c = 0; c < 3; ++c)
+    {
+      inner = inner && ijk[c] >= 2 && ijk[c] < n[c] - 2;
+    }
+    // All but a few samples have all that they need around them, which is much faster.
+    if (!inner || !this->GetInnerHessian(ijk, hessian))
+    {
+      this->GetOuterHessian(ijk, hessian);
+    }
+  }
+
 private:
+  /// False if it is not finite.
+  bool GetInnerHessian(const vtkIdType ijk[3], double hessian[6]) const
+  {
+    const T* s = this->GetPointer(ijk[0], ijk[1], ijk[2]);
+    const vtkIdType* stride = this->Grid.Strides;
+    auto get = [s](vtkIdType offset) { return static_cast<double>(s[offset]); };
+    const double here = get(0);
+    double sum = 0;
+    for (int c = 0; c < 3; ++c)
+    {
+      const vtkIdType a = stride[c], b = stride[(c + 1) % 3];
+      hessian[c] = 0.5 * (get(-a) - 2 * here + get(a)) +
+        0.125 * (get(-2 * a) - 2 * here + get(2 * a));
+      hessian[3 + c] = 0.25 * (get(a + b) - get(a - b) - get(b - a) + get(-a - b));
+      sum += hessian[c] + hessian[3 + c];
+    }
+    return std::isfinite(sum);
+  }
+
+  void GetOuterHessian(const vtkIdType ijk[3], double hessian[6]) const
+  {
+    const vtkIdType* n = this->Grid.Dimensions;
+    vtkIdType low[3], high[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      low[c] = std::max<vtkIdType>(ijk[c] - 1, 0);
+      high[c] = std::min(ijk[c] + 1, n[c] - 1);
+      hessian[c] = 0;
+      if (n[c] > 2)
+      {
+        vtkIdType at[3] = { ijk[0], ijk[1], ijk[2] };
+        const vtkIdType middle = std::clamp<vtkIdType>(ijk[c], 1, n[c] - 2);
+        auto difference = [&](vtkIdType width) {
+          double sum = 0;
+          for (int i = -1; i <= 1; ++i)
+          {
+            at[c] = middle + i * width;
+            sum += (i == 0 ? -2 : 1) * this->GetUsable(at);
+          }
+          return sum / static_cast<double>(width * width);
+        };
+        const double narrow = difference(1);
+        const double wide = middle >= 2 && middle < n[c] - 2 ? difference(2) : narrow;
+        const double both = 0.5 * (narrow + wide);
+        hessian[c] = std::isfinite(both) ? both : std::isfinite(narrow) ? narrow : 0.0;
+      }
+    }
+    // XY, YZ, and ZX, which is XZ
+    for (int c = 0; c < 3; ++c)
+    {
+      const int d = (c + 1) % 3;
+      vtkIdType at[3] = { ijk[0], ijk[1], ijk[2] };
+      auto get = [&](vtkIdType i, vtkIdType j) {
+        at[c] = i;
+        at[d] = j;
+        return this->GetUsable(at);
+      };
+      const double mixed = (get(high[c], high[d]) - get(high[c], low[d]) - get(low[c], high[d]) +
+                             get(low[c], low[d])) /
+        static_cast<double>((high[c] - low[c]) * (high[d] - low[d]));
+      hessian[3 + c] = std::isfinite(mixed) ? mixed : 0.0;
+    }
+  }
+
+  /// A sample's value, not a number where it is not to be used.
+  double GetUsable(const vtkIdType ijk[3]) const
+  {
+    return this->Grid.IsHidden(ijk[0], ijk[1], ijk[2]) ? std::numeric_limits<double>::quiet_NaN()
+                                                       : this->Get(ijk[0], ijk[1], ijk[2]);
+  }
+
   /// The least T that is not less than the isovalue, if some are (0); 1 if all are, -1 if none.
   static int GetThreshold(double isovalue, T& threshold)
   {

@@ -63,6 +63,20 @@ public:
     this->InterpolateGradient(index, gradient);
   }
 
+  /// The Hessians of the cell's corners, interpolated.
+  void InterpolateHessian(const double index[3], double hessian[6]) const
+  {
+    std::fill_n(hessian, 6, 0.0);
+    this->VisitCorners(index, [&](const vtkIdType ijk[3], double weight) {
+      double h[6];
+      this->Field.GetHessian(ijk, h);
+      for (int c = 0; c < 6; ++c)
+      {
+        hessian[c] += weight * h[c];
+      }
+    });
+  }
+
 private:
   /// In voxels, of the distance to the surface.
   static constexpr double Tolerance = 1e-6;
@@ -149,25 +163,35 @@ private:
   /// The central differences of the cell's corners, interpolated.
   void InterpolateGradient(const double index[3], double gradient[3]) const
   {
+    gradient[0] = gradient[1] = gradient[2] = 0;
+    this->VisitCorners(index, [&](const vtkIdType ijk[3], double weight) {
+      double g[3];
+      this->Field.GetGradient(ijk, g);
+      for (int c = 0; c < 3; ++c)
+      {
+        gradient[c] += weight * g[c];
+      }
+    });
+  }
+
+  /// Calls visit with each corner of the cell that an index lies in, and its trilinear weight.
+  template <typename Visitor>
+  void VisitCorners(const double index[3], const Visitor& visit) const
+  {
     vtkIdType cell[3];
     double at[3];
     this->GetCell(index, cell, at);
-    gradient[0] = gradient[1] = gradient[2] = 0;
     for (int corner = 0; corner < 8; ++corner)
     {
       vtkIdType ijk[3];
-      double weight = 1, g[3];
+      double weight = 1;
       for (int c = 0; c < 3; ++c)
       {
         const int high = corner >> c & 1;
         ijk[c] = cell[c] + high;
         weight *= high ? at[c] : 1 - at[c];
       }
-      this->Field.GetGradient(ijk, g);
-      for (int c = 0; c < 3; ++c)
-      {
-        gradient[c] += weight * g[c];
-      }
+      visit(ijk, weight);
     }
   }
 

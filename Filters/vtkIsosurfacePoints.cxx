@@ -6,11 +6,11 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkContourValues.h"
 #include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIsosurfaceEdges.h"
+#include "vtkIsosurfaceOutput.h"
 #include "vtkIsosurfaceSamples.h"
 #include "vtkIsosurfaceScatter.h"
 #include "vtkMath.h"
@@ -57,7 +57,7 @@ vtkIsosurfaceGrid DescribeGrid(vtkImageData* image, int numberOfComponents)
   vtkMatrix4x4* toWorld = image->GetIndexToPhysicalMatrix();
   vtkMatrix3x3* direction = image->GetDirectionMatrix();
   // vtkFlyingEdges3D mirrors the normals of an image that is mirrored, and so do we.
-  const double sign = direction->Determinant() < 0 ? 1 : -1;
+  grid.Side = direction->Determinant() < 0 ? 1 : -1;
   vtkIdType stride = numberOfComponents;
   for (int c = 0; c < 3; ++c)
   {
@@ -70,7 +70,7 @@ vtkIsosurfaceGrid DescribeGrid(vtkImageData* image, int numberOfComponents)
     {
       grid.ToWorld[c][r] = toWorld->GetElement(c, r);
       grid.ToWorld[c][3] += toWorld->GetElement(c, r) * extent[2 * r];
-      grid.ToNormal[c][r] = sign * direction->GetElement(c, r) / spacing[r];
+      grid.ToNormal[c][r] = grid.Side * direction->GetElement(c, r) / spacing[r];
     }
   }
   grid.PointGhosts = GetGhosts(image->GetPointData(), image->GetNumberOfPoints());
@@ -155,48 +155,6 @@ std::unique_ptr<vtkIsosurfaceExtraction> MakeExtraction(const vtkIsosurfaceGrid&
   }
   return std::make_unique<vtkIsosurfaceEdges<T>>(grid, values, isovalues);
 }
-
-/// Points, normals and isovalues of one output data set.
-struct Surface
-{
-  vtkSmartPointer<vtkPoints> Points = vtkSmartPointer<vtkPoints>::New();
-  vtkSmartPointer<vtkFloatArray> Normals = vtkSmartPointer<vtkFloatArray>::New();
-  vtkSmartPointer<vtkDoubleArray> Isovalues = vtkSmartPointer<vtkDoubleArray>::New();
-
-  Surface(vtkIdType count, bool precise)
-  {
-    this->Points->SetDataType(precise ? VTK_DOUBLE : VTK_FLOAT);
-    this->Points->SetNumberOfPoints(count);
-    this->Normals->SetName("Normals");
-    this->Normals->SetNumberOfComponents(3);
-    this->Normals->SetNumberOfTuples(count);
-    this->Isovalues->SetName(vtkPointSplatArrays::Isovalue);
-    this->Isovalues->SetNumberOfTuples(count);
-  }
-
-  vtkIsosurfaceExtraction::Target GetTarget(vtkIdType first) const
-  {
-    vtkIsosurfaceExtraction::Target target;
-    target.Normals = this->Normals->GetPointer(0) + 3 * first;
-    void* points = this->Points->GetVoidPointer(0);
-    if (this->Points->GetDataType() == VTK_DOUBLE)
-    {
-      target.PrecisePoints = static_cast<double*>(points) + 3 * first;
-    }
-    else
-    {
-      target.Points = static_cast<float*>(points) + 3 * first;
-    }
-    return target;
-  }
-
-  void MoveTo(vtkPolyData* output) const
-  {
-    output->SetPoints(this->Points);
-    output->GetPointData()->SetNormals(this->Normals);
-    output->GetPointData()->AddArray(this->Isovalues);
-  }
-};
 }
 
 vtkIsosurfacePoints::vtkIsosurfacePoints()
@@ -411,7 +369,7 @@ void vtkIsosurfacePoints::ExtractVolume(
     return extraction;
   };
   // As many isovalues in one sweep as a class can count.
-  this->Extract(make, 254, NeedsDouble(image), output);
+  this->Extract(make, 254, NeedsDouble(image), image, output);
 }
 
 void vtkIsosurfacePoints::ExtractScatter(
@@ -453,11 +411,11 @@ void vtkIsosurfacePoints::ExtractScatter(
       vtkIsosurfaceScatter::Settings{ this->PointSpacing, this->NumberOfNeighbors,
         this->NeighborRadius, this->Correction });
   };
-  this->Extract(make, VTK_INT_MAX, NeedsDouble(samples), output);
+  this->Extract(make, VTK_INT_MAX, NeedsDouble(samples), samples, output);
 }
 
 void vtkIsosurfacePoints::Extract(
-  const Factory& make, std::size_t most, bool precise, vtkDataObject* output)
+  const Factory& make, std::size_t most, bool precise, vtkDataSet* input, vtkDataObject* output)
 {
   const int number = static_cast<int>(this->GetNumberOfContours());
   std::vector<int> order;
@@ -499,22 +457,31 @@ void vtkIsosurfacePoints::Extract(
     extractions.push_back(std::move(extraction));
   }
 
+  const bool sizes = this->SplatSizes &&
+    std::all_of(extractions.begin(), extractions.end(),
+      [](const std::unique_ptr<vtkIsosurfaceExtraction>& e) { return e->KnowsSizes(); });
+
   // One surface for all isovalues, or for each.
-  std::vector<Surface> surfaces;
+  std::vector<vtkIsosurfaceOutput> surfaces;
   std::vector<vtkIsosurfaceExtraction::Target> targets(number);
   if (!this->BlockPerIsovalue)
   {
-    surfaces.emplace_back(std::accumulate(counts.begin(), counts.end(), vtkIdType(0)), precise);
+    const vtkIdType all = std::accumulate(counts.begin(), counts.end(), vtkIdType(0));
+    surfaces.emplace_back(all, precise, sizes);
   }
+  // Whatever PointSpacing is, no disk is larger than what it is cut from.
+  const double largest =
+    std::min(vtkIsosurfaceExtraction::Target::LargestNumber, 0.5 * input->GetLength());
   vtkIdType first = 0;
   for (int i = 0; i < number; ++i)
   {
     if (this->BlockPerIsovalue)
     {
-      surfaces.emplace_back(counts[i], precise);
+      surfaces.emplace_back(counts[i], precise, sizes);
       first = 0;
     }
     targets[i] = surfaces.back().GetTarget(first);
+    targets[i].LargestRadius = largest;
     double* isovalue = surfaces.back().Isovalues->GetPointer(0) + first;
     std::fill(isovalue, isovalue + counts[i], this->GetValue(i));
     first += counts[i];
@@ -564,6 +531,7 @@ void vtkIsosurfacePoints::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfNeighbors: " << this->NumberOfNeighbors << "\n";
   os << indent << "NeighborRadius: " << this->NeighborRadius << "\n";
   os << indent << "Correction: " << (this->Correction ? "On" : "Off") << "\n";
+  os << indent << "SplatSizes: " << (this->SplatSizes ? "On" : "Off") << "\n";
 }
 
 VTK_ABI_NAMESPACE_END

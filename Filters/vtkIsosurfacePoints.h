@@ -15,7 +15,10 @@
  *   not resolve a thousandth of a voxel because the volume lies far from the origin (of
  *   scattered samples, a thousandth of what would be their spacing if their bounds were full);
  * - active normals (3 floats, unit length) against the gradient, as vtkFlyingEdges3D has them;
- * - `Isovalue` (1 double), in the unit of the scalars.
+ * - `Isovalue` (1 double), in the unit of the scalars;
+ * - `SplatRadius` (1 float, world units) and `SplatCurvature` (6 floats, XX, YY, ZZ, XY, YZ, XZ,
+ *   1 / world units), as vtkPointSplatEstimation has them, unless SplatSizes is off, or Correction
+ *   for scattered samples. With these nothing is estimated when the points are drawn.
  *
  * Stages of volumes without PointSpacing:
  * 1. *Sweep.* Each sample's class is the number of isovalues that it reaches, one byte. Slices
@@ -41,6 +44,18 @@
  *    differences; the normal is its gradient. It is trilinear in a cell that has an
  *    unusable sample around, and where the steps do not settle within half a voxel.
  *
+ * Sizes of volumes' points, with the last stage.
+ * 1. *Radius.* Without PointSpacing: in each cell the isosurface crosses the faces in closed
+ *    outlines of three points or more (vtkIsosurfaceOutline.h). A point's radius is its distance to
+ *    the farthest centroid, weighted by length, of its outlines in the four cells around its edge.
+ *    So the disks of an outline's points together cover the fan of triangles around its centroid,
+ *    whatever the voxels' shape, and no disk reaches farther than a cell. With PointSpacing:
+ *    1.1 times the distance that points keep, at most half of the volume's diagonal.
+ * 2. *Curvature.* B = s P H P / |g| by gradient g and Hessian H, P = I - n n^T, and the normal's
+ *    side s (vtkIsosurfaceSplat.h). H is made of differences of second order at the samples,
+ *    along an axis the mean of those one and two samples wide, interpolated as the gradient is.
+ *    B's eigenvalues are held within 1 / radius.
+ *
  * Stages of scattered samples (after Rosenthal, Linsen 2006, Direct isosurface extraction from
  * scattered volume data: points by linear interpolation between pairs of neighbours):
  * 1. *Links.* Around each sample its nearest neighbours (NumberOfNeighbors, or those within
@@ -61,11 +76,16 @@
  *    nearer than 0.8 s, until there is none left: this closes the gaps between links, and makes
  *    points denser than the samples if s is less than their spacing. Places not surrounded by
  *    samples on all sides, or without samples on either side of the isovalue, are left out.
- * Without Correction there are only the points of stage 3 as thinned by stage 4.
+ * 6. *Sizes*, with Correction. The radius is 1.1 times the distance that a point keeps to others,
+ *    and a quarter more where stage 5 left a place beside it empty; the curvature is as of volumes,
+ *    by the field's gradient and the mean Hessian of the fits around.
+ * Without Correction there are only the points of stage 3 as thinned by stage 4, without sizes.
  *
  * Bad input of volumes: no edge (with PointSpacing: no cell) that touches a sample that is hidden
  * (vtkGhostType has HIDDENPOINT) or not finite gives points, nor one whose cells are all hidden
- * or another process' (HIDDENCELL, DUPLICATECELL). Such samples are left out of gradients.
+ * or another process' (HIDDENCELL, DUPLICATECELL). Such samples are left out of gradients and of
+ * Hessians; a point with no usable cell around gets the radius of half a voxel's shortest side, and
+ * where derivatives are zero or not finite splats are flat.
  *
  * Bad input of scattered samples: those that are hidden, have coordinates or a value that is not
  * finite, or lie where an earlier one lies, take no part and are counted in one warning. Of points
@@ -180,6 +200,17 @@ public:
   vtkBooleanMacro(Correction, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether the points get `SplatRadius` and `SplatCurvature`; on by default. Switch it off where a
+   * filter that comes after this one takes points away or moves them: what draws them then
+   * estimates sizes that fit what is left.
+   */
+  vtkSetMacro(SplatSizes, bool);
+  vtkGetMacro(SplatSizes, bool);
+  vtkBooleanMacro(SplatSizes, bool);
+  ///@}
+
 protected:
   vtkIsosurfacePoints();
   ~vtkIsosurfacePoints() override;
@@ -204,7 +235,8 @@ private:
   void ExtractVolume(vtkInformationVector** inputs, vtkImageData* image, vtkDataObject* output);
   void ExtractScatter(vtkInformationVector** inputs, vtkPointSet* samples, vtkDataObject* output);
   /// As many isovalues at once as `most`.
-  void Extract(const Factory& make, std::size_t most, bool precise, vtkDataObject* output);
+  void Extract(
+    const Factory& make, std::size_t most, bool precise, vtkDataSet* input, vtkDataObject* output);
 
   vtkContourValues* ContourValues;
   double PointSpacing = 0;
@@ -213,6 +245,7 @@ private:
   int NumberOfNeighbors = 26;
   double NeighborRadius = 0;
   bool Correction = true;
+  bool SplatSizes = true;
 };
 
 VTK_ABI_NAMESPACE_END

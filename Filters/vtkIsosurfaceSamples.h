@@ -9,6 +9,7 @@
 #ifndef vtkIsosurfaceSamples_h
 #define vtkIsosurfaceSamples_h
 
+#include "vtkIsosurfaceDivision.h"
 #include "vtkIsosurfaceExtraction.h"
 #include "vtkIsosurfaceField.h"
 #include "vtkIsosurfaceInterpolant.h"
@@ -28,13 +29,9 @@ public:
   vtkIsosurfaceSamples(const vtkIsosurfaceGrid& grid, const T* values,
     const std::vector<double>& isovalues, double spacing)
     : Field(grid, values, isovalues)
-    , Distance(DistancePerSpacing * spacing)
+    , Division(grid.Spacing, spacing)
+    , Distance(vtkIsosurfaceDivision::DistancePerSpacing * spacing)
   {
-    for (int c = 0; c < 3; ++c)
-    {
-      this->Divisions[c] = static_cast<int>(
-        std::max(std::ceil(CandidatesPerSpacing * grid.Spacing[c] / spacing), 1.0));
-    }
     // A slab must keep those beside it farther apart than points keep each other.
     const double cells = static_cast<double>(grid.Dimensions[2] - 1);
     this->Thickness =
@@ -95,11 +92,6 @@ private:
   using Class = typename vtkIsosurfaceField<T>::Class;
   using Sample = vtkIsosurfaceThinning::Sample;
 
-  /// Points keep this part of the wanted spacing as their least distance.
-  static constexpr double DistancePerSpacing = 0.8;
-  /// And are chosen from candidates that are denser by this factor.
-  static constexpr double CandidatesPerSpacing = 2.5;
-
   struct Slab
   {
     std::vector<vtkIsosurfaceThinning> Surfaces; // one for each isovalue
@@ -110,12 +102,7 @@ private:
     std::vector<Class> Classes[2];
     std::vector<T> Row;
     std::vector<std::vector<Sample>> Candidates; // for each isovalue
-    std::vector<double> Layers[2];
-  };
-  struct Cell
-  {
-    vtkIdType Index[3];
-    double Corners[8]; // less the isovalue
+    vtkIsosurfaceDivision::Scratch Division;
   };
 
   void FillSlab(vtkIdType s, Scratch& scratch)
@@ -217,7 +204,7 @@ private:
     }
     for (Class v = low; v < high; ++v)
     {
-      Cell cell;
+      vtkIsosurfaceDivision::Cell cell;
       cell.Index[0] = i;
       cell.Index[1] = j;
       cell.Index[2] = k;
@@ -225,74 +212,8 @@ private:
       {
         cell.Corners[corner] = corners[corner] - this->Field.Isovalues[v];
       }
-      this->Divide(cell, scratch.Layers, scratch.Candidates[v]);
+      this->Division.Divide(cell, scratch.Division, scratch.Candidates[v]);
     }
-  }
-
-  /// The crossings of the sub-cells' edges, layer by layer.
-  void Divide(const Cell& cell, std::vector<double> layers[2], std::vector<Sample>& samples) const
-  {
-    const int* m = this->Divisions;
-    const std::size_t row = m[0] + 1;
-    for (int c = 0; c <= m[2]; ++c)
-    {
-      std::vector<double>& layer = layers[c % 2];
-      const std::vector<double>& below = layers[1 - c % 2];
-      layer.resize(row * (m[1] + 1));
-      for (int b = 0; b <= m[1]; ++b)
-      {
-        const double y = double(b) / m[1], z = double(c) / m[2];
-        const double* s = cell.Corners;
-        const double left =
-          (1 - z) * ((1 - y) * s[0] + y * s[2]) + z * ((1 - y) * s[4] + y * s[6]);
-        const double right =
-          (1 - z) * ((1 - y) * s[1] + y * s[3]) + z * ((1 - y) * s[5] + y * s[7]);
-        for (int a = 0; a <= m[0]; ++a)
-        {
-          const double x = double(a) / m[0];
-          const double value = (1 - x) * left + x * right;
-          layer[row * b + a] = value;
-          // Along an axis the interpolant is linear: these crossings lie on it.
-          const double others[3] = { a > 0 ? layer[row * b + a - 1] : value,
-            b > 0 ? layer[row * (b - 1) + a] : value, c > 0 ? below[row * b + a] : value };
-          for (int axis = 0; axis < 3; ++axis)
-          {
-            if ((value >= 0) != (others[axis] >= 0))
-            {
-              double at[3] = { x, y, z };
-              at[axis] -= value / (value - others[axis]) / m[axis];
-              this->AddSample(cell, at, samples);
-            }
-          }
-        }
-      }
-    }
-  }
-
-  void AddSample(const Cell& cell, const double at[3], std::vector<Sample>& samples) const
-  {
-    const double* s = cell.Corners;
-    const double x = at[0], y = at[1], z = at[2];
-    const double gradient[3] = {
-      (1 - z) * ((1 - y) * (s[1] - s[0]) + y * (s[3] - s[2])) +
-        z * ((1 - y) * (s[5] - s[4]) + y * (s[7] - s[6])),
-      (1 - z) * ((1 - x) * (s[2] - s[0]) + x * (s[3] - s[1])) +
-        z * ((1 - x) * (s[6] - s[4]) + x * (s[7] - s[5])),
-      (1 - y) * ((1 - x) * (s[4] - s[0]) + x * (s[5] - s[1])) +
-        y * ((1 - x) * (s[6] - s[2]) + x * (s[7] - s[3]))
-    };
-    const double largest =
-      std::max({ std::abs(gradient[0]), std::abs(gradient[1]), std::abs(gradient[2]) });
-    Sample sample;
-    for (int c = 0; c < 3; ++c)
-    {
-      sample.Position[c] = (cell.Index[c] + at[c]) * this->Field.Grid.Spacing[c];
-      sample.Side[c] = largest > 0
-        ? static_cast<float>(gradient[c] / largest / this->Field.Grid.Spacing[c] *
-            this->Field.Grid.Spacing[0])
-        : 0.0f;
-    }
-    samples.push_back(sample);
   }
 
   void WriteSlab(const Slab& slab, const std::vector<Target>& targets) const
@@ -304,33 +225,45 @@ private:
       vtkIdType id = slab.First[v];
       for (const Sample& sample : slab.Surfaces[v].GetSamples())
       {
-        double index[3], gradient[3], x[3], normal[3];
+        double index[3], gradient[3];
+        vtkIsosurfaceSplat splat;
         for (int c = 0; c < 3; ++c)
         {
           index[c] = sample.Position[c] / grid.Spacing[c];
         }
         interpolant.Place(this->Field.Isovalues[v], index, gradient);
-        if (!grid.GetNormal(gradient, normal))
+        if (!grid.GetNormal(gradient, splat.Normal))
         {
+          double side[3];
           for (int c = 0; c < 3; ++c)
           {
-            gradient[c] = sample.Side[c] * grid.Spacing[c];
+            side[c] = sample.Side[c] * grid.Spacing[c];
           }
-          if (!grid.GetNormal(gradient, normal))
+          if (!grid.GetNormal(side, splat.Normal))
           {
-            normal[0] = normal[1] = 0;
-            normal[2] = 1;
+            splat.Normal[0] = splat.Normal[1] = 0;
+            splat.Normal[2] = 1;
           }
         }
-        grid.GetWorld(index, x);
-        targets[v].Put(id++, x, normal);
+        grid.GetWorld(index, splat.Position);
+        if (targets[v].HasSizes())
+        {
+          double hessian[6];
+          interpolant.InterpolateHessian(index, hessian);
+          splat.Radius = RadiusPerDistance * this->Distance;
+          grid.Bend(gradient, hessian, splat);
+        }
+        targets[v].Put(id++, splat);
       }
     }
   }
 
+  /// No candidate is farther than the distance from a point, but what is between candidates.
+  static constexpr double RadiusPerDistance = 1.1;
+
   vtkIsosurfaceField<T> Field;
+  vtkIsosurfaceDivision Division;
   double Distance;
-  int Divisions[3];
   vtkIdType Thickness; // of a slab, in cells
   std::vector<Slab> Slabs;
 };

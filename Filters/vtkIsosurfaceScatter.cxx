@@ -22,6 +22,8 @@ constexpr int RingSize = 10;
 /// So many points look for others at a time; the next ones see what these have found.
 constexpr std::size_t RoundSize = 65536;
 constexpr int MostSteps = 6;
+/// Of the distance that points keep, a splat's radius: see vtkIsosurfaceSamples.
+constexpr double RadiusPerDistance = 1.1;
 /// What part of a point's distance to others it may be off the surface.
 constexpr double Settled = 1e-3;
 /// What part of a link, or of a ring's radius, a point may be moved.
@@ -245,6 +247,7 @@ vtkIsosurfaceScatter::Point vtkIsosurfaceScatter::PlaceOnPair(
     }
   }
   point.Usable = true;
+  point.HasGap = false;
   return point;
 }
 
@@ -301,6 +304,7 @@ bool vtkIsosurfaceScatter::Grow(
       for (vtkIdType i = first; i < last; ++i)
       {
         const Point& from = surface.Points[begin + i];
+        bool gap = false;
         double u[3], w[3];
         vtkMath::Perpendiculars(from.Gradient, u, w, 0.0);
         for (int r = 0; r < RingSize; ++r)
@@ -320,8 +324,10 @@ bool vtkIsosurfaceScatter::Grow(
           {
             const double start[3] = { point.Position[0], point.Position[1], point.Position[2] };
             point = this->PlaceBeside(this->Isovalues[v], from, start);
+            gap = gap || point.HasGap;
           }
         }
+        surface.Points[begin + i].HasGap = gap;
       }
     };
     if (!vtkPointSplatBatches::For(self, static_cast<vtkIdType>(end - begin), 64, at, at, look))
@@ -345,10 +351,11 @@ vtkIsosurfaceScatter::Point vtkIsosurfaceScatter::PlaceBeside(
 {
   Point point = from;
   std::copy(start, start + 3, point.Position);
-  point.Usable =
+  const bool settled =
     this->Approach(isovalue, FarthestMove * RingRadius * from.Distance, point) &&
-    GetDot(point.Gradient, from.Gradient) > 0 &&
-    this->Field->Surrounds(point.Nearest, point.Position);
+    GetDot(point.Gradient, from.Gradient) > 0;
+  point.HasGap = !settled;
+  point.Usable = settled && this->Field->Surrounds(point.Nearest, point.Position);
   point.Distance = this->GetDistance(point.Nearest);
   return point;
 }
@@ -362,9 +369,18 @@ bool vtkIsosurfaceScatter::Write(
     auto write = [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        const double* g = points[i].Gradient;
-        const double normal[3] = { -g[0], -g[1], -g[2] };
-        targets[v].Put(i, points[i].Position, normal);
+        const Point& point = points[i];
+        vtkIsosurfaceSplat splat;
+        for (int c = 0; c < 3; ++c)
+        {
+          splat.Position[c] = point.Position[c];
+          splat.Normal[c] = -point.Gradient[c];
+        }
+        if (targets[v].HasSizes())
+        {
+          this->Shape(v, point, splat);
+        }
+        targets[v].Put(i, splat);
       }
     };
     const double step = (to - from) / targets.size();
@@ -375,6 +391,22 @@ bool vtkIsosurfaceScatter::Write(
     }
   }
   return true;
+}
+
+void vtkIsosurfaceScatter::Shape(
+  std::size_t v, const Point& point, vtkIsosurfaceSplat& splat) const
+{
+  // A place that stayed empty is for the disk beside it to cover.
+  splat.Radius = RadiusPerDistance * (point.HasGap ? RingRadius : 1.0) * point.Distance;
+  vtkIsosurfaceScatterField::Value value;
+  if (this->Field->Evaluate(this->Isovalues[v], point.Position, point.Nearest, value))
+  {
+    for (double& element : value.Hessian)
+    {
+      element = -element;
+    }
+    splat.Bend(value.Hessian, -GetDot(value.Gradient, splat.Normal));
+  }
 }
 
 VTK_ABI_NAMESPACE_END

@@ -32,6 +32,8 @@ public:
     const std::vector<double>& isovalues, const Settings& settings);
   ~vtkIsosurfaceScatter() override;
 
+  /// Only with Correction are gaps between pairs of samples filled.
+  bool KnowsSizes() const override { return this->Chosen.Correction; }
   bool Find(
     vtkAlgorithm* self, double from, double to, std::vector<vtkIdType>& counts) override;
   bool Write(vtkAlgorithm* self, double from, double to,
@@ -47,6 +49,7 @@ private:
     double Distance; // to be kept to other points
     Node Nearest;
     bool Usable;
+    bool HasGap; // beside it is a place that no point was found for
   };
   class Surface;
 
@@ -56,6 +59,8 @@ private:
   bool Grow(vtkAlgorithm* self, std::size_t v, Surface& surface, double at) const;
   Point PlaceBeside(double isovalue, const Point& from, const double start[3]) const;
   bool Approach(double isovalue, double limit, Point& point) const;
+  /// The size of a point's splat, by the distance to others, and its bend, by the field.
+  void Shape(std::size_t v, const Point& point, vtkIsosurfaceSplat& splat) const;
 
   std::unique_ptr<vtkIsosurfaceScatterField> Field;
   std::vector<double> Isovalues;

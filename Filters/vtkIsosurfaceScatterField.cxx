@@ -475,7 +475,7 @@ void vtkIsosurfaceScatterField::Approach(const double x[3], Node& node) const
 bool vtkIsosurfaceScatterField::Evaluate(
   double isovalue, const double x[3], Node node, Value& value) const
 {
-  double sum = 0, slope[3] = {}, mean = 0, gradient[3] = {};
+  double sum = 0, slope[3] = {}, mean = 0, gradient[3] = {}, hessian[6] = {};
   bool below = false, above = false;
   auto add = [&](const NodeData& data) {
     const double d[3] = { x[0] - data.Position[0], x[1] - data.Position[1],
@@ -505,7 +505,11 @@ bool vtkIsosurfaceScatterField::Evaluate(
       const double change = -4 * t * d[c] / reach;
       slope[c] += change;
       gradient[c] += weight * fitGradient[c] + change * fit;
+      hessian[c] += 2 * weight * f[4 + c];
     }
+    hessian[3] += weight * f[7];
+    hessian[4] += weight * f[9];
+    hessian[5] += weight * f[8];
   };
   add(this->Nodes[node]);
   for (const Slot slot : this->Nodes[node].Near)
@@ -520,6 +524,10 @@ bool vtkIsosurfaceScatterField::Evaluate(
     return false;
   }
   value.Difference = mean / sum;
+  for (int c = 0; c < 6; ++c)
+  {
+    value.Hessian[c] = hessian[c] / sum;
+  }
   bool finite = std::isfinite(value.Difference);
   for (int c = 0; c < 3; ++c)
   {

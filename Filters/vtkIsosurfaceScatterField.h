@@ -60,6 +60,7 @@ public:
   {
     double Difference; // to the isovalue
     double Gradient[3];
+    double Hessian[6]; // the mean of the fits': XX, YY, ZZ, XY, YZ, XZ
     bool Straddled; // there are samples around on either side of the isovalue
   };
 

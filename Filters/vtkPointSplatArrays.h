@@ -29,6 +29,15 @@ inline constexpr const char* Group = "SplatGroup";
 inline constexpr const char* GroupCoverage = "SplatGroupCoverage";
 /// A float for each light, 0 (in its shadow) to 1 (lit): vtkPointShadowTexture.
 inline constexpr const char* Shadow = "ShadowFactor";
+/// 3 floats or doubles, world units: where the sensor stood that saw a point; or, as field data,
+/// one tuple a scan, with Scan.
+inline constexpr const char* Sensor = "SensorPosition";
+/// 1 integer: the scan that a point is of, counted from 0.
+inline constexpr const char* Scan = "ScanId";
+/// 1 float, world units: how far vtkPointSplatProjection moved a point.
+inline constexpr const char* ProjectionDistance = "ProjectionDistance";
+/// 1 unsigned char: 1 for a point that vtkPointSplatProjection takes for an outlier, else 0.
+inline constexpr const char* Outlier = "Outlier";
 /// 1 double: the isovalue of the surface that a point lies on.
 inline constexpr const char* Isovalue = "Isovalue";
 }

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatEstimation.h"
 
-#include "vtkArrayDispatch.h"
-#include "vtkDataArrayRange.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
@@ -15,10 +13,12 @@
 #include "vtkPointSplatArrays.h"
 #include "vtkPointSplatCurvature.h"
 #include "vtkPointSplatDisk.h"
+#include "vtkPointSplatInput.h"
 #include "vtkPointSplatNeighbors.h"
+#include "vtkPointSplatNoise.h"
 #include "vtkPointSplatNormals.h"
+#include "vtkPointSplatSensors.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <cmath>
 #include <string>
@@ -35,8 +35,6 @@ using Slot = vtkPointSplatNeighbors::Slot;
 constexpr float LoneRadius = 0.1f;
 /// How much larger than its neighbours' disks one may be.
 constexpr float LargestRatio = 2.5f;
-/// Floats hold no more, and nothing real is farther out.
-constexpr double LargestCoordinate = 1e37;
 /// Where samplings are as regular as meshes' (the 95th percentile of the disks' sizes, in
 /// spacings, is below RegularSpread medians), a disk of more than HoleFactor such percentiles
 /// reaches over a hole; where they are random (IrregularSpread medians), over a gap to be closed.
@@ -58,60 +56,6 @@ constexpr float BodyRadius = 0.5f;
 constexpr float SixthPerThird = 1.5f;
 /// Of how many leaves of the search tree, at least, the usual spacing is found.
 constexpr Slot UsualLeaves = 512;
-
-struct MarkUsable
-{
-  template <typename Array>
-  void operator()(Array* points, std::vector<unsigned char>& used) const
-  {
-    const auto range = vtk::DataArrayTupleRange<3>(points);
-    vtkSMPTools::For(0, range.size(), [&](vtkIdType begin, vtkIdType end) {
-      for (vtkIdType id = begin; id < end; ++id)
-      {
-        const auto x = range[id];
-        // NaN compares false.
-        used[id] = std::abs(static_cast<double>(x[0])) <= LargestCoordinate &&
-          std::abs(static_cast<double>(x[1])) <= LargestCoordinate &&
-          std::abs(static_cast<double>(x[2])) <= LargestCoordinate;
-      }
-    });
-  }
-};
-
-struct ReadNormals
-{
-  /// Unit normals, or zero where there is none to be had.
-  template <typename Array>
-  void operator()(Array* given, float* normals) const
-  {
-    const auto range = vtk::DataArrayTupleRange<3>(given);
-    vtkSMPTools::For(0, range.size(), [&](vtkIdType begin, vtkIdType end) {
-      for (vtkIdType id = begin; id < end; ++id)
-      {
-        const auto n = range[id];
-        const double x = n[0], y = n[1], z = n[2];
-        const double largest = std::max({ std::abs(x), std::abs(y), std::abs(z) });
-        // Scaled first, since squares may overflow or underflow.
-        const double a = x / largest, b = y / largest, c = z / largest;
-        const double inverse = 1 / std::sqrt(a * a + b * b + c * c);
-        const bool good = largest > 0 && std::isfinite(inverse) && std::isfinite(largest);
-        normals[3 * id] = good ? static_cast<float>(a * inverse) : 0.0f;
-        normals[3 * id + 1] = good ? static_cast<float>(b * inverse) : 0.0f;
-        normals[3 * id + 2] = good ? static_cast<float>(c * inverse) : 0.0f;
-      }
-    });
-  }
-};
-
-template <typename Worker, typename... Args>
-void Dispatch(vtkDataArray* array, Args&&... args)
-{
-  if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>::Execute(
-        array, Worker{}, args...))
-  {
-    Worker{}(array, args...);
-  }
-}
 
 bool IsZero(const float n[3])
 {
@@ -270,6 +214,7 @@ int vtkPointSplatEstimation::RequestData(
   const vtkIdType numberOfPoints = input->GetNumberOfPoints();
   const bool elliptical = this->Shape == Elliptical;
   this->NumberOfPointsAlone = 0;
+  this->Noise = 0;
 
   vtkNew<vtkFloatArray> normals;
   vtkDataArray* given = input->GetPointData()->GetNormals();
@@ -310,7 +255,7 @@ int vtkPointSplatEstimation::RequestData(
     float* n = normals->GetPointer(0);
     if (given)
     {
-      Dispatch<ReadNormals>(given, n);
+      vtkPointSplatInput::ReadNormals(given, n);
     }
     else
     {
@@ -318,24 +263,9 @@ int vtkPointSplatEstimation::RequestData(
     }
 
     // Which points take part.
-    std::vector<unsigned char> used(numberOfPoints);
-    Dispatch<MarkUsable>(points, used);
-    const vtkIdType bad = std::count(used.begin(), used.end(), 0);
-    auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
-      input->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
-    const unsigned char* ghost =
-      ghosts && ghosts->GetNumberOfTuples() == numberOfPoints && ghosts->GetNumberOfComponents() == 1
-      ? ghosts->GetPointer(0)
-      : nullptr;
-    vtkIdType hidden = 0;
-    for (vtkIdType id = 0; ghost && id < numberOfPoints; ++id)
-    {
-      if (used[id] && (ghost[id] & vtkDataSetAttributes::HIDDENPOINT))
-      {
-        used[id] = 0;
-        ++hidden;
-      }
-    }
+    std::vector<unsigned char> used;
+    const auto [bad, hidden] = vtkPointSplatInput::MarkUsable(input, used);
+    const unsigned char* ghost = vtkPointSplatInput::GetGhosts(input);
     if (bad > 0 || hidden > 0)
     {
       vtkWarningMacro("Of " << numberOfPoints << " points " << bad
@@ -368,11 +298,21 @@ int vtkPointSplatEstimation::RequestData(
     {
       vtkPointSplatNormals fitted(neighbors, slotNormals, known);
       const bool consistent = this->Orientation == Consistent;
+      std::string error;
+      const vtkPointSplatSensors sensors(input, error);
+      if (consistent && !error.empty())
+      {
+        vtkErrorMacro(<< error);
+      }
       if (!fitted.Fit(this, 0.1, 0.4, this->NumberOfNeighbors, consistent))
       {
         return 1;
       }
-      if (consistent)
+      if (consistent && !sensors.IsEmpty())
+      {
+        fitted.OrientToSensors(sensors);
+      }
+      else if (consistent)
       {
         fitted.OrientConsistently();
       }
@@ -381,6 +321,7 @@ int vtkPointSplatEstimation::RequestData(
         fitted.OrientToViewpoint(this->Viewpoint);
       }
     }
+    this->Noise = missing ? 0 : vtkPointSplatNoise::Measure(this, neighbors, slotNormals.data());
 
     // 4. Disks
     const float usual = GetUsualSpacing(this, neighbors);
@@ -521,6 +462,7 @@ void vtkPointSplatEstimation::PrintSelf(ostream& os, vtkIndent indent)
      << this->Viewpoint[2] << "\n";
   os << indent << "RadiusScale: " << this->RadiusScale << "\n";
   os << indent << "NumberOfPointsAlone: " << this->NumberOfPointsAlone << "\n";
+  os << indent << "Noise: " << this->Noise << "\n";
 }
 
 VTK_ABI_NAMESPACE_END

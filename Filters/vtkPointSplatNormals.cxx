@@ -290,13 +290,16 @@ void vtkPointSplatNormals::OrientConsistently()
   const Slot slots = this->Neighbors.GetNumberOfSlots();
   this->Done.assign(slots, 0);
   this->Queue.assign(NumberOfCosts, {});
+  auto isOriented = [this](Slot s) {
+    return this->Known[s] || (!this->Turned.empty() && this->Turned[s]);
+  };
   for (Slot s = 0; s < slots; ++s)
   {
-    this->Done[s] = this->Neighbors.GetId(s) < 0 || this->Known[s];
+    this->Done[s] = this->Neighbors.GetId(s) < 0 || isOriented(s);
   }
   for (Slot s = 0; s < slots; ++s)
   {
-    if (this->Neighbors.GetId(s) >= 0 && this->Known[s])
+    if (this->Neighbors.GetId(s) >= 0 && isOriented(s))
     {
       this->Enqueue(s);
     }
@@ -316,29 +319,56 @@ void vtkPointSplatNormals::OrientConsistently()
   }
 }
 
-void vtkPointSplatNormals::OrientToViewpoint(const double viewpoint[3])
+template <typename Target>
+void vtkPointSplatNormals::Turn(const Target& target)
 {
+  this->Turned.assign(this->Neighbors.GetNumberOfSlots(), 0);
   auto turn = [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType s = begin; s < end; ++s)
     {
       const Slot slot = static_cast<Slot>(s);
-      if (this->Neighbors.GetId(slot) < 0 || this->Known[slot])
+      double to[3];
+      if (this->Neighbors.GetId(slot) < 0 || this->Known[slot] || !target(slot, to))
       {
         continue;
       }
       double x[3];
       this->Neighbors.GetPosition(slot, x);
       float* n = this->Normals.data() + std::size_t(3) * slot;
-      if ((viewpoint[0] - x[0]) * n[0] + (viewpoint[1] - x[1]) * n[1] +
-          (viewpoint[2] - x[2]) * n[2] < 0)
+      if ((to[0] - x[0]) * n[0] + (to[1] - x[1]) * n[1] + (to[2] - x[2]) * n[2] < 0)
       {
         n[0] = -n[0];
         n[1] = -n[1];
         n[2] = -n[2];
       }
+      this->Turned[slot] = 1;
     }
   };
   vtkSMPTools::For(0, static_cast<vtkIdType>(this->Neighbors.GetNumberOfSlots()), turn);
+}
+
+void vtkPointSplatNormals::OrientToViewpoint(const double viewpoint[3])
+{
+  this->Turn([viewpoint](Slot, double to[3]) {
+    std::copy(viewpoint, viewpoint + 3, to);
+    return true;
+  });
+}
+
+void vtkPointSplatNormals::OrientToSensors(const vtkPointSplatSensors& sensors)
+{
+  this->Turn([&](Slot slot, double to[3]) {
+    return sensors.Get(this->Neighbors.GetId(slot), to);
+  });
+  const Slot slots = this->Neighbors.GetNumberOfSlots();
+  for (Slot s = 0; s < slots; ++s)
+  {
+    if (this->Neighbors.GetId(s) >= 0 && !this->Known[s] && !this->Turned[s])
+    {
+      this->OrientConsistently();
+      return;
+    }
+  }
 }
 
 VTK_ABI_NAMESPACE_END

@@ -10,6 +10,7 @@
 #define vtkPointSplatNormals_h
 
 #include "vtkPointSplatNeighbors.h"
+#include "vtkPointSplatSensors.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -35,11 +36,18 @@ public:
   void OrientConsistently();
   /// Turns what was fitted to the given point.
   void OrientToViewpoint(const double viewpoint[3]);
+  /// Turns what was fitted to the sensors that saw the points, and the others consistently with
+  /// these. What is known keeps its sign, as always.
+  void OrientToSensors(const vtkPointSplatSensors& sensors);
 
 private:
   using Slot = vtkPointSplatNeighbors::Slot;
   static constexpr int NumberOfEdges = 10; // of the graph, for each slot
 
+  /// Turns what is not known to the position x that target(slot, x) gives, where it gives one, and
+  /// tells so in Turned.
+  template <typename Target>
+  void Turn(const Target& target);
   void Symmetrize();
   void Propagate(std::vector<Slot>& surface);
   void TurnOutward(const std::vector<Slot>& surface);
@@ -53,6 +61,7 @@ private:
   std::vector<Slot> Graph;           // NumberOfEdges for each slot, then None
   std::vector<vtkIdType> Offsets;    // into Edges, for each slot, both directions
   std::vector<Slot> Edges;
+  std::vector<unsigned char> Turned; // for each slot, or empty: to a sensor
   std::vector<unsigned char> Done;
   struct Candidate
   {

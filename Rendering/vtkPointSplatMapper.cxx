@@ -114,6 +114,7 @@ void vtkPointSplatMapper::vtkInternals::UpdateCloud(
   input.Data = data;
   input.Owner = this->Self;
   input.NeedSizes = settings.Method != vtkPointSplatSettings::ImageSpace;
+  input.ProjectNoise = this->Self->ProjectNoise;
   if (this->Self->ScalarVisibility)
   {
     input.MapColours = [this](vtkDataSet* block, int& cellFlag) {
@@ -474,6 +475,10 @@ const char* vtkPointSplatMapper::GetChoices()
        << "\nfill steps: " << r.FillSteps << ", " << r.Choice.FillReason
        << "\nshadow samples: " << r.ShadowSamples << ", "
        << (this->Shadows ? r.ShadowReason : "shadows are off")
+       << "\npoints: "
+       << (this->Internals->GetCloud().IsProjected()
+              ? "projected, their normals contradict their neighbours"
+              : "as given")
        << "\nerror allowed: " << vtkPointSplatChoices::Text(r.Choice.Tolerance) << ", "
        << r.Choice.BudgetReason;
   this->Internals->Choices = text.str();

@@ -293,10 +293,29 @@ public:
 
   ///@{
   /**
-   * Of Method ImageSpace: whether pixels at silhouettes, which the Laplacian of the depth finds,
-   * are blended with what lies beyond (Dobrev, Rosenthal, Linsen 2010, section 3.5), half and half,
-   * since points mark all of the pixel that they fall in. Before the background they are half
-   * transparent then, in opaque actors too. On by default.
+   * Whether points whose given normals and positions contradict their neighbours', as in range
+   * scans that overlap, are drawn where vtkPointSplatProjection moves them: onto one surface, by
+   * less than their noise. On by default; then clouds are projected that are noisy as
+   * vtkPointSplatEstimation::IsNoisy() says, three tenths of their points. Others, and points without
+   * normals or with sizes of their own, are drawn where they are. The input is not changed.
+   * Projecting takes about as long again as estimating sizes, whenever points change.
+   */
+  vtkSetMacro(ProjectNoise, bool);
+  vtkGetMacro(ProjectNoise, bool);
+  vtkBooleanMacro(ProjectNoise, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether outlines are smooth: four samples tell what surfaces share a pixel that one runs
+   * through, and its colour is their mean; in multisampled framebuffers each of their samples has
+   * the nearest one's colour and depth. With other framebuffers, what outlines run before shows
+   * through opaque surfaces there, and pixels are covered or not where an opaque prop that is no
+   * splat's is drawn after them, since it could not. Not with Refraction, nor where splats are
+   * drawn by quads or Method is Deferred.
+   * With Method ImageSpace pixels at silhouettes, which the Laplacian of the depth finds, are blended
+   * with what lies beyond (Dobrev, Rosenthal, Linsen 2010, section 3.5), half and half, since points
+   * mark all of the pixel that they fall in. On by default.
    */
   vtkSetMacro(AntiAliasing, bool);
   vtkGetMacro(AntiAliasing, bool);
@@ -501,6 +520,7 @@ private:
   vtkIdType MaximumImageMemory = vtkIdType(1) << 30;
   int MaximumNumberOfFillSteps = 2;
   bool AntiAliasing = true;
+  bool ProjectNoise = true;
   bool Shadows = false;
   int NumberOfShadowSamples = 16;
   int NumberOfInteractiveShadowSamples = 1;

@@ -27,6 +27,7 @@ void vtkPointSplatMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetMaximumImageMemory(other->MaximumImageMemory);
     this->SetMaximumNumberOfFillSteps(other->MaximumNumberOfFillSteps);
     this->SetAntiAliasing(other->AntiAliasing);
+    this->SetProjectNoise(other->ProjectNoise);
     this->SetShadows(other->Shadows);
     this->SetNumberOfShadowSamples(other->NumberOfShadowSamples);
     this->SetNumberOfInteractiveShadowSamples(other->NumberOfInteractiveShadowSamples);
@@ -76,6 +77,7 @@ void vtkPointSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumImageMemory: " << this->MaximumImageMemory << "\n";
   os << indent << "MaximumNumberOfFillSteps: " << this->MaximumNumberOfFillSteps << "\n";
   os << indent << "NumberOfFillSteps: " << this->GetNumberOfFillSteps() << "\n";
+  os << indent << "ProjectNoise: " << (this->ProjectNoise ? "On" : "Off") << "\n";
   os << indent << "AntiAliasing: " << (this->AntiAliasing ? "On" : "Off") << "\n";
   os << indent << "ProjectedSpacing: " << this->GetProjectedSpacing() << "\n";
   os << indent << "NumberOfPointsProjected: " << this->GetNumberOfPointsProjected() << "\n";

@@ -229,7 +229,8 @@ Options Options::Parse(int argc, char* argv[])
       } },
     { "--json", [&o](auto&, auto& v) { o.Json = v; } },
   };
-  const std::map<std::string, bool Options::*> flags = { { "--scalar-bar", &Options::ScalarBar },
+  const std::map<std::string, bool Options::*> flags = { { "--particles", &Options::Particles },
+    { "--project", &Options::Project }, { "--scalar-bar", &Options::ScalarBar },
     { "--quiet", &Options::Quiet }, { "--help", &Options::Help }, { "-h", &Options::Help },
     { "--version", &Options::Version } };
 
@@ -275,6 +276,10 @@ Options Options::Parse(int argc, char* argv[])
       o.Files.push_back(argv[i]);
     }
   }
+  if (o.Particles && !o.Isovalues.empty())
+  {
+    throw UserError("--particles: goes without --iso; the surface is where the fluid ends");
+  }
   if (o.ScalarBar && o.Array.empty())
   {
     throw UserError("--scalar-bar: needs --array");
@@ -300,11 +305,15 @@ FILES  points: .vtp .ply .obj .stl .xyz .pts .txt .csv .vtu .vts .vtk .vtm
 What is drawn
   --iso V[,V...]       isovalues of volumes; default: a quarter, half and three quarters of
                        the range. Or of points that are samples of an array
+  --particles          points are particles of a fluid: draw the fluid's surface. Sizes are from
+                       arrays smoothing_length (or h), mass and density, if there are any
   --spacing S          wanted distance between isosurface points, world units; default: the
-                       grid's or samples'
+                       grid's or samples', or 0.4 of the particles'
   --magnify N          resample volumes N times finer first, cubically (1 to 16)
   --array NAME         point array to contour, or to colour points by
   --normals WHICH      keep (default) or estimate
+  --project            move noisy points onto one smooth surface with sharp edges first, and leave
+                       outliers out
   --radius-scale F     multiplies all splats' radii
 
 How it looks
@@ -341,7 +350,9 @@ Examples
   splatview bunny.ply --output bunny.png
   splatview head.vti --iso 500,1150 --opacity .4,1 --color 'orange;white' --output head.png
   splatview scan.xyz --normals estimate --camera 30,20,1.5 --json report.json --output scan.png
+  splatview scans.ply --project --output scans.png
   splatview flow.vtp --array pressure --scalar-bar
+  splatview tank.vtp --particles --opacity 0.5 --array velocity
   splatview before.ply after.ply --color '#5588ee;1,.6,.2'
 
 Exit codes: 0 done, 1 OpenGL or VTK failed, 2 a bad option or file.

@@ -38,6 +38,8 @@ struct Options
   std::string Normals = "keep";
   double RadiusScale = 1.0;
   int Frames = 5;
+  bool Particles = false;
+  bool Project = false;
   bool ScalarBar = false;
   bool Quiet = false;
   bool Help = false;

@@ -18,9 +18,11 @@
 #include "vtkLookupTable.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkParticleSurfacePoints.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkPointSplatEstimation.h"
+#include "vtkPointSplatProjection.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
@@ -224,6 +226,48 @@ void AddVolume(Scene& scene, const Options& options, const std::string& name, vt
   AddIsosurfaces(scene, options, name, image, isovalues);
 }
 
+/**
+ * Colours by the array that the options name, or by RGB scalars.
+ */
+void ColourPoints(Scene& scene, const Options& options, Surface& surface, vtkDataSet* data)
+{
+  vtkDataArray* named =
+    options.Array.empty() ? nullptr : data->GetPointData()->GetArray(options.Array.c_str());
+  vtkDataArray* scalars = data->GetPointData()->GetScalars();
+  if (named)
+  {
+    surface.Colours = options.Array;
+    surface.Mapper->ScalarVisibilityOn();
+    surface.Mapper->SetScalarModeToUsePointFieldData();
+    surface.Mapper->SelectColorArray(options.Array.c_str());
+    surface.Mapper->SetScalarRange(named->GetFiniteRange());
+    surface.Mapper->GetLookupTable()->Build();
+    if (options.ScalarBar)
+    {
+      vtkNew<vtkScalarBarActor> bar;
+      bar->SetLookupTable(surface.Mapper->GetLookupTable());
+      bar->SetTitle(options.Array.c_str());
+      scene.Renderer->AddActor2D(bar);
+    }
+  }
+  else if (vtkUnsignedCharArray::SafeDownCast(scalars) && scalars->GetNumberOfComponents() >= 3 &&
+    options.Colours.empty())
+  {
+    surface.Colours = scalars->GetName() ? scalars->GetName() : "RGB";
+    surface.Mapper->ScalarVisibilityOn();
+  }
+}
+
+vtkSmartPointer<vtkDataSet> Project(vtkDataSet* points, int outliers, bool quiet)
+{
+  vtkNew<vtkPointSplatProjection> projection;
+  projection->SetOutliers(outliers);
+  projection->SetInputData(points);
+  ShowProgress(projection, "projection", quiet);
+  projection->Update();
+  return projection->GetOutput();
+}
+
 void AddPoints(Scene& scene, const Options& options, const std::string& name, vtkDataSet* data)
 {
   if (!options.Isovalues.empty())
@@ -232,11 +276,26 @@ void AddPoints(Scene& scene, const Options& options, const std::string& name, vt
     AddIsosurfaces(scene, options, name, data, options.Isovalues);
     return;
   }
-  vtkDataArray* named =
-    options.Array.empty() ? nullptr : data->GetPointData()->GetArray(options.Array.c_str());
-  if (!options.Array.empty() && !named)
+  if (!options.Array.empty() && !data->GetPointData()->GetArray(options.Array.c_str()))
   {
     throw NoSuchArray(name, options.Array, data);
+  }
+
+  if (options.Particles)
+  {
+    vtkNew<vtkParticleSurfacePoints> particles;
+    particles->SetInputData(data);
+    particles->SetPointSpacing(options.Spacing);
+    ShowProgress(particles, "particles' surface", options.Quiet);
+    particles->Update();
+    if (particles->GetOutput()->GetNumberOfPoints() == 0)
+    {
+      throw UserError(name + ": its particles have no surface");
+    }
+    Surface& surface = AddSurface(scene, options, name, particles->GetOutput());
+    surface.Normals = "density";
+    ColourPoints(scene, options, surface, particles->GetOutput());
+    return;
   }
 
   std::string normals = "file";
@@ -262,37 +321,26 @@ void AddPoints(Scene& scene, const Options& options, const std::string& name, vt
   {
     normals = "estimated";
   }
-  // Here and not in the mapper, so that there is a progress bar.
+  // Here and not in the mapper, so that there are progress bars.
+  if (options.Project)
+  {
+    points = Project(points, vtkPointSplatProjection::Remove, options.Quiet);
+  }
   vtkNew<vtkPointSplatEstimation> estimation;
   estimation->SetInputData(points);
   ShowProgress(estimation, "normals and splat sizes", options.Quiet);
   estimation->Update();
+  if (estimation->IsNoisy() && !options.Project)
+  {
+    // As the mapper does by itself where it estimates.
+    points = Project(points, vtkPointSplatProjection::Keep, options.Quiet);
+    estimation->SetInputData(points);
+    estimation->Update();
+  }
   Surface& surface = AddSurface(scene, options, name, estimation->GetOutput());
   surface.Normals = normals;
 
-  vtkDataArray* scalars = points->GetPointData()->GetScalars();
-  if (named)
-  {
-    surface.Colours = options.Array;
-    surface.Mapper->ScalarVisibilityOn();
-    surface.Mapper->SetScalarModeToUsePointFieldData();
-    surface.Mapper->SelectColorArray(options.Array.c_str());
-    surface.Mapper->SetScalarRange(named->GetFiniteRange());
-    surface.Mapper->GetLookupTable()->Build();
-    if (options.ScalarBar)
-    {
-      vtkNew<vtkScalarBarActor> bar;
-      bar->SetLookupTable(surface.Mapper->GetLookupTable());
-      bar->SetTitle(options.Array.c_str());
-      scene.Renderer->AddActor2D(bar);
-    }
-  }
-  else if (vtkUnsignedCharArray::SafeDownCast(scalars) && scalars->GetNumberOfComponents() >= 3 &&
-    options.Colours.empty())
-  {
-    surface.Colours = scalars->GetName() ? scalars->GetName() : "RGB";
-    surface.Mapper->ScalarVisibilityOn();
-  }
+  ColourPoints(scene, options, surface, points);
 }
 }
 

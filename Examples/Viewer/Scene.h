@@ -19,7 +19,7 @@ struct Surface
 {
   std::string Name;
   std::optional<double> Isovalue;
-  /// Where the normals are from: "gradient", "file", "triangles" or "estimated".
+  /// Where the normals are from: "gradient", "density", "file", "triangles" or "estimated".
   std::string Normals;
   /// Where the colours are from: "actor", "RGB", or an array's name.
   std::string Colours;

@@ -77,7 +77,7 @@ void vtkPointSplatCloud::Update(const vtkPointSplatCloudInput& input)
   this->Composite = vtkCompositeDataSet::SafeDownCast(input.Data) != nullptr;
   Key splatKey = vtkPointSplatCloud::SplatKey(blocks);
   if (this->SplatTime == 0 || splatKey != this->SplatsMadeFrom ||
-    (input.NeedSizes && !this->Sized))
+    (input.NeedSizes && !this->Sized) || input.ProjectNoise != this->MayProject)
   {
     this->BuildSplats(input, blocks);
     this->Blocks = std::move(blocks);
@@ -168,13 +168,17 @@ void vtkPointSplatCloud::BuildSplats(
   this->Count = this->Points = this->Skipped = 0;
   this->Circular = true;
   this->Sized = true;
+  this->MayProject = input.ProjectNoise;
+  this->Projected = false;
   this->Low = { { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, VTK_DOUBLE_MAX } };
   this->High = { { -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } };
   std::vector<vtkPointSplatPacking> packings;
   for (const Block& block : blocks)
   {
     packings.push_back(
-      vtkPointSplatPacking::Collect(input.Owner, block.Data, input.NeedSizes));
+      vtkPointSplatPacking::Collect(
+        input.Owner, block.Data, input.NeedSizes, input.ProjectNoise));
+    this->Projected = this->Projected || packings.back().Projected;
     this->Circular = this->Circular && !packings.back().Axis1;
     this->Sized = this->Sized && (packings.back().Radius || packings.back().Axis1);
     this->Points += block.Data->GetNumberOfPoints();
@@ -182,7 +186,7 @@ void vtkPointSplatCloud::BuildSplats(
     {
       // Of finite coordinates: vtkPointSet's own bounds swallow NaN and infinity.
       double range[2];
-      block.Data->GetPoints()->GetData()->GetFiniteRange(range, static_cast<int>(k));
+      packings.back().Points->GetFiniteRange(range, static_cast<int>(k));
       if (range[0] <= range[1])
       {
         this->Low[k] = std::min(this->Low[k], range[0]);

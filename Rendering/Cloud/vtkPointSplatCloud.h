@@ -102,13 +102,14 @@ public:
 
   vtkIdType GetNumberOfSplats() const { return this->Count; }
   vtkIdType GetNumberOfSkippedPoints() const { return this->Skipped; }
+  /// Whether points of some block are drawn where they were projected to.
+  bool IsProjected() const { return this->Projected; }
   vtkIdType GetNumberOfPoints() const { return this->Points; }
   /// The point, of its block, that a splat was made from.
   vtkIdType GetPointId(vtkIdType splat) const
   {
     return this->Splats[this->GetWordsPerSplat() * static_cast<size_t>(splat) + 7];
   }
-  const std::vector<uint32_t>& GetSplats() const { return this->Splats; }
   size_t GetWordsPerSplat() const { return this->Circular ? 8 : 16; }
   bool IsCircular() const { return this->Circular; }
   /// Whether the input has several blocks, or might have.
@@ -161,6 +162,8 @@ private:
   vtkIdType Skipped = 0;
   bool Circular = true;
   bool Sized = true;
+  bool MayProject = true; // as asked when splats were made
+  bool Projected = false;
   bool Composite = false;
   double Spacing = 0.0;
   vtkTimeStamp SpacingTime;

@@ -19,6 +19,8 @@ struct vtkPointSplatCloudInput
   vtkObject* Owner = nullptr;
   /// Whether splats need sizes; points that are projected as single pixels do not.
   bool NeedSizes = true;
+  /// Whether points whose normals and neighbours contradict one another are moved onto one surface.
+  bool ProjectNoise = true;
   /// RGBA colours of a block's points, or of its cells (then cellFlag gets 1); null: of no worth.
   std::function<vtkSmartPointer<vtkUnsignedCharArray>(vtkDataSet*, int& cellFlag)> MapColours;
   /// The array of a block that colours come from, or null.

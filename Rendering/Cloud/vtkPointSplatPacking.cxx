@@ -13,6 +13,7 @@
 #include "vtkPointSet.h"
 #include "vtkPointSplatArrays.h"
 #include "vtkPointSplatEstimation.h"
+#include "vtkPointSplatProjection.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
@@ -270,7 +271,7 @@ struct PackWorker
 
 //------------------------------------------------------------------------------
 vtkPointSplatPacking vtkPointSplatPacking::Collect(
-  vtkObject* owner, vtkPointSet* data, bool needSizes)
+  vtkObject* owner, vtkPointSet* data, bool needSizes, bool projectNoise)
 {
   vtkPointSplatPacking a;
   a.Points = data->GetPoints()->GetData();
@@ -308,22 +309,51 @@ vtkPointSplatPacking vtkPointSplatPacking::Collect(
     {
       bare->GetPointData()->AddArray(a.Ghosts);
     }
-    vtkNew<vtkPointSplatEstimation> estimation;
-    // What it leaves out the mapper leaves out too, and reports: once is enough.
-    vtkNew<vtkCallbackCommand> silence;
-    estimation->AddObserver(vtkCommand::WarningEvent, silence);
-    estimation->SetInputData(bare);
-    estimation->Update();
-    vtkPointData* estimated = estimation->GetOutput()->GetPointData();
-    a.Normals = estimated->GetNormals();
-    if (!a.Radius && !a.Axis1)
+    for (vtkAbstractArray* sensors :
+      { given->GetAbstractArray(vtkPointSplatArrays::Sensor),
+        given->GetAbstractArray(vtkPointSplatArrays::Scan) })
     {
-      a.Radius = estimated->GetArray(vtkPointSplatArrays::Radius);
-      a.Plane = estimated->GetArray(vtkPointSplatArrays::PlaneNormal);
-      a.Curvature = estimated->GetArray(vtkPointSplatArrays::Curvature);
+      if (sensors)
+      {
+        bare->GetPointData()->AddArray(sensors);
+      }
     }
+    bare->GetFieldData()->PassData(data->GetFieldData());
+    a.Estimate(bare, projectNoise);
   }
   return a;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatPacking::Estimate(vtkPolyData* bare, bool projectNoise)
+{
+  vtkNew<vtkPointSplatEstimation> estimation;
+  // What it leaves out the mapper leaves out too, and reports: once is enough.
+  vtkNew<vtkCallbackCommand> silence;
+  estimation->AddObserver(vtkCommand::WarningEvent, silence);
+  estimation->SetInputData(bare);
+  estimation->Update();
+  const bool sized = this->Radius || this->Axis1;
+  if (projectNoise && !sized && estimation->IsNoisy())
+  {
+    vtkNew<vtkPointSplatProjection> projection;
+    projection->AddObserver(vtkCommand::WarningEvent, silence);
+    // Colours and ids go by the points' numbers.
+    projection->SetOutliersToKeep();
+    projection->SetInputData(bare);
+    estimation->SetInputConnection(projection->GetOutputPort());
+    estimation->Update();
+    this->Points = estimation->GetOutput()->GetPoints()->GetData();
+    this->Projected = true;
+  }
+  vtkPointData* estimated = estimation->GetOutput()->GetPointData();
+  this->Normals = estimated->GetNormals();
+  if (!sized)
+  {
+    this->Radius = estimated->GetArray(vtkPointSplatArrays::Radius);
+    this->Plane = estimated->GetArray(vtkPointSplatArrays::PlaneNormal);
+    this->Curvature = estimated->GetArray(vtkPointSplatArrays::Curvature);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -17,6 +17,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkPointSet;
+class vtkPolyData;
 VTK_ABI_NAMESPACE_END
 
 class vtkPointSplatPacking
@@ -30,12 +31,15 @@ public:
   vtkSmartPointer<vtkDataArray> Axis1;
   vtkSmartPointer<vtkDataArray> Axis2;
   vtkUnsignedCharArray* Ghosts = nullptr;
+  bool Projected = false; // points and normals are not the block's own, but on one surface
 
   /**
-   * The arrays of a block, what is missing estimated; sizes only if they are needed. owner: whose
-   * errors they are.
+   * The arrays of a block, what is missing estimated; sizes only if they are needed, and points
+   * with given normals, whose sizes are not, projected where they are noise, if that is asked for.
+   * owner: whose errors they are.
    */
-  static vtkPointSplatPacking Collect(vtkObject* owner, vtkPointSet* data, bool needSizes);
+  static vtkPointSplatPacking Collect(
+    vtkObject* owner, vtkPointSet* data, bool needSizes, bool projectNoise);
 
   /**
    * Packs the block's splats, 8 words each if circular, otherwise 16; without sizes their
@@ -49,6 +53,10 @@ public:
    * For each point the first cell that uses it, or -1. Cells may name points that are not there.
    */
   static std::vector<vtkIdType> CellsOfPoints(vtkPointSet* data);
+
+private:
+  /// Takes what is missing from an estimation of points with what there is of normals.
+  void Estimate(vtkPolyData* bare, bool projectNoise);
 };
 
 #endif

@@ -138,6 +138,27 @@ bool vtkPointSplatCollection::HasOthersBetween(vtkRenderer* renderer, const Entr
 }
 
 //------------------------------------------------------------------------------
+bool vtkPointSplatCollection::HasOpaqueAfter(vtkRenderer* renderer, const vtkActor* actor)
+{
+  bool after = false;
+  for (vtkProp* prop : vtkPointSplatCollection::VisibleProps(renderer))
+  {
+    after = after || prop == actor;
+    if (vtkPointSplatSource::Of(prop) || !vtkProp3D::SafeDownCast(prop))
+    {
+      continue;
+    }
+    // Assemblies cannot be asked: that would upset the traversal of the one which is drawn now.
+    if (!vtkActor::SafeDownCast(prop) ? !vtkVolume::SafeDownCast(prop)
+                                      : after && prop->HasOpaqueGeometry())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
 vtkPointSplatFacts vtkPointSplatCollection::Describe(
   const Entries& entries, const vtkPointSplatView& view, bool translucent, double tolerance)
 {

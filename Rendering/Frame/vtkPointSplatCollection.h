@@ -57,6 +57,9 @@ public:
   /// Whether something translucent that is none of the entries may lie between their layers.
   static bool HasOthersBetween(vtkRenderer* renderer, const Entries& entries);
 
+  /// Whether opaque props that are no splats are drawn after an actor, or may be.
+  static bool HasOpaqueAfter(vtkRenderer* renderer, const vtkActor* actor);
+
   /// What choices depend on. tolerance: the greatest error that may be allowed.
   static vtkPointSplatFacts Describe(
     const Entries& entries, const vtkPointSplatView& view, bool translucent, double tolerance);

@@ -248,7 +248,8 @@ bool vtkPointSplatFrame::PresentLayers(Pass& pass, vtkActor* actor, size_t own)
   const vtkPointSplatShading shading{ pass.View, &lights, &this->Materials,
     this->HasEnvironment ? &this->Environment : nullptr };
   const vtkPointSplatResolve::Target target{ this->Renderer, actor,
-    pass.Entries[own].Source->GetMapper(), window };
+    pass.Entries[own].Source->GetMapper(), window,
+    pass.Translucent || !vtkPointSplatCollection::HasOpaqueAfter(this->Renderer, actor) };
   const int slot = pass.Batched ? -1 : static_cast<int>(own);
   if (pass.Translucent && !this->Flatten(pass, shading))
   {
@@ -257,7 +258,8 @@ bool vtkPointSplatFrame::PresentLayers(Pass& pass, vtkActor* actor, size_t own)
   }
   const bool good = pass.Translucent
     ? this->PresentTranslucent(pass, shading, target, slot)
-    : this->Resolve.Present(target, shading, layers, 0, slot);
+    : this->Resolve.Present(
+        target, shading, { layers, pass.Surfaces->GetOutlines() }, 0, slot);
   this->Error = good ? this->Error : this->Resolve.GetError();
   return good;
 }
@@ -285,14 +287,15 @@ bool vtkPointSplatFrame::PresentTranslucent(Pass& pass, const vtkPointSplatShadi
 {
   vtkPointSplatSurfaces& surfaces = *pass.Surfaces;
   const vtkPointSplatLayers& layers = surfaces.GetLayers();
+  const vtkPointSplatResolve::Source source{ layers, surfaces.GetOutlines() };
   bool good = true;
   if (pass.Flat || (shading.Reflects() && !pass.Presented))
   {
-    good = this->Resolve.PresentFlat(target, pass.View, surfaces.Flat.Colour, surfaces.Flat.Depth);
+    good = this->Resolve.PresentFlat(target, pass.View, source, surfaces.Flat);
   }
   for (int layer = layers.GetNumberOfLayers() - 1; layer >= 0 && !pass.Flat; --layer)
   {
-    good = this->Resolve.Present(target, shading, layers, layer, slot) && good;
+    good = this->Resolve.Present(target, shading, source, layer, slot) && good;
   }
   return good;
 }
@@ -311,7 +314,7 @@ bool vtkPointSplatFrame::PresentSelection(Pass& pass, vtkActor* actor, size_t ow
       ? 24
       : 0 };
   const vtkPointSplatResolve::Target target{ this->Renderer, actor,
-    pass.Entries[own].Source->GetMapper(), request.GetWindow() };
+    pass.Entries[own].Source->GetMapper(), request.GetWindow(), false };
   vtkHardwareSelector* selector = this->Renderer->GetSelector();
   selector->BeginRenderProp(); // sets the prop's colour
   if (pass.SelectionPass == vtkHardwareSelector::COMPOSITE_INDEX_PASS && !request.HasIds)

@@ -166,6 +166,7 @@ vtkPointSplatRequest vtkPointSplatFrame::MakeRequest(Pass& pass, GLuint sceneDep
   request.SceneDepth = sceneDepth;
   request.SceneFrame = this->Frame;
   request.ShowsEach = pass.Translucent && !pass.Flat;
+  request.Outlines = pass.SelectionPass < 0 && !this->HasEnvironment;
   bool composite = false;
   bool device = false;
   bool automatic = true;
@@ -177,6 +178,7 @@ vtkPointSplatRequest vtkPointSplatFrame::MakeRequest(Pass& pass, GLuint sceneDep
     request.Items.push_back(entry.Item);
     request.CloudTimes.push_back(std::max(entry.Item.Cloud->GetMTime(),
       choice.Deferred ? entry.Item.Cloud->GetGroups().GetMTime() : 0));
+    request.Outlines = request.Outlines && s.AntiAliasing;
     request.Voronoi = request.Voronoi && s.VoronoiDepth;
     composite = composite || entry.Item.Cloud->IsComposite();
     automatic = automatic && s.TileLists == Settings::AutomaticLists;

@@ -44,6 +44,7 @@ bool vtkPointSplatSurfaces::Build(
   if (this->Request.MaximumLayers == 0 || window.x > window.z || window.y > window.w)
   {
     this->Layers.SetNumberOfLayers(0);
+    this->Outlines.Clear();
     this->Built = true;
     return true;
   }
@@ -57,7 +58,7 @@ bool vtkPointSplatSurfaces::Build(
       this->Request.Items, window,
       vtkPointSplatReconstruction::UsesTiles(this->Request) ? splats : VTK_ID_MAX);
     this->Count(parts);
-    result = reconstruction.Build(this->Request, parts, this->Layers);
+    result = reconstruction.Build(this->Request, parts, this->Layers, this->Outlines);
   }
   this->Error = result == vtkPointSplatTiles::TooMany
     ? "so many splats are so large that the lists of tiles do not fit; lower RadiusScale."
@@ -85,6 +86,7 @@ void vtkPointSplatSurfaces::Count(const std::vector<vtkPointSplatPart>& parts)
 void vtkPointSplatSurfaces::Release()
 {
   this->Layers.Release();
+  this->Outlines.Release();
   this->Flat.Release();
   this->Built = false;
   this->SplatsAtOnce = vtkPointSplatTiles::Capacity;

@@ -20,6 +20,8 @@ public:
 
   const vtkPointSplatRequest& GetRequest() const { return this->Request; }
   vtkPointSplatLayers& GetLayers() { return this->Layers; }
+  /// Of the layers; none where they are not smoothed.
+  const vtkPointSplatOutlines& GetOutlines() const { return this->Outlines; }
   /// Counts the times that layers were made.
   unsigned long GetGeneration() const { return this->Generation; }
   int GetNumberOfFillSteps() const { return this->FillSteps; }
@@ -31,7 +33,7 @@ public:
   unsigned long FlatFrame = 0; // whose layers Flat shows
   unsigned long FlatGeneration = 0;
 
-  vtkIdType GetMemorySize() const { return this->Layers.GetMemorySize(); }
+  vtkIdType GetMemorySize() const { return this->Layers.GetMemorySize() + this->Outlines.GetMemorySize(); }
   const std::string& GetError() const { return this->Error; }
   void Release();
 
@@ -40,6 +42,7 @@ private:
 
   vtkPointSplatRequest Request;
   vtkPointSplatLayers Layers;
+  vtkPointSplatOutlines Outlines;
   vtkPointSplatContext Context; // that they were made in
   bool Built = false;
   unsigned long Generation = 0;

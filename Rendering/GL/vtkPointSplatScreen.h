@@ -6,20 +6,29 @@
 #define vtkPointSplatScreen_h
 
 #include "vtkPointSplatHandle.h"
+#include "vtkPointSplatPointSizes.h"
 
 class vtkPointSplatScreen
 {
 public:
-  void Draw()
+  void Draw() { this->Draw(GL_TRIANGLES, 3); }
+  /// Or so many points, where a vertex shader finds places for them.
+  void DrawPoints(int count)
   {
-    this->VertexArray.Make();
-    glBindVertexArray(this->VertexArray.Get());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    glBindVertexArray(0);
+    const vtkPointSplatPointSizes sizes;
+    this->Draw(GL_POINTS, count);
   }
   void Release() { this->VertexArray.Release(); }
 
 private:
+  void Draw(GLenum mode, int count)
+  {
+    this->VertexArray.Make();
+    glBindVertexArray(this->VertexArray.Get());
+    glDrawArrays(mode, 0, count);
+    glBindVertexArray(0);
+  }
+
   vtkPointSplatHandle VertexArray{ vtkPointSplatHandle::VertexArray };
 };
 

@@ -20,8 +20,8 @@ struct Hit
 // to that radius for itself; a widened axis is parallel to the screen (Guennebaud,
 // section 4). But where a splat turns away from the viewer before its rim (turning:
 // how far the normal turns until there), it has the silhouette on it, and such an
-// ellipse would stand out over that; and where the body that it lies on bends so much that
-// those as narrow make a rim of less than a pixel, no gap can be seen: it is a disk about the centre.
+// ellipse would stand out over that: there it is a disk about the centre; and so are disks that show
+// where the surface is, whose radius is less, where no gap can be seen.
 // radii: of the ellipse, of the disk.
 // along, across: how far the ellipse's axes reach along x and y.
 void widen(inout Splat q, vec2 radii, float turning, out vec2 along, out vec2 across)
@@ -39,7 +39,8 @@ void widen(inout Splat q, vec2 radii, float turning, out vec2 along, out vec2 ac
   along = vec2(0.0);
   across = vec2(0.0);
   if (shortest >= radius * radius || longest <= radius * radius ||
-    shortest < turning * turning * longest || turning * sqrt(longest) > 0.5 * radius * radius)
+    shortest < turning * turning * longest ||
+    (radii.y < radius && hidesGaps(turning * sqrt(longest), radius)))
   {
     return;
   }

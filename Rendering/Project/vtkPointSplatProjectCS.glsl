@@ -174,9 +174,8 @@ void main()
     // Along each axis u and v change by 1 over its length; where the axis is widened, the best
     // guess of where on the splat a pixel lies is by as much less as it is narrower.
     vec2 slopes = -vec2(dot(end, vec2(q.sVC.z, q.tVC.z)), dot(otherEnd, vec2(q.sVC.z, q.tVC.z)));
-    float least = DiskReach * bend.strongest * longest > 0.5 * CoverageRadius * CoverageRadius
-      ? CoverageDot
-      : CoverageRadius;
+    float least = hidesGaps(DiskReach * bend.strongest * longest, CoverageRadius) ? CoverageDot
+                                                                                  : CoverageRadius;
     float v1 = 1.0 / max(longest, least);
     float v2 = 1.0 / max(thin, least);
     float w1 = 1.0 / max(longest, PrefilterRadius);

@@ -174,6 +174,14 @@ bool placeSplat(vec3 positionMC, uvec3 shape, vec3 axis1MC, vec3 axis2MC, float 
     w >= 1e-6 * longest && w > 0.0;
 }
 
+// Where the body that a splat lies on bends so much that those as narrow make a rim of less than a
+// pixel, no gap between them can be seen. turning: what the splat turns away by before its rim,
+// times its length in the image; radius: pixels, that it would be widened to.
+bool hidesGaps(float turning, float radius)
+{
+  return turning > 0.5 * radius * radius;
+}
+
 // The normal that a splat adds at a point of it.
 vec3 normalAt(Splat q, vec2 uv)
 {

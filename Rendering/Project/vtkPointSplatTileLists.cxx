@@ -240,11 +240,24 @@ std::vector<uint32_t> vtkPointSplatTileLists::OrderTiles(const glm::ivec2& rows)
 }
 
 //------------------------------------------------------------------------------
+void vtkPointSplatTileLists::WriteRow(uint32_t tile, uint32_t* row) const
+{
+  const uint32_t start = this->Starts[tile];
+  const glm::ivec2 at = glm::ivec2(static_cast<int>(tile) % this->Grid.Tiles.x,
+                          static_cast<int>(tile) / this->Grid.Tiles.x) >>
+    BlockShift;
+  const size_t wide = static_cast<size_t>(this->Grid.GetCount() + at.y * this->Blocks.x + at.x);
+  const uint32_t words[TableWords] = { start, start + this->Flats[tile],
+    start + this->Flats[tile] + this->Bents[tile], tile, this->Starts[tile + 1],
+    this->Starts[wide], this->Starts[wide + 1], 1 };
+  std::copy_n(words, TableWords, row);
+}
+
+//------------------------------------------------------------------------------
 void vtkPointSplatTileLists::AddToTable(
   const glm::ivec2& rows, size_t groupSize, std::vector<uint32_t>& table) const
 {
   const std::vector<uint32_t> order = this->OrderTiles(rows);
-  const size_t tiles = static_cast<size_t>(this->Grid.GetCount());
   const size_t groups = (order.size() + groupSize - 1) / groupSize;
   const size_t threads = std::max<size_t>(std::thread::hardware_concurrency(), 1);
   // Thread k takes groups k, k + threads, ...: each run of the table has what one thread takes.
@@ -257,16 +270,7 @@ void vtkPointSplatTileLists::AddToTable(
       size_t row = to;
       for (size_t i = group * groupSize; i < std::min((group + 1) * groupSize, order.size()); ++i)
       {
-        const uint32_t tile = order[i];
-        const uint32_t start = this->Starts[tile];
-        const glm::ivec2 at = glm::ivec2(static_cast<int>(tile) % this->Grid.Tiles.x,
-                                static_cast<int>(tile) / this->Grid.Tiles.x) >>
-          BlockShift;
-        const size_t wide = tiles + static_cast<size_t>(at.y * this->Blocks.x + at.x);
-        const uint32_t words[TableWords] = { start, start + this->Flats[tile],
-          start + this->Flats[tile] + this->Bents[tile], tile, this->Starts[tile + 1],
-          this->Starts[wide], this->Starts[wide + 1], 1 };
-        std::copy_n(words, TableWords, table.begin() + static_cast<std::ptrdiff_t>(row));
+        this->WriteRow(order[i], table.data() + row);
         row += TableWords;
       }
       to += TableWords * groupSize;

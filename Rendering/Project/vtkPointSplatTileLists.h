@@ -49,6 +49,9 @@ public:
   /// Writes the lists: GetNumberOfEntries() words.
   void Fill(uint32_t* lists);
 
+  /// A tile, and where its splats are in the lists: TableWords words.
+  void WriteRow(uint32_t tile, uint32_t* row) const;
+
   /**
    * The tiles of the grid's window in some rows of it, and where their splats are in the lists: first
    * of the flat, bent and curved ones, tile; end, first of the wide ones, their end, 1. Appended to a

@@ -42,6 +42,9 @@ void main()
 #endif
 #ifdef PEELING
   belongs = belongs && !isPeeled(f.splat, f.depth, pixel);
+#ifdef GATHER
+  belongs = belongs && !isHidden(f.shown, pixel);
+#endif
 #endif
   if (!belongs)
   {

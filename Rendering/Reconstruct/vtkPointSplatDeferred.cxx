@@ -3,10 +3,9 @@
 #include "vtkPointSplatDeferred.h"
 
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPointSplatItemTable.h"
 #include "vtkPointSplatQuads.h"
+#include "vtkPointSplatReach.h"
 #include "vtkPointSplatSavedState.h"
-#include "vtkPointSplatTiles.h"
 #include "vtkPointSplatUnits.h"
 
 #include <algorithm>
@@ -44,7 +43,7 @@ bool vtkPointSplatDeferred::BuildPrograms(bool factors)
 void vtkPointSplatDeferred::DrawGroup(
   const vtkPointSplatRequest& request, int group, vtkPointSplatProgram& geometry)
 {
-  const unsigned int tagMask = vtkPointSplatItemTable::TagMask(request.Items.size());
+  const unsigned int tagMask = request.GetTagMask();
   for (const vtkPointSplatItem& item : request.Items)
   {
     const std::pair<vtkIdType, vtkIdType> range = item.Cloud->GetGroups().GetGroup(group);
@@ -54,10 +53,10 @@ void vtkPointSplatDeferred::DrawGroup(
     }
     vtkPointSplatQuads::SetUniforms(geometry, item, request.View, tagMask);
     geometry.Set("Reach", static_cast<float>(item.Kernel.Support));
-    geometry.Set("LeastRadii", glm::vec2(vtkPointSplatTiles::PrefilterRadius));
-    geometry.Set("DiskReach", vtkPointSplatTiles::DiskReach);
+    geometry.Set("LeastRadii", glm::vec2(vtkPointSplatReach::Prefilter));
+    geometry.Set("DiskReach", vtkPointSplatReach::Disk);
     geometry.Set("CoverageRadii",
-      glm::vec2(vtkPointSplatTiles::CoverageRadius, vtkPointSplatTiles::CoverageDot));
+      glm::vec2(vtkPointSplatReach::Coverage, vtkPointSplatReach::CoverageDot));
     geometry.Set("DepthUnit", static_cast<float>(request.GetDepthUnit()));
     geometry.Set("VoronoiScale", static_cast<float>(request.GetVoronoiScale()));
     vtkPointSplatQuads::DrawRun(item, item.Cloud->UploadGrouped(), range.first, range.second);
@@ -128,7 +127,7 @@ bool vtkPointSplatDeferred::Reconstruct(
     compositing, "FactorTexels", GL_TEXTURE_2D_ARRAY, factors ? this->Factors.Get() : 0);
   compositing.Set("DepthUnit", static_cast<float>(request.GetDepthUnit()));
   compositing.Set("GroupCount", groups);
-  compositing.Set("TagMask", vtkPointSplatItemTable::TagMask(request.Items.size()));
+  compositing.Set("TagMask", request.GetTagMask());
   this->Screen.Draw();
   return true;
 }

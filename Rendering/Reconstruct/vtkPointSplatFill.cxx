@@ -168,7 +168,7 @@ bool vtkPointSplatFill::Reconstruct(const vtkPointSplatRequest& request,
     size = (size + 1) / 2;
   }
   this->Items = &items;
-  this->TagMask = vtkPointSplatItemTable::TagMask(request.Items.size());
+  this->TagMask = request.GetTagMask();
   this->PixelSize = view.GetPixelSize();
 
   vtkOpenGLRenderWindow* own = vtkPointSplatContext::Entered().GetWindow();

@@ -26,20 +26,9 @@ void vtkPointSplatItemTable::Upload(
     row[0] = glm::vec4(item.Opacities, planes.size(), item.IsPoints ? 1.0f : 0.0f);
     row[1] = item.Colour;
     row[2] = glm::vec4(item.Kernel.Shape, item.Kernel.Support, item.Kernel.Plateau ? 1.0f : 0.0f);
-    row[3] = glm::vec4(item.Points.Layer, item.Points.LayerPixels, item.Points.Spacing,
-      item.Points.Silhouettes ? 1.0f : 0.0f);
+    row[3] = glm::vec4(item.IsPoints ? item.Points.Layer : item.LargestLayer,
+      item.Points.LayerPixels, item.Points.Spacing, item.Points.Silhouettes ? 1.0f : 0.0f);
     std::copy(planes.begin(), planes.end(), row + 4);
   }
   this->Table.Upload(table);
-}
-
-//------------------------------------------------------------------------------
-unsigned int vtkPointSplatItemTable::TagMask(size_t items)
-{
-  unsigned int mask = 127; // 64 slots, so that depths are as fine in small scenes
-  while (mask < 2 * items)
-  {
-    mask = 2 * mask + 1;
-  }
-  return mask;
 }

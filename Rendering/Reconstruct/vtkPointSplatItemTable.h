@@ -22,9 +22,6 @@ public:
   GLuint GetTexture() const { return this->Table.GetTexture(); }
   void Release() { this->Table.Release(); }
 
-  /// The bits that tags of this many items need (vtkPointSplatDepthCode.glsl).
-  static unsigned int TagMask(size_t items);
-
 private:
   vtkPointSplatBuffer Table{ GL_RGBA32F };
 };

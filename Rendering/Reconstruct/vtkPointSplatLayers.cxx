@@ -5,6 +5,16 @@
 #include "vtkPointSplatProgram.h"
 #include "vtkPointSplatUnits.h"
 
+#include <algorithm>
+
+namespace
+{
+// Storage blocks begin at multiples of some 256 bytes, and have at least 128 MiB in drivers of use.
+constexpr vtkIdType LeastBlockBytes = 1 << 27;
+// Bands of rows begin at multiples of so many, whatever the size of tiles is.
+constexpr int BandRows = 64;
+}
+
 //------------------------------------------------------------------------------
 void vtkPointSplatLayers::AllocateBuffers(
   const glm::ivec2& size, int layers, int factors, bool ids)
@@ -51,6 +61,35 @@ void vtkPointSplatLayers::AllocateImages(
   if (ids)
   {
     this->IdImage.Allocate(size);
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkPointSplatLayers::GetRowsPerBand() const
+{
+  GLint64 bound = 0;
+  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bound);
+  const vtkIdType rows = std::max<vtkIdType>(static_cast<vtkIdType>(bound), LeastBlockBytes) /
+    (16 * static_cast<vtkIdType>(this->Size.x) * this->Capacity);
+  return static_cast<int>(
+    std::max<vtkIdType>(std::min<vtkIdType>(rows, 1 << 20) / BandRows, 1) * BandRows);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatLayers::BindRows(int row) const
+{
+  const GLsizeiptr rows = std::min(this->GetRowsPerBand(), this->Size.y - row);
+  auto bind = [=](const vtkPointSplatBuffer& buffer, GLuint index, GLsizeiptr bytes) {
+    buffer.BindStorage(index, bytes * this->Size.x * row, bytes * this->Size.x * rows);
+  };
+  bind(this->TexelBuffer, 0, 16 * this->Capacity);
+  if (this->Factors > 0)
+  {
+    bind(this->FactorBuffer, 1, 4 * this->Capacity);
+  }
+  if (this->Ids)
+  {
+    bind(this->IdBuffer, 2, 4);
   }
 }
 

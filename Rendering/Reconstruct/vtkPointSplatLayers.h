@@ -47,12 +47,18 @@ public:
   int GetCapacity() const { return this->Capacity; }
   int GetFactorCount() const { return this->Factors; }
   const glm::ivec2& GetSize() const { return this->Size; }
+
+  ///@{
+  /**
+   * Of buffers: how many rows of pixels are bound at once, and to bind those from a row on, a
+   * multiple of that, as storage 0, 1 and 2: texels, factors, ids.
+   */
+  int GetRowsPerBand() const;
+  void BindRows(int row) const;
+  ///@}
   vtkIdType GetMemorySize() const; // bytes
 
-  ///@{ What is written to.
-  vtkPointSplatBuffer& GetTexels() { return this->TexelBuffer; }
-  vtkPointSplatBuffer& GetFactorTexels() { return this->FactorBuffer; }
-  vtkPointSplatBuffer& GetIdTexels() { return this->IdBuffer; }
+  ///@{ What is written to, of images.
   vtkPointSplatImage& GetTexelImage() { return this->TexelImage; }
   vtkPointSplatImage& GetFactorImage() { return this->FactorImage; }
   vtkPointSplatImage& GetIdImage() { return this->IdImage; }

@@ -15,21 +15,13 @@ constexpr int FirstCapacity = 4;
 }
 
 //------------------------------------------------------------------------------
-int vtkPointSplatPasses::MostLayers(const vtkPointSplatRequest& request) const
-{
-  GLint most = 0;
-  glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
-  most = std::min(most, request.MaximumLayers);
-  const vtkIdType bytes =
-    vtkPointSplatLayers::BytesPerLayer(request.View.Size, request.GetFactorCount());
-  const vtkIdType fit = request.MaximumMemory > 0 ? request.MaximumMemory / bytes : most;
-  return static_cast<int>(std::max<vtkIdType>(std::min<vtkIdType>(fit, most), 1));
-}
-
-//------------------------------------------------------------------------------
 bool vtkPointSplatPasses::Reconstruct(
-  const vtkPointSplatRequest& request, vtkPointSplatLayers& layers)
+  const vtkPointSplatRequest& given, vtkPointSplatLayers& layers)
 {
+  vtkPointSplatRequest request = given;
+  GLint room = 0;
+  glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &room);
+  request.MaximumLayers = request.GetMostLayers(room);
   const glm::ivec2& size = request.View.Size;
   const auto isPoints = [](const vtkPointSplatItem& item) { return item.IsPoints; };
   this->Fills = std::any_of(request.Items.begin(), request.Items.end(), isPoints);
@@ -52,7 +44,7 @@ bool vtkPointSplatPasses::Reconstruct(
       item.Cloud->HasColours() ? 0.0 : std::min(item.Opacities.x, item.Opacities.y);
     most = std::max(most, 1.0 - least);
   }
-  const int bound = this->MostLayers(request);
+  const int bound = request.MaximumLayers;
   int capacity = std::min(bound, std::max(FirstCapacity, layers.GetCapacity()));
   int count = 0;
   for (bool fits = false; !fits;)
@@ -85,7 +77,7 @@ bool vtkPointSplatPasses::MakeLayer(
   vtkPointSplatPeel peel;
   peel.Peels = request.IsPeeled();
   peel.Layer = layer;
-  peel.Gather = request.Gather && layer == this->MostLayers(request) - 1;
+  peel.Gather = request.Gather && layer == request.MaximumLayers - 1;
   peel.SceneDepth = request.SceneDepth;
   for (int k = 1; k <= std::min(layer, 3); ++k)
   {
@@ -147,7 +139,7 @@ bool vtkPointSplatPasses::Normalise(
   vtkPointSplatUnits units(window);
   this->Sums.Bind(units, program);
   units.Bind(program, "Depths", GL_TEXTURE_2D, this->Codes[static_cast<size_t>(layer) % 4].Get());
-  program.Set("TagMask", vtkPointSplatItemTable::TagMask(request.Items.size()));
+  program.Set("TagMask", request.GetTagMask());
   program.Set("DepthUnit", static_cast<float>(request.GetDepthUnit()));
   program.Set("PixelSize", request.View.GetPixelSize());
   this->Screen.Draw();

@@ -30,7 +30,7 @@ public:
   static constexpr size_t MostItems = 512;
 
   /// Makes the layers. False, with GetError(), where shaders do not build.
-  bool Reconstruct(const vtkPointSplatRequest& request, vtkPointSplatLayers& layers);
+  bool Reconstruct(const vtkPointSplatRequest& given, vtkPointSplatLayers& layers);
 
   /// Steps of filling that the last call made.
   int GetNumberOfFillSteps() const { return this->FillSteps; }
@@ -39,7 +39,6 @@ public:
   void Release();
 
 private:
-  int MostLayers(const vtkPointSplatRequest& request) const;
   bool MakeLayer(const vtkPointSplatRequest& request, int layer, vtkPointSplatLayers& layers,
     bool& empty);
   bool Normalise(const vtkPointSplatRequest& request, int layer, vtkPointSplatLayers& layers);

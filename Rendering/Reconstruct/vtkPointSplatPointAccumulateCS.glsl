@@ -82,6 +82,9 @@ void drawPoint(uint index, Splat q, ivec2 pixel)
 #endif
 #ifdef GATHER
   bool belongs = nearest != NoDepth;
+#ifdef PEELING
+  belongs = belongs && !isHidden(undelayedDepth(q), pixel);
+#endif
 #else
   bool belongs = sameLayer(q, q.depth, nearest);
 #endif

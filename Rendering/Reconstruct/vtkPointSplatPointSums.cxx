@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatPointSums.h"
 
-#include "vtkPointSplatItemTable.h"
 #include "vtkPointSplatQuads.h"
 
 #include <algorithm>
@@ -53,7 +52,7 @@ bool vtkPointSplatPointSums::DrawAll(const vtkPointSplatRequest& request,
 {
   const bool identifies = file == IdentifyFile;
   const bool listed = peel.Peels && !identifies;
-  const unsigned int tagMask = vtkPointSplatItemTable::TagMask(request.Items.size());
+  const unsigned int tagMask = request.GetTagMask();
   const int factors = sums.GetContent().Factors;
   const std::string common = (identifies ? std::string() : peel.GetDefines()) +
     (file == AccumulateFile && sums.GetContent().Colours ? "#define COLOURS\n" : "") +

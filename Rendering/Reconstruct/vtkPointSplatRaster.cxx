@@ -3,11 +3,10 @@
 #include "vtkPointSplatRaster.h"
 
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPointSplatItemTable.h"
 #include "vtkPointSplatPointSizes.h"
 #include "vtkPointSplatQuads.h"
+#include "vtkPointSplatReach.h"
 #include "vtkPointSplatSavedState.h"
-#include "vtkPointSplatTiles.h"
 
 namespace
 {
@@ -51,7 +50,7 @@ bool vtkPointSplatRaster::DrawAll(const vtkPointSplatRequest& request,
   const bool factors = file == AccumulateFile && sums.GetContent().Factors > 0;
   const std::string defines =
     (identifies ? std::string() : peel.GetDefines()) + (factors ? "#define FACTORS\n" : "");
-  const unsigned int tagMask = vtkPointSplatItemTable::TagMask(request.Items.size());
+  const unsigned int tagMask = request.GetTagMask();
   vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
   const vtkPointSplatPointSizes sizes;
   for (const vtkPointSplatItem& item : request.Items)
@@ -69,10 +68,10 @@ bool vtkPointSplatRaster::DrawAll(const vtkPointSplatRequest& request,
       identifies ? item.Cloud->UploadIds(request.Ids) : item.Cloud->Upload();
     vtkPointSplatQuads::SetUniforms(*program, item, request.View, tagMask);
     program->Set(
-      "Reach", sees ? vtkPointSplatTiles::DiskReach : static_cast<float>(item.Kernel.Support));
+      "Reach", sees ? vtkPointSplatReach::Disk : static_cast<float>(item.Kernel.Support));
     program->Set("LeastRadii",
-      sees ? glm::vec2(vtkPointSplatTiles::CoverageRadius, vtkPointSplatTiles::CoverageDot)
-           : glm::vec2(vtkPointSplatTiles::PrefilterRadius));
+      sees ? glm::vec2(vtkPointSplatReach::Coverage, vtkPointSplatReach::CoverageDot)
+           : glm::vec2(vtkPointSplatReach::Prefilter));
     program->Set("DepthUnit", static_cast<float>(request.GetDepthUnit()));
     program->Set("ItemColour", peel.Gather ? item.Colour : glm::vec4(1.0f));
     if (!identifies)
@@ -122,19 +121,16 @@ bool vtkPointSplatRaster::Project(const vtkPointSplatRequest& request,
     return seen;
   }
 
+  std::vector<vtkPointSplatFramebuffer::Target> targets{ sums.WeightAndNormal, sums.DepthAndColour,
+    sums.Opacities };
   if (sums.GetContent().Factors > 0)
   {
-    this->Accumulation.Bind(
-      state, { sums.WeightAndNormal, sums.DepthAndColour, sums.Opacities, sums.Factors });
+    targets.emplace_back(sums.Factors);
   }
-  else
+  this->Accumulation.Bind(state, targets);
+  for (size_t k = 0; k < targets.size(); ++k)
   {
-    this->Accumulation.Bind(
-      state, { sums.WeightAndNormal, sums.DepthAndColour, sums.Opacities });
-  }
-  for (GLint k = 0; k < (sums.GetContent().Factors > 0 ? 4 : 3); ++k)
-  {
-    glClearBufferfv(GL_COLOR, k, Zero);
+    glClearBufferfv(GL_COLOR, static_cast<GLint>(k), Zero);
   }
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDepthMask(GL_FALSE);

@@ -14,12 +14,15 @@ bool vtkPointSplatReconstruction::UsesTiles(const vtkPointSplatRequest& request)
 
 //------------------------------------------------------------------------------
 vtkPointSplatTiles::Result vtkPointSplatReconstruction::Build(const vtkPointSplatRequest& request,
-  const std::vector<vtkPointSplatPart>& parts, vtkPointSplatLayers& layers)
+  const std::vector<vtkPointSplatPart>& parts, vtkPointSplatLayers& layers,
+  vtkPointSplatOutlines& outlines)
 {
   this->FillSteps = 0;
+  outlines.Clear();
   if (vtkPointSplatReconstruction::UsesTiles(request))
   {
-    const vtkPointSplatTiles::Result result = this->Tiles.Reconstruct(request, parts, layers);
+    const vtkPointSplatTiles::Result result = 
+      this->Tiles.Reconstruct(request, parts, layers, outlines);
     this->Error = this->Tiles.GetError();
     return result;
   }

@@ -25,7 +25,8 @@ public:
    * one only for tiles.
    */
   vtkPointSplatTiles::Result Build(const vtkPointSplatRequest& request,
-    const std::vector<vtkPointSplatPart>& parts, vtkPointSplatLayers& layers);
+    const std::vector<vtkPointSplatPart>& parts, vtkPointSplatLayers& layers,
+    vtkPointSplatOutlines& outlines);
 
   /// Steps of filling that the last call made.
   int GetNumberOfFillSteps() const { return this->FillSteps; }

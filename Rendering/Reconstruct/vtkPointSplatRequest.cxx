@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatRequest.h"
 
+#include "vtkPointSplatLayers.h"
+
 #include <algorithm>
 
 //------------------------------------------------------------------------------
@@ -15,7 +17,8 @@ bool vtkPointSplatRequest::operator==(const vtkPointSplatRequest& other) const
     this->LeastContribution == other.LeastContribution && this->Gather == other.Gather &&
     this->ShowsEach == other.ShowsEach && this->SceneDepth == other.SceneDepth &&
     (this->SceneDepth == 0 || this->SceneFrame == other.SceneFrame) &&
-    this->MaximumMemory == other.MaximumMemory && this->HasIds == other.HasIds &&
+    this->MaximumMemory == other.MaximumMemory && this->Outlines == other.Outlines &&
+    this->HasIds == other.HasIds &&
     (!this->HasIds || this->Ids == other.Ids);
 }
 
@@ -35,6 +38,30 @@ int vtkPointSplatRequest::GetFactorCount() const
     count = std::max(count, item.FactorCount);
   }
   return count;
+}
+
+//------------------------------------------------------------------------------
+unsigned int vtkPointSplatRequest::GetTagMask() const
+{
+  unsigned int mask = 127; // 64 slots, so that depths are as fine in small scenes
+  while (mask < 2 * this->Items.size())
+  {
+    mask = 2 * mask + 1;
+  }
+  return mask;
+}
+
+//------------------------------------------------------------------------------
+int vtkPointSplatRequest::GetMostLayers(vtkIdType room) const
+{
+  if (this->MaximumMemory > 0)
+  {
+    room = std::min(room,
+      this->MaximumMemory /
+        vtkPointSplatLayers::BytesPerLayer(this->View.Size, this->GetFactorCount()));
+  }
+  return static_cast<int>(
+    std::min<vtkIdType>(this->MaximumLayers, std::max<vtkIdType>(room, 1)));
 }
 
 //------------------------------------------------------------------------------

@@ -30,7 +30,8 @@ struct vtkPointSplatRequest
   vtkIdType MaximumMemory = 0;            // bytes of all layers; 0: no bound
   ///@}
 
-  bool HasIds = false; // of the first layer
+  bool Outlines = false; // are smoothed; of tiles only
+  bool HasIds = false;   // of the first layer
   vtkPointSplatCloud::IdKind Ids = vtkPointSplatCloud::PointIds;
 
   bool operator==(const vtkPointSplatRequest& other) const;
@@ -38,6 +39,10 @@ struct vtkPointSplatRequest
   bool IsPeeled() const { return this->MaximumLayers > 1 || this->SceneDepth != 0; }
   bool HasColours() const;
   int GetFactorCount() const;
+  /// The bits that tags of the items need (vtkPointSplatDepthCode.glsl).
+  unsigned int GetTagMask() const;
+  /// Layers that may be made where there is room for no more than this.
+  int GetMostLayers(vtkIdType room) const;
   /// Then: what the rim of a disk lies behind its centre, world units; or 0.
   double GetVoronoiScale() const;
   /// Five times the largest least layer distance, world units.

@@ -16,18 +16,15 @@
 #include "vtkPointSplatTilePixels"
 #include "vtkPointSplatTileFlat"
 #include "vtkPointSplatTileCaps"
+#include "vtkPointSplatTileWalk"
+#ifdef SUMMARIES
+#include "vtkPointSplatTileSummary"
+#endif
 
 layout(local_size_x = 64) in;
 
-#if LANES > 1
-uniform usamplerBuffer Tiles; // R32UI, where each kind of each tile begins in the lists
-#else
-uniform usamplerBuffer Tiles; // RGBA32UI, two a tile: where its kinds begin in the lists, and it
-#endif
 uniform int FirstTile; // that is run
 uniform int TileCount;
-uniform int TilesInAll;
-uniform int TilesAcross;
 uniform ivec4 TileWindow; // pixels that are written: first x, y, last x, y
 uniform int FirstRow;     // of pixels that is bound
 uniform int ImageWidth;
@@ -44,67 +41,12 @@ layout(std430, binding = 3) buffer Counts { uint layersMade; }; // the most of a
 uniform int MaximumLayers;
 uniform int LayersToClear;       // that are written even where they are empty
 uniform float LeastContribution; // of the light behind
-uniform bool HasSceneDepth;
-uniform sampler2D SceneDepth;    // of the opaque scene, as OpenGL has it
-uniform vec4 PixelZ;             // view coordinates to z w
 #ifndef GATHER
 const bool Gather = false;
 #else
 const bool Gather = true;
 #endif
-
-// Where the opaque scene hides a pixel.
-float sceneDepthAt(ivec2 pixel)
-{
-  float ndc = 2.0 * texelFetch(SceneDepth, pixel, 0).r - 1.0;
-  // (PixelZ.z z + PixelZ.w) / (PixelW.z z + PixelW.w) = ndc
-  float z = (ndc * PixelW.w - PixelZ.w) / (PixelZ.z - ndc * PixelW.z);
-  return ndc < 1.0 ? -z - DepthRange.x : NoHit;
-}
 #endif
-
-// Where each kind of splat begins in the lists, and where the last ones end.
-struct Span
-{
-  int flats;
-  int bents;
-  int curveds;
-  int end;
-  int wides;
-  int wideEnd;
-  int tile;
-};
-
-// False: the table has no such tile, but whole work groups.
-bool spanOf(int index, out Span s)
-{
-#if LANES > 1
-  // As vtkPointSplatBinCS counts: three kinds a tile, then blocks of 16 x 16 tiles.
-  int blocksAcross = (TilesAcross + 15) >> 4;
-  int wide = 3 * TilesInAll + (index / TilesAcross >> 4) * blocksAcross +
-    (index % TilesAcross >> 4);
-  s = Span(int(texelFetch(Tiles, 3 * index).r), int(texelFetch(Tiles, 3 * index + 1).r),
-    int(texelFetch(Tiles, 3 * index + 2).r), int(texelFetch(Tiles, 3 * index + 3).r),
-    int(texelFetch(Tiles, wide).r), int(texelFetch(Tiles, wide + 1).r), index);
-  return true;
-#else
-  uvec4 begins = texelFetch(Tiles, 2 * index);
-  uvec4 ends = texelFetch(Tiles, 2 * index + 1);
-  s = Span(int(begins.x), int(begins.y), int(begins.z), int(ends.x), int(ends.y), int(ends.z),
-    int(begins.w));
-  return ends.w != 0u;
-#endif
-}
-
-void see(inout Span s, Span all)
-{
-  seeFlat(s.flats, all.bents);
-  seeBent(s.bents, all.curveds);
-#ifdef CURVED
-  seeCurved(s.curveds, all.end);
-  seeCurved(s.wides, all.wideEnd);
-#endif
-}
 
 void add(Span s, Span all)
 {
@@ -220,6 +162,9 @@ void main()
     clearLayer();
     add(left, all);
     writeLayer(first, layer);
+#ifdef SUMMARIES
+    summarise(layer);
+#endif
     any = false;
     peeledTo = NoHit;
     for (int k = 0; k < Pixels; ++k)
@@ -248,5 +193,11 @@ void main()
   clearLayer();
   add(left, all);
   writeLayer(first, 0);
+#ifdef SUMMARIES
+  summarise(0);
+#endif
+#endif
+#ifdef SUMMARIES
+  writeSummary(all.tile);
 #endif
 }

@@ -64,7 +64,9 @@ vec3 imageW(Cap q, float depth)
 vec2 middlePlace()
 {
 #if LANES > 1
-  return vec2(placeOf(0));
+  return offsetOf(0);
+#elif defined(SAMPLES)
+  return vec2(0.0);
 #else
   return 0.5 * vec2(TILE_WIDTH - 1, TILE_HEIGHT - 1);
 #endif
@@ -160,7 +162,7 @@ void seeBent(inout int begin, int end)
     {
       vec2 uv;
       float behind;
-      bool met = meetBundle(rays, vec2(placeOf(k)) - middle, uv, behind);
+      bool met = meetBundle(rays, offsetOf(k) - middle, uv, behind);
       keepNearest(k, h, met && dot(uv, uv) <= reach, h.depth + behind);
     }
     ++i;
@@ -174,7 +176,7 @@ bool isWithin(int k, uint tag, float depth)
 #ifdef CLIPPING
   // From the pixel, not from the splat: of one that is huge, rounding would leave nothing.
   float z = -(depth + DepthRange.x);
-  vec2 across = (corner + vec2(placeOf(k))) * (PixelW.z * z + PixelW.w) -
+  vec2 across = (corner + offsetOf(k)) * (PixelW.z * z + PixelW.w) -
     vec2(PixelX.z * z + PixelX.w, PixelY.z * z + PixelY.w);
   vec4 position =
     vec4(inverse(mat2(PixelX.x, PixelY.x, PixelX.y, PixelY.y)) * across, z, 1.0);
@@ -208,7 +210,7 @@ Normal normalOf(uvec4 r2, uvec4 r4)
 void addCap(int k, Head h, Paint p, bool met, vec2 uv, float behind, Widened w, vec2 zST, Normal n,
   bool cut)
 {
-  vec2 d = h.from + vec2(placeOf(k));
+  vec2 d = h.from + offsetOf(k);
   float r2 = dot(uv, uv);
   vec2 onEllipse = vec2(dot(d, w.along), dot(d, w.across));
   float narrow = dot(onEllipse, onEllipse);
@@ -250,7 +252,7 @@ void addBent(int i, int end, float layerEnd)
     {
       vec2 uv;
       float behind;
-      bool met = meetBundle(rays, vec2(placeOf(k)) - middle, uv, behind);
+      bool met = meetBundle(rays, offsetOf(k) - middle, uv, behind);
       addCap(k, h, p, met, uv, behind, widened, cap.z.xy, n, false);
     }
     ++i;
@@ -282,7 +284,7 @@ void seeCurved(inout int begin, int end)
     for (int k = 0; k < Pixels; ++k)
     {
       vec3 x;
-      bool met = meetCap(cap.a, cap.b, w, cap.bend, h.from + vec2(placeOf(k)), x);
+      bool met = meetCap(cap.a, cap.b, w, cap.bend, h.from + offsetOf(k), x);
       float depth = h.depth - dot(x, cap.z);
       keepNearest(k, h, met && dot(x.xy, x.xy) <= reach && dot(x, w) > -1.0 &&
         isWithin(k, h.tag, depth), depth);
@@ -317,7 +319,7 @@ void addCurved(int i, int end, float layerEnd)
     for (int k = 0; k < Pixels; ++k)
     {
       vec3 x;
-      bool met = meetCap(cap.a, cap.b, w, cap.bend, h.from + vec2(placeOf(k)), x) &&
+      bool met = meetCap(cap.a, cap.b, w, cap.bend, h.from + offsetOf(k), x) &&
         dot(x, w) > -1.0;
       addCap(k, h, p, met, x.xy, -dot(x, cap.z), widened, cap.z.xy, n, true);
     }

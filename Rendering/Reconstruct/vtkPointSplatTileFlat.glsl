@@ -26,7 +26,7 @@ void seeFlat(inout int begin, int end)
     float slope = uintBitsToFloat(texelFetch(Records, at + 2).x);
     for (int k = 0; k < Pixels; ++k)
     {
-      vec2 d = h.from + vec2(placeOf(k));
+      vec2 d = h.from + offsetOf(k);
       float r2 = (form.x * d.x + form.y * d.y) * d.x + form.z * d.y * d.y;
       keepNearest(k, h, r2 <= reach, h.depth + form.w * d.x + slope * d.y);
     }
@@ -60,7 +60,7 @@ void addFlat(int i, int end, float layerEnd)
     Paint p = paintOf(record, h.tag);
     for (int k = 0; k < Pixels; ++k)
     {
-      vec2 d = h.from + vec2(placeOf(k));
+      vec2 d = h.from + offsetOf(k);
       float r2 = (form.x * d.x + form.y * d.y) * d.x + form.z * d.y * d.y;
       addToLayer(k, h, p, true, r2, h.depth + slope.x * d.x + slope.y * d.y,
         normal + d.x * turnX + d.y * turnY);

@@ -6,7 +6,8 @@
 // by the compiler, so that arrays are registers.
 //
 // LANES invocations share a tile of TILE_WIDTH x TILE_HEIGHT pixels. On CPUs one has all of it:
-// what costs there is to load a splat, not to try it on a pixel.
+// what costs there is to load a splat, not to try it on a pixel. With SAMPLES a tile is the four
+// samples of a pixel that an outline runs through.
 
 #include "vtkPointSplatRecord"
 #include "vtkPointSplatKernel"
@@ -79,10 +80,22 @@ ivec2 placeOf(int k)
   return ivec2(pixel % TILE_WIDTH, pixel / TILE_WIDTH);
 }
 
+// From the corner to a pixel, or to a sample: no two of these are in one row or column, as those of
+// OpenGL's multisampled framebuffers.
+vec2 offsetOf(int k)
+{
+#ifdef SAMPLES
+  vec2 place = vec2(placeOf(k));
+  return mat2(0.5, 0.25, -0.25, 0.5) * place - vec2(0.125, 0.375);
+#else
+  return vec2(placeOf(k));
+#endif
+}
+
 // What the loops over splats need of each.
 struct Head
 {
-  vec2 from;   // the tile's first pixel from the centre
+  vec2 from;   // the corner from the centre
   float depth; // of the centre
   uint tag;
   uint sides;  // tags whose bits differ by less than this belong to one layer

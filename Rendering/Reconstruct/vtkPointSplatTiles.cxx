@@ -5,6 +5,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkPointSplatReach.h"
 #include "vtkPointSplatUnits.h"
 
 #include <algorithm>
@@ -17,13 +18,10 @@ constexpr vtkIdType GroupSize = 64; // as in the shaders
 constexpr GLsizeiptr RecordBytes = 80;
 constexpr GLsizeiptr BoxBytes = 8;
 constexpr double Buckets = 1024.0; // as in vtkPointSplatRecord.glsl
-// Storage blocks begin at multiples of some 256 bytes, and have at least 128 MiB in drivers of use.
-constexpr GLint LeastBlockBytes = 1 << 27;
 constexpr vtkIdType SplatsPerDispatch = vtkIdType(1) << 20;
-// Entries of all lists, so that these are within that, too.
+// Entries of all lists, so that these are within a storage block, which has at least 128 MiB in
+// drivers of use.
 constexpr size_t MostEntries = size_t(1) << 25;
-// Bands of tiles begin at multiples of so many rows of pixels, whatever tiles' size is.
-constexpr int BandRows = 64;
 // Room for layers before it is known how many there are.
 constexpr int FirstCapacity = 8;
 
@@ -32,6 +30,13 @@ vtkIdType RecordsOf(const vtkPointSplatItem& item)
 {
   constexpr vtkIdType size = vtkPointSplatBlocks::Size;
   return item.IsInView() ? (item.GetNumberOfInvocations() + size - 1) / size * size : 0;
+}
+
+/// Pixels that an invocation has, or shares with others.
+std::string SizeDefines(const glm::ivec2& size, int lanes)
+{
+  return "#define LANES " + std::to_string(lanes) + "\n#define TILE_WIDTH " +
+    std::to_string(size.x) + "\n#define TILE_HEIGHT " + std::to_string(size.y) + "\n";
 }
 
 /// The distances from the near plane between which an item's splats lie.
@@ -48,17 +53,6 @@ glm::dvec2 DepthsOf(const vtkPointSplatItem& item, const vtkPointSplatView& view
     depths.y = std::max(depths.y, -p.z - view.Near);
   }
   return depths + glm::dvec2(-reach, reach);
-}
-
-/// Rows of pixels that a band of tiles may have.
-int RowsPerBand(vtkIdType bytesPerRow)
-{
-  GLint64 bound = 0;
-  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bound);
-  const vtkIdType rows =
-    std::max<vtkIdType>(static_cast<vtkIdType>(bound), LeastBlockBytes) / bytesPerRow;
-  return static_cast<int>(
-    std::max<vtkIdType>(std::min<vtkIdType>(rows, 1 << 20) / BandRows, 1) * BandRows);
 }
 }
 
@@ -104,6 +98,7 @@ vtkPointSplatTiles::Variant vtkPointSplatTiles::VariantOf(
     (v.Ids ? "#define IDS\n" : "") + (clipping ? "#define CLIPPING\n" : "");
   const bool layers = request.IsPeeled();
   v.Project = both;
+  v.Walk = std::string(clipping ? "#define CLIPPING\n" : "") + (layers ? "#define LAYERS\n" : "");
   v.Tile = both + (layers ? "#define LAYERS\n" : "") + (request.Gather ? "#define GATHER\n" : "") +
     (plateau ? "#define PLATEAU\n" : "") + (kernels ? "#define KERNELS\n" : "");
   if (request.OnDevice)
@@ -117,9 +112,9 @@ vtkPointSplatTiles::Variant vtkPointSplatTiles::VariantOf(
     // As many pixels as leave registers to work with.
     v.TileSize = layers || v.Colours || v.Factors > 0 ? glm::ivec2(4, 2) : glm::ivec2(4, 4);
     v.Lanes = 1;
+    v.Tile += request.Outlines ? "#define SUMMARIES\n" : "";
   }
-  v.Tile += "#define LANES " + std::to_string(v.Lanes) + "\n#define TILE_WIDTH " +
-    std::to_string(v.TileSize.x) + "\n#define TILE_HEIGHT " + std::to_string(v.TileSize.y) + "\n";
+  v.Tile += SizeDefines(v.TileSize, v.Lanes);
   return v;
 }
 
@@ -196,10 +191,10 @@ bool vtkPointSplatTiles::Project(
     return false;
   }
   vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
-  program->Set("DiskReach", DiskReach);
-  program->Set("CoverageRadius", CoverageRadius);
-  program->Set("CoverageDot", CoverageDot);
-  program->Set("PrefilterRadius", PrefilterRadius);
+  program->Set("DiskReach", vtkPointSplatReach::Disk);
+  program->Set("CoverageRadius", vtkPointSplatReach::Coverage);
+  program->Set("CoverageDot", vtkPointSplatReach::CoverageDot);
+  program->Set("PrefilterRadius", vtkPointSplatReach::Prefilter);
   program->Set("TileShift", this->Grid.Shift);
   program->Set("TileReach",
     variant.Lanes > 1 ? 0.0f : 0.5f * glm::length(glm::vec2(variant.TileSize - 1)));
@@ -323,10 +318,10 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::Prepare(
 
 //------------------------------------------------------------------------------
 vtkPointSplatProgram* vtkPointSplatTiles::UseTiles(const vtkPointSplatRequest& request,
-  const vtkPointSplatPart& part, const Variant& variant, vtkPointSplatUnits& units)
+  const vtkPointSplatPart& part, vtkPointSplatUnits& units, const Shader& shader)
 {
-  vtkPointSplatProgram* program = this->Use(this->TilePrograms, "vtkPointSplatTileCS",
-    variant.Tile + (this->Curved ? "#define CURVED\n" : ""));
+  vtkPointSplatProgram* program = this->Use(
+    this->TilePrograms, shader.File, shader.Defines + (this->Curved ? "#define CURVED\n" : ""));
   if (!program)
   {
     return nullptr;
@@ -344,8 +339,8 @@ vtkPointSplatProgram* vtkPointSplatTiles::UseTiles(const vtkPointSplatRequest& r
   program->Set("BucketScale", this->BucketScale);
   program->Set("DepthReach", this->DepthReach);
   program->Set("DepthUnit", static_cast<float>(request.GetDepthUnit()));
-  program->Set("DiskReach", DiskReach);
-  program->Set("PrefilterRadius", PrefilterRadius);
+  program->Set("DiskReach", vtkPointSplatReach::Disk);
+  program->Set("PrefilterRadius", vtkPointSplatReach::Prefilter);
   program->Set("Kernel",
     glm::vec4(kernel.Shape, static_cast<float>(kernel.Support), kernel.Plateau ? 1.0f : 0.0f));
   program->Set("ZNear", static_cast<float>(view.Near));
@@ -366,9 +361,8 @@ vtkPointSplatProgram* vtkPointSplatTiles::UseTiles(const vtkPointSplatRequest& r
 }
 
 //------------------------------------------------------------------------------
-template <typename Bind>
-void vtkPointSplatTiles::Run(vtkPointSplatProgram& program, const Variant& variant,
-  int rowsPerBand, const Bind& bind)
+void vtkPointSplatTiles::Run(
+  vtkPointSplatProgram& program, const Variant& variant, vtkPointSplatLayers& layers)
 {
   // The bands' tiles: first and count, of the device's lists or in the table.
   struct Band
@@ -380,7 +374,7 @@ void vtkPointSplatTiles::Run(vtkPointSplatProgram& program, const Variant& varia
   std::vector<Band> bands;
   std::vector<uint32_t> table;
   constexpr size_t words = vtkPointSplatTileLists::TableWords;
-  const int tileRows = rowsPerBand / variant.TileSize.y;
+  const int tileRows = layers.GetRowsPerBand() / variant.TileSize.y;
   const int across = this->Grid.Tiles.x;
   for (int row = this->Grid.Window.y / tileRows * tileRows; row <= this->Grid.Window.w;
        row += tileRows)
@@ -406,7 +400,7 @@ void vtkPointSplatTiles::Run(vtkPointSplatProgram& program, const Variant& varia
     variant.Lanes > 1 ? this->DeviceLists.GetStarts() : this->Table.GetTexture());
   for (const Band& band : bands)
   {
-    bind(band.Row);
+    layers.BindRows(band.Row);
     program.Set("FirstRow", band.Row);
     program.Set("FirstTile", static_cast<int>(band.First));
     program.Set("TileCount", static_cast<int>(band.Count));
@@ -415,24 +409,13 @@ void vtkPointSplatTiles::Run(vtkPointSplatProgram& program, const Variant& varia
 }
 
 //------------------------------------------------------------------------------
-int vtkPointSplatTiles::MostLayers(const vtkPointSplatRequest& request, int factors)
-{
-  GLint texels = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
-  const vtkIdType bytes = vtkPointSplatLayers::BytesPerLayer(request.View.Size, factors);
-  vtkIdType fit = texels / (static_cast<vtkIdType>(request.View.Size.x) * request.View.Size.y);
-  fit = request.MaximumMemory > 0 ? std::min(fit, request.MaximumMemory / bytes) : fit;
-  return static_cast<int>(
-    std::min<vtkIdType>(request.MaximumLayers, std::max<vtkIdType>(fit, 1)));
-}
-
-//------------------------------------------------------------------------------
 vtkPointSplatTiles::Result vtkPointSplatTiles::DrawLayers(const vtkPointSplatRequest& request,
   const vtkPointSplatPart& part, const Variant& variant, vtkPointSplatLayers& layers)
 {
   const int capacity = layers.GetCapacity();
   vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
-  vtkPointSplatProgram* program = this->UseTiles(request, part, variant, units);
+  vtkPointSplatProgram* program =
+    this->UseTiles(request, part, units, { "vtkPointSplatTileCS", variant.Tile });
   if (!program)
   {
     return Failed;
@@ -443,39 +426,87 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::DrawLayers(const vtkPointSplatReq
   {
     this->Counts.BindStorage(3);
   }
-  const GLsizeiptr width = request.View.Size.x;
-  const int rowsPerBand = RowsPerBand(16 * width * capacity);
-  const int height = request.View.Size.y;
-  auto bindRows = [=](vtkPointSplatBuffer& buffer, GLuint index, GLsizeiptr bytes, int row) {
-    buffer.BindStorage(index, bytes * row, bytes * std::min(rowsPerBand, height - row));
-  };
-  this->Run(*program, variant, rowsPerBand, [&](int row) {
-    bindRows(layers.GetTexels(), 0, 16 * width * capacity, row);
-    if (variant.Factors > 0)
+  if (request.Outlines && variant.Lanes == 1)
+  {
+    this->Summaries.Reserve(16 * static_cast<GLsizeiptr>(this->Grid.GetCount()));
+    this->Summaries.BindStorage(4);
+  }
+  this->Run(*program, variant, layers);
+  return Made;
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatTiles::Result vtkPointSplatTiles::SampleOutlines(const vtkPointSplatRequest& request,
+  const vtkPointSplatPart& part, const Variant& variant, const vtkPointSplatLayers& layers,
+  vtkPointSplatOutlines& outlines)
+{
+  const int first = outlines.GetCount();
+  const bool device = variant.Lanes > 1;
+  if (!outlines.Find(layers,
+        { part.Window, device ? glm::ivec2(4) : variant.TileSize, this->Grid.Tiles,
+          this->Items.GetTexture(), device ? 0 : this->Summaries.GetTexture() }))
+  {
+    this->Error = outlines.GetError();
+    return Failed;
+  }
+  const int count = outlines.GetCount() - first;
+  if (count == 0)
+  {
+    return Made;
+  }
+  if (!device)
+  {
+    constexpr size_t words = vtkPointSplatTileLists::TableWords;
+    const std::vector<uint32_t> pixels = outlines.DownloadPixels(first);
+    std::vector<uint32_t> table(words * pixels.size());
+    const uint32_t width = static_cast<uint32_t>(request.View.Size.x);
+    for (size_t i = 0; i < pixels.size(); ++i)
     {
-      bindRows(layers.GetFactorTexels(), 1, 4 * width * capacity, row);
+      const glm::ivec2 tile = glm::ivec2(pixels[i] % width, pixels[i] / width) >> this->Grid.Shift;
+      this->HostLists.WriteRow(
+        static_cast<uint32_t>(tile.y * this->Grid.Tiles.x + tile.x), table.data() + words * i);
     }
-    if (variant.Ids)
-    {
-      bindRows(layers.GetIdTexels(), 2, 4 * width, row);
-    }
-  });
+    this->Table.Upload(table);
+  }
+  vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
+  vtkPointSplatProgram* program = this->UseTiles(request, part, units,
+    { "vtkPointSplatOutlineSamplesCS", variant.Walk + SizeDefines({ 2, 2 }, device ? 4 : 1) +
+        "#define SAMPLES\n#define LAYER_BUFFERS\n" });
+  if (!program)
+  {
+    return Failed;
+  }
+  layers.Bind(units, *program);
+  outlines.Bind(units, *program);
+  units.Bind(*program, "Tiles", GL_TEXTURE_BUFFER,
+    device ? this->DeviceLists.GetStarts() : this->Table.GetTexture());
+  outlines.GetChoices().BindStorage(0);
+  program->Set("FirstOutline", first);
+  program->Set("OutlineCount", count);
+  program->Set("TileShift", this->Grid.Shift);
+  vtkPointSplatProgram::Dispatch((device ? 4 : 1) * static_cast<vtkIdType>(count), GroupSize);
   return Made;
 }
 
 //------------------------------------------------------------------------------
 vtkPointSplatTiles::Result vtkPointSplatTiles::Reconstruct(const vtkPointSplatRequest& given,
-  const std::vector<vtkPointSplatPart>& parts, vtkPointSplatLayers& layers)
+  const std::vector<vtkPointSplatPart>& parts, vtkPointSplatLayers& layers,
+  vtkPointSplatOutlines& outlines)
 {
   vtkPointSplatRequest request = given;
   const Variant variant = VariantOf(request);
-  request.MaximumLayers = MostLayers(request, variant.Factors);
+  GLint texels = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
+  request.MaximumLayers = request.GetMostLayers(
+    texels / (static_cast<vtkIdType>(request.View.Size.x) * request.View.Size.y));
   this->Items.Upload(request.Items, request.View);
   int capacity = std::min(request.MaximumLayers, std::max(FirstCapacity, layers.GetCapacity()));
   Result result = Made;
   for (bool fits = false; !fits && result == Made;)
   {
     layers.AllocateBuffers(request.View.Size, capacity, variant.Factors, variant.Ids);
+    layers.SetNumberOfLayers(capacity);
+    outlines.Clear();
     GLuint made = 1;
     if (request.IsPeeled())
     {
@@ -486,6 +517,9 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::Reconstruct(const vtkPointSplatRe
     {
       result = this->Prepare(request, part, variant);
       result = result == Made ? this->DrawLayers(request, part, variant, layers) : result;
+      result = result == Made && request.Outlines
+        ? this->SampleOutlines(request, part, variant, layers, outlines)
+        : result;
       if (result != Made)
       {
         break;
@@ -510,7 +544,7 @@ vtkIdType vtkPointSplatTiles::GetMemorySize() const
   vtkIdType bytes = this->DeviceLists.GetMemorySize();
   for (const vtkPointSplatBuffer* buffer :
     { &this->Records, &this->Boxes, &this->Colours, &this->Factors, &this->Ids, &this->Lists,
-      &this->Table })
+      &this->Table, &this->Summaries })
   {
     bytes += buffer->GetSize();
   }
@@ -525,7 +559,7 @@ void vtkPointSplatTiles::Release()
   this->Items.Release();
   this->DeviceLists.Release();
   for (vtkPointSplatBuffer* buffer : { &this->Records, &this->Boxes, &this->Colours,
-         &this->Factors, &this->Ids, &this->Blocks, &this->Lists, &this->Table, &this->Counts })
+         &this->Factors, &this->Ids, &this->Blocks, &this->Lists, &this->Table, &this->Summaries, &this->Counts })
   {
     buffer->Release();
   }

@@ -10,9 +10,11 @@
 //    what belongs to it (Zhang, Pajarola 2006, equation 1), then the next layer (Guennebaud,
 //    Barthe, Paulin 2006, section 6), until nothing is left, or nothing that could change a pixel
 //    by the target. There are no atomic operations a pixel, and no pass over empty tiles.
+// 4. Smooth outlines: what four samples of each pixel show that one runs through
+//    (vtkPointSplatOutlines.h).
 //
 // Buffers: records, RGBA32UI, 5 texels a splat; boxes, RG32UI, 1; lists, R32UI; the tiles' table,
-// RGBA32UI, 2 a tile; beside the records colours, factors of lights and ids, R32UI, where there are
+// RGBA32UI, 2 a tile; their summaries, RGBA32UI, 1 a tile; beside the records colours, factors of lights and ids, R32UI, where there are
 // some. A splat is a record of 80 bytes and 8 of its box, so that who draws bounds how many are
 // drawn at once (vtkPointSplatSelection.h).
 #ifndef vtkPointSplatTiles_h
@@ -21,6 +23,7 @@
 #include "vtkPointSplatDeviceLists.h"
 #include "vtkPointSplatItemTable.h"
 #include "vtkPointSplatLayers.h"
+#include "vtkPointSplatOutlines.h"
 #include "vtkPointSplatProgram.h"
 #include "vtkPointSplatRequest.h"
 #include "vtkPointSplatTileLists.h"
@@ -33,24 +36,6 @@ class vtkPointSplatUnits;
 class vtkPointSplatTiles
 {
 public:
-  ///@{
-  /**
-   * How far disks reach in the visibility pass, in radii; the least radii, in pixels, of a
-   * disk's image there; and the prefilter's radius, in pixels, in the accumulation pass.
-   */
-  // Disks that cover their neighbours' Voronoi cells in the tangent plane leave cracks where the
-  // surface bends and is seen at a flat angle.
-  static constexpr float DiskReach = 1.15f;
-  // On planes that are seen edge-on no pixel falls between disks.
-  static constexpr float CoverageRadius = 0.1f;
-  // But splats with a silhouette on them are not widened: a tenth of a pixel about each centre
-  // costs bodies of a few hundred pixels 7 dB against their mesh.
-  static constexpr float CoverageDot = 1e-3f;
-  // Guennebaud, section 4.1, has the square root of two; the Gaussian of sigma 0.6 is then as
-  // wide as a pixel is, which blurs more than the pixels of a supersampled picture do.
-  static constexpr float PrefilterRadius = 0.8f;
-  ///@}
-
   /// Splats that can be drawn at once: as many as an entry of a list can name.
   static constexpr vtkIdType Capacity = vtkIdType(1) << 22;
 
@@ -69,9 +54,11 @@ public:
   /// Whether its buffers are in main memory, so that the processor makes lists fastest.
   static bool IsSoftware();
 
-  /// Makes the layers' texels within the parts' windows.
+  /// Makes the layers' texels within the parts' windows, and samples their outlines where the request
+  /// says so.
   Result Reconstruct(const vtkPointSplatRequest& request,
-    const std::vector<vtkPointSplatPart>& parts, vtkPointSplatLayers& layers);
+    const std::vector<vtkPointSplatPart>& parts, vtkPointSplatLayers& layers,
+    vtkPointSplatOutlines& outlines);
 
   const std::string& GetError() const { return this->Error; }
   vtkIdType GetMemorySize() const; // bytes
@@ -83,6 +70,7 @@ private:
   {
     std::string Project;
     std::string Tile;
+    std::string Walk; // of it what the search for the nearest hits needs
     glm::ivec2 TileSize{ 4, 4 };
     int Lanes = 1;
     bool Colours = false;
@@ -99,15 +87,20 @@ private:
   bool Project(
     const vtkPointSplatRequest& request, const vtkPointSplatPart& part, const Variant& variant);
   Result Bin(const Variant& variant);
+  struct Shader
+  {
+    const char* File;
+    std::string Defines;
+  };
+  /// One that walks over the lists.
   vtkPointSplatProgram* UseTiles(const vtkPointSplatRequest& request,
-    const vtkPointSplatPart& part, const Variant& variant, vtkPointSplatUnits& units);
-  /// Runs the tiles in bands of rows; bind(first, count): of pixels' rows.
-  template <typename Bind>
-  void Run(vtkPointSplatProgram& program, const Variant& variant, int rowsPerBand,
-    const Bind& bind);
+    const vtkPointSplatPart& part, vtkPointSplatUnits& units, const Shader& shader);
+  /// Runs the tiles in bands of rows.
+  void Run(vtkPointSplatProgram& program, const Variant& variant, vtkPointSplatLayers& layers);
   Result DrawLayers(const vtkPointSplatRequest& request, const vtkPointSplatPart& part,
     const Variant& variant, vtkPointSplatLayers& layers);
-  static int MostLayers(const vtkPointSplatRequest& request, int factors);
+  Result SampleOutlines(const vtkPointSplatRequest& request, const vtkPointSplatPart& part,
+    const Variant& variant, const vtkPointSplatLayers& layers, vtkPointSplatOutlines& outlines);
 
   std::map<std::string, vtkPointSplatProgram> ProjectPrograms; // by defines
   std::map<std::string, vtkPointSplatProgram> TilePrograms;
@@ -120,6 +113,7 @@ private:
   vtkPointSplatBuffer Blocks;
   vtkPointSplatBuffer Lists{ GL_R32UI };
   vtkPointSplatBuffer Table{ GL_RGBA32UI };
+  vtkPointSplatBuffer Summaries{ GL_RGBA32UI };
   vtkPointSplatBuffer Counts;
   vtkPointSplatTileLists HostLists;
   vtkPointSplatDeviceLists DeviceLists;

@@ -1,15 +1,27 @@
 #version 330
+#extension GL_ARB_sample_shading : enable
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Presents all translucent layers at once, flattened to one colour and opacity a pixel
 // at the nearest layer's depth, where there is nothing else translucent that could lie
-// between them. With the hooks of VTK's translucent passes, as vtkPointSplatResolveFS.
+// between them. With the hooks of VTK's translucent passes, as vtkPointSplatLayerFS.
+// BESIDE_OUTLINES: without pixels that outlines run through. OUTLINES: these, each the mean of
+// those that its samples take after.
+
+//PointSplat::Defines
 
 //VTK::CustomUniforms::Dec
 
 //VTK::DepthPeeling::Dec
+
+#ifdef BESIDE_OUTLINES
+#include "vtkPointSplatLayers"
+#endif
+#ifdef OUTLINES
+#include "vtkPointSplatOutline"
+#endif
 
 uniform sampler2D Flattened;   // premultiplied
 uniform sampler2D NearestDepths;
@@ -18,12 +30,29 @@ uniform ivec2 ImageOrigin;
 void main()
 {
   ivec2 at = ivec2(gl_FragCoord.xy) - ImageOrigin;
+#ifdef OUTLINES
+  vec4 flattened = vec4(0.0);
+  float depth = 1.0;
+  uint counts = countsAbout();
+  ivec2 pixelAt;
+  float share;
+  while (nextPixel(counts, at, pixelAt, share))
+  {
+    flattened += share * texelFetch(Flattened, pixelAt, 0);
+    depth = min(depth, texelFetch(NearestDepths, pixelAt, 0).r);
+  }
+#else
   vec4 flattened = texelFetch(Flattened, at, 0);
+  float depth = texelFetch(NearestDepths, at, 0).r;
+#endif
+#ifdef BESIDE_OUTLINES
+  flattened.a = isOutline(fetchLayer(at, 0)) ? 0.0 : flattened.a;
+#endif
   if (flattened.a <= 0.0)
   {
     discard;
   }
-  gl_FragDepth = texelFetch(NearestDepths, at, 0).r;
+  gl_FragDepth = depth;
 
   //VTK::DepthPeeling::PreColor
 

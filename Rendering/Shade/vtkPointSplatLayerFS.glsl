@@ -34,8 +34,17 @@ uniform int SelectionShift;
 void main()
 {
   ivec2 at = ivec2(gl_FragCoord.xy) - ImageOrigin;
-  uvec4 texel = fetchLayer(at, Layer);
-  if (isEmpty(texel) || (OnlySlot >= 0 && int(tagOfTexel(texel) >> 1) != OnlySlot))
+  uvec4 texel = fetchLayer(at, 0);
+  bool apart = false;
+#if OUTPUT == 0
+  // What an outline runs through is drawn by samples (vtkPointSplatOutlineFS).
+  apart = isOutline(texel);
+#endif
+  if (Layer > 0)
+  {
+    texel = fetchLayer(at, Layer);
+  }
+  if (apart || isEmpty(texel) || (OnlySlot >= 0 && int(tagOfTexel(texel) >> 1) != OnlySlot))
   {
     discard;
   }

@@ -24,7 +24,6 @@ void vtkPointSplatMaterials::Upload(const std::vector<Entry>& entries)
 {
   std::vector<glm::vec4> texels;
   this->HasColours = this->HasMedia = this->HasDispersion = false;
-  this->Opaque = true;
   bool specular = false;
   bool unlit = false;
   bool twoSided = false;
@@ -45,7 +44,6 @@ void vtkPointSplatMaterials::Upload(const std::vector<Entry>& entries)
       texels.emplace_back(p->GetAmbient(), p->GetDiffuse(), front->GetLighting() ? 1.0 : 0.0,
         entry.HasColours ? 1.0 : 0.0);
       specular = specular || p->GetSpecular() > 0.0;
-      this->Opaque = this->Opaque && p->GetOpacity() >= 1.0;
     }
     unlit = unlit || !front->GetLighting();
     twoSided = twoSided || front != back;

@@ -54,7 +54,6 @@ public:
   /// In the order of the slots.
   void Upload(const std::vector<Entry>& entries);
   bool Refracts() const { return this->HasMedia; }
-  bool AreOpaque() const { return this->Opaque; }
   bool Disperses() const { return this->HasDispersion; }
 
   /// Lines for programs that include vtkPointSplatMaterials.glsl. gathered: whether a layer holds
@@ -68,7 +67,6 @@ private:
   vtkPointSplatBuffer Table{ GL_RGBA32F };
   std::string Defines; // but for COLOURED
   bool HasColours = false;
-  bool Opaque = true;
   bool HasMedia = false;
   bool HasDispersion = false;
 };

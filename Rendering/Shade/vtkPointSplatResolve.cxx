@@ -21,6 +21,17 @@
 
 namespace
 {
+const char* const ScreenFile = "vtkPointSplatScreenVS";
+const char* const OutlineFile = "vtkPointSplatOutlineVS";
+
+/// Of the framebuffer that is bound.
+std::string SampleDefines()
+{
+  GLint samples = 0;
+  glGetIntegerv(GL_SAMPLES, &samples);
+  return samples > 1 ? "#define MULTISAMPLED\n" : "";
+}
+
 std::vector<vtkOpenGLRenderPass*> PassesOf(vtkActor* actor)
 {
   std::vector<vtkOpenGLRenderPass*> passes;
@@ -72,10 +83,11 @@ bool vtkPointSplatResolve::AreHooksShared(vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatResolve::Use(const Target& target, const Hooks& hooks, const std::string& file,
+bool vtkPointSplatResolve::Use(const Target& target, const char* vertexFile, const char* file,
   const std::string& defines, vtkPointSplatProgram& program)
 {
-  std::string vertex = vtkPointSplatProgram::Source("vtkPointSplatScreenVS");
+  const Hooks hooks(target.Actor);
+  std::string vertex = vtkPointSplatProgram::Source(vertexFile);
   std::string geometry;
   std::string fragment = vtkPointSplatProgram::Source(file);
   for (vtkOpenGLRenderPass* pass : hooks.Passes)
@@ -108,11 +120,11 @@ bool vtkPointSplatResolve::Use(const Target& target, const Hooks& hooks, const s
 
 //------------------------------------------------------------------------------
 bool vtkPointSplatResolve::Present(const Target& target, const vtkPointSplatShading& shading,
-  const vtkPointSplatLayers& layers, int layer, int slot)
+  const Source& source, int layer, int slot)
 {
-  const Hooks hooks(target.Actor);
+  const vtkPointSplatLayers& layers = source.Layers;
   vtkPointSplatProgram program;
-  if (!this->Use(target, hooks, "vtkPointSplatLayerFS",
+  if (!this->Use(target, ScreenFile, "vtkPointSplatLayerFS",
         "#define OUTPUT 0\n" + layers.GetDefines() +
           shading.GetDefines(layers.GetGathered() >= 0),
         program))
@@ -128,6 +140,34 @@ bool vtkPointSplatResolve::Present(const Target& target, const vtkPointSplatShad
   program.Set("OnlySlot", slot);
   this->Draw(target, shading.View);
   shading.Unbind();
+  return source.Outlines.GetCount() == 0 ||
+    this->PresentOutlines(target, shading, source, layer, slot);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatResolve::PresentOutlines(const Target& target,
+  const vtkPointSplatShading& shading, const Source& source, int layer, int slot)
+{
+  vtkPointSplatProgram program;
+  if (!this->Use(target, OutlineFile, "vtkPointSplatOutlineFS",
+        SampleDefines() + source.Layers.GetDefines() +
+          shading.GetDefines(source.Layers.GetGathered() >= 0),
+        program))
+  {
+    return false;
+  }
+  vtkPointSplatUnits units(
+    static_cast<vtkOpenGLRenderWindow*>(target.Renderer->GetRenderWindow()));
+  source.Layers.Bind(units, program);
+  source.Outlines.Bind(units, program);
+  shading.Bind(units, program, source.Layers.GetFactorCount());
+  program.Set("ImageSize", shading.View.Size);
+  program.Set("ImageOrigin", shading.View.Origin);
+  program.Set("Layer", layer);
+  program.Set("OnlySlot", slot);
+  program.Set("Blends", target.Blends);
+  this->Draw(target, shading.View, source.Outlines.GetCount());
+  shading.Unbind();
   return true;
 }
 
@@ -135,9 +175,8 @@ bool vtkPointSplatResolve::Present(const Target& target, const vtkPointSplatShad
 bool vtkPointSplatResolve::PresentSelection(const Target& target, const vtkPointSplatView& view,
   const vtkPointSplatLayers& layers, int slot, const Selection& selection)
 {
-  const Hooks hooks(target.Actor);
   vtkPointSplatProgram program;
-  if (!this->Use(target, hooks, "vtkPointSplatLayerFS",
+  if (!this->Use(target, ScreenFile, "vtkPointSplatLayerFS",
         std::string("#define OUTPUT ") + (selection.Ids ? "2\n" : "1\n") + layers.GetDefines(),
         program))
   {
@@ -160,25 +199,40 @@ bool vtkPointSplatResolve::PresentSelection(const Target& target, const vtkPoint
 
 //------------------------------------------------------------------------------
 bool vtkPointSplatResolve::PresentFlat(const Target& target, const vtkPointSplatView& view,
-  const vtkPointSplatImage& colour, const vtkPointSplatImage& depth)
+  const Source& source, const vtkPointSplatFlatImages& images)
 {
-  const Hooks hooks(target.Actor);
-  vtkPointSplatProgram program;
-  if (!this->Use(target, hooks, "vtkPointSplatFlatFS", "", program))
+  const int count = source.Outlines.GetCount();
+  for (const bool outlines : { false, true })
   {
-    return false;
+    if (outlines && count == 0)
+    {
+      continue;
+    }
+    vtkPointSplatProgram program;
+    if (!this->Use(target, outlines ? OutlineFile : ScreenFile, "vtkPointSplatFlatFS",
+          outlines      ? SampleDefines() + "#define OUTLINES\n"
+            : count > 0 ? source.Layers.GetDefines() + "#define BESIDE_OUTLINES\n"
+                        : "",
+          program))
+    {
+      return false;
+    }
+    vtkPointSplatUnits units(
+      static_cast<vtkOpenGLRenderWindow*>(target.Renderer->GetRenderWindow()));
+    units.Bind(program, "Flattened", GL_TEXTURE_2D, images.Colour.Get());
+    units.Bind(program, "NearestDepths", GL_TEXTURE_2D, images.Depth.Get());
+    source.Layers.Bind(units, program);
+    source.Outlines.Bind(units, program);
+    program.Set("ImageSize", view.Size);
+    program.Set("ImageOrigin", view.Origin);
+    this->Draw(target, view, outlines ? count : 0);
   }
-  vtkPointSplatUnits units(
-    static_cast<vtkOpenGLRenderWindow*>(target.Renderer->GetRenderWindow()));
-  units.Bind(program, "Flattened", GL_TEXTURE_2D, colour.Get());
-  units.Bind(program, "NearestDepths", GL_TEXTURE_2D, depth.Get());
-  program.Set("ImageOrigin", view.Origin);
-  this->Draw(target, view);
   return true;
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatResolve::Draw(const Target& target, const vtkPointSplatView& view)
+void vtkPointSplatResolve::Draw(
+  const Target& target, const vtkPointSplatView& view, int points)
 {
   vtkOpenGLState* state =
     static_cast<vtkOpenGLRenderWindow*>(target.Renderer->GetRenderWindow())->GetState();
@@ -202,6 +256,6 @@ void vtkPointSplatResolve::Draw(const Target& target, const vtkPointSplatView& v
     state->vtkglScissor(low.x, low.y, high.x - low.x, high.y - low.y);
     state->vtkglDisable(GL_CULL_FACE);
     state->vtkglEnable(GL_DEPTH_TEST);
-    this->Screen.Draw();
+    points > 0 ? this->Screen.DrawPoints(points) : this->Screen.Draw();
   }
 }

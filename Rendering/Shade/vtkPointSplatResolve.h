@@ -6,7 +6,9 @@
 #ifndef vtkPointSplatResolve_h
 #define vtkPointSplatResolve_h
 
+#include "vtkPointSplatFlat.h"
 #include "vtkPointSplatLayers.h"
+#include "vtkPointSplatOutlines.h"
 #include "vtkPointSplatProgram.h"
 #include "vtkPointSplatScreen.h"
 #include "vtkPointSplatShading.h"
@@ -32,11 +34,22 @@ public:
     vtkActor* Actor;
     vtkMapper* Mapper;
     glm::ivec4 Window; // pixels that there may be something at: first x, y, last x, y
+    bool Blends;       // outlines, with what the framebuffer has: nothing is to come behind them
+  };
+
+  /**
+   * Layers, and the outlines in them.
+   */
+  struct Source
+  {
+    const vtkPointSplatLayers& Layers;
+    const vtkPointSplatOutlines& Outlines;
   };
 
   /// Presents a layer: of one slot, or of all (-1). False where the shaders do not build.
-  bool Present(const Target& target, const vtkPointSplatShading& shading,
-    const vtkPointSplatLayers& layers, int layer, int slot);
+  bool Present(const Target& target, const vtkPointSplatShading& shading, const Source& source,
+    int layer, int slot);
+
 
   /**
    * What hardware selection asks for.
@@ -49,9 +62,9 @@ public:
   bool PresentSelection(const Target& target, const vtkPointSplatView& view,
     const vtkPointSplatLayers& layers, int slot, const Selection& selection);
 
-  /// Presents an image of premultiplied colours and one of depths.
-  bool PresentFlat(const Target& target, const vtkPointSplatView& view,
-    const vtkPointSplatImage& colour, const vtkPointSplatImage& depth);
+  /// Presents images of premultiplied colours and of depths that layers were flattened to.
+  bool PresentFlat(const Target& target, const vtkPointSplatView& view, const Source& source,
+    const vtkPointSplatFlatImages& images);
 
   /// Whether the hooks of the render passes that an actor is drawn in are the same for all actors.
   static bool AreHooksShared(vtkActor* actor);
@@ -61,9 +74,12 @@ public:
 
 private:
   struct Hooks;
-  bool Use(const Target& target, const Hooks& hooks, const std::string& file,
+  bool PresentOutlines(const Target& target, const vtkPointSplatShading& shading,
+    const Source& source, int layer, int slot);
+  bool Use(const Target& target, const char* vertexFile, const char* file,
     const std::string& defines, vtkPointSplatProgram& program);
-  void Draw(const Target& target, const vtkPointSplatView& view);
+  /// points: that are drawn instead of all pixels, or 0.
+  void Draw(const Target& target, const vtkPointSplatView& view, int points = 0);
 
   vtkPointSplatScreen Screen;
   std::string Error;

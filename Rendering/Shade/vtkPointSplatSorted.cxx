@@ -4,8 +4,8 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkPointSplatReach.h"
 #include "vtkPointSplatSavedState.h"
-#include "vtkPointSplatTiles.h"
 #include "vtkPointSplatUnits.h"
 
 #include <algorithm>
@@ -138,11 +138,11 @@ bool vtkPointSplatSorted::DrawGroup(const Scene& scene, int group)
   units.Bind(*program, "SceneDepth", GL_TEXTURE_2D, request.SceneDepth);
   program->Set("HasSceneDepth", request.SceneDepth != 0);
   program->Set("KeepNearest", scene.KeepNearest);
-  program->Set("TagMask", vtkPointSplatItemTable::TagMask(request.Items.size()));
+  program->Set("TagMask", request.GetTagMask());
   program->Set("ImageSize", view.Size);
   program->Set("Reach", 1.0f);
   program->Set("DiskReach", 1.0f);
-  program->Set("LeastRadii", glm::vec2(vtkPointSplatTiles::PrefilterRadius));
+  program->Set("LeastRadii", glm::vec2(vtkPointSplatReach::Prefilter));
   program->Set("CoarseDepth", static_cast<float>(request.GetDepthUnit() / 5.0));
   glBindVertexArray(this->VertexArray.Get());
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->Corners.Get());
@@ -212,21 +212,15 @@ bool vtkPointSplatSorted::Draw(
   vtkOpenGLState* state = Window()->GetState();
   const GLfloat nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
   const GLfloat farthest = 1.0f;
-  auto bindSums = [&]() {
-    if (scene.CountLayers)
-    {
-      this->Sums.Bind(state, { colour, this->LayerCount });
-    }
-    else
-    {
-      this->Sums.Bind(state, { colour });
-    }
-  };
+  std::vector<vtkPointSplatFramebuffer::Target> sums{ colour };
+  std::vector<vtkPointSplatFramebuffer::Target> ofGroup{ this->GroupColour };
   if (scene.CountLayers)
   {
     this->GroupLayerCount.Allocate(size);
     this->LayerCount.Allocate(size);
-    bindSums();
+    sums.emplace_back(this->LayerCount);
+    ofGroup.emplace_back(this->GroupLayerCount);
+    this->Sums.Bind(state, sums);
     glClearBufferfv(GL_COLOR, 1, nothing);
   }
   int groups = 1;
@@ -239,18 +233,13 @@ bool vtkPointSplatSorted::Draw(
   bool good = true;
   for (int group = 0; group < groups && good; ++group)
   {
-    if (scene.CountLayers)
-    {
-      this->Groups.Bind(state, { this->GroupColour, this->GroupLayerCount }, this->GroupDepth);
-      glClearBufferfv(GL_COLOR, 1, nothing);
-    }
-    else
-    {
-      this->Groups.Bind(state, { this->GroupColour }, this->GroupDepth);
-    }
+    this->Groups.Bind(state, ofGroup, this->GroupDepth);
     state->vtkglEnable(GL_DEPTH_TEST);
     state->vtkglDepthMask(GL_TRUE);
-    glClearBufferfv(GL_COLOR, 0, nothing);
+    for (size_t k = 0; k < ofGroup.size(); ++k)
+    {
+      glClearBufferfv(GL_COLOR, static_cast<GLint>(k), nothing);
+    }
     glClearBufferfv(GL_DEPTH, 0, &farthest);
     state->vtkglBlendEquation(GL_FUNC_ADD);
     state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -259,7 +248,7 @@ bool vtkPointSplatSorted::Draw(
     state->vtkglDisable(GL_DEPTH_TEST);
     state->vtkglDepthMask(GL_FALSE);
     state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
-    bindSums();
+    this->Sums.Bind(state, sums);
     good = good && this->DrawAverage(scene, groups);
     this->Depths.Bind(state, { depth });
     state->vtkglBlendEquation(GL_MIN);

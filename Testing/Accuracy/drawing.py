@@ -174,7 +174,12 @@ class Drawing:
             prop.SetSpecular(0)
             prop.SetOpacity(COUNTING_OPACITY)
 
+        smooth = [m for m in self.mappers if m.IsA("vtkPointSplatMapper") and m.GetAntiAliasing()]
+        for mapper in smooth:
+            mapper.AntiAliasingOff()  # its pixels at outlines are no whole numbers of layers
         white = self.drawn_with([], change)[..., 0] / 255
+        for mapper in smooth:
+            mapper.AntiAliasingOn()
         count = np.log(1 - np.minimum(white, 0.999)) / np.log(1 - COUNTING_OPACITY)
         return np.round(count).astype(int)
 

@@ -74,6 +74,9 @@ struct Window
 {
   vtkNew<vtkEGLHeadlessRenderWindow> Win;
   vtkNew<vtkRenderer> Renderer;
+  // Pictures are held pixel by pixel against such as have no smooth outlines: those of meshes in
+  // framebuffers with one sample, and of splats that are drawn by quads.
+  bool SmoothOutlines = false;
 
   explicit Window(int size = Size)
   {
@@ -89,6 +92,11 @@ struct Window
     actor->GetProperty()->SetSpecular(0.4);
     actor->GetProperty()->SetSpecularPower(20);
     actor->GetProperty()->SetAmbient(0.1);
+    if (auto splats = vtkPointSplatMapper::SafeDownCast(mapper))
+    {
+      splats->SetAntiAliasing(splats->GetAntiAliasing() &&
+        (this->SmoothOutlines || splats->GetMethod() == vtkPointSplatMapper::IMAGE_SPACE));
+    }
     this->Renderer->AddActor(actor);
     return actor;
   }
@@ -279,6 +287,29 @@ struct Checks
   }
   int Result() const { return this->Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE; }
 };
+
+/// Of the channels of all pixels.
+inline int LargestDifference(const Picture& a, const Picture& b)
+{
+  int largest = 0;
+  for (size_t i = 0; i < a.Pixels.size(); ++i)
+  {
+    largest = std::max(largest, std::abs(int(a.Pixels[i]) - int(b.Pixels[i])));
+  }
+  return largest;
+}
+
+/// Of all pixels, whatever they show.
+inline double PsnrOfAll(const Picture& a, const Picture& b)
+{
+  double sum = 0.0;
+  for (size_t i = 0; i < a.Pixels.size(); ++i)
+  {
+    const double d = double(a.Pixels[i]) - b.Pixels[i];
+    sum += d * d;
+  }
+  return 10.0 * std::log10(255.0 * 255.0 * a.Pixels.size() / std::max(sum, 1e-9));
+}
 }
 
 #endif

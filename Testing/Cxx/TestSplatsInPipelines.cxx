@@ -149,6 +149,7 @@ int TestSplatsInPipelines(int, char*[])
   {
     Window window;
     vtkSmartPointer<vtkPointSplatMapper> mapper = Splats(cloud);
+    mapper->AntiAliasingOff(); // as Window::Add() does
     vtkNew<vtkAssembly> assembly;
     for (int i = 0; i < 2; ++i)
     {

@@ -10,8 +10,6 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlaneSource.h"
-#include "vtkPointSplatEstimation.h"
-#include "vtkPointSplatGrouping.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 #include "vtkInformation.h"
@@ -269,27 +267,6 @@ Picture Mixed(const std::vector<int>& order, bool peeling, bool mesh)
   return window.Draw();
 }
 
-int LargestDifference(const Picture& a, const Picture& b)
-{
-  int largest = 0;
-  for (size_t i = 0; i < a.Pixels.size(); ++i)
-  {
-    largest = std::max(largest, std::abs(int(a.Pixels[i]) - int(b.Pixels[i])));
-  }
-  return largest;
-}
-
-double PsnrOfAll(const Picture& a, const Picture& b)
-{
-  double sum = 0.0;
-  for (size_t i = 0; i < a.Pixels.size(); ++i)
-  {
-    const double d = double(a.Pixels[i]) - b.Pixels[i];
-    sum += d * d;
-  }
-  return 10.0 * std::log10(255.0 * 255.0 * a.Pixels.size() / std::max(sum, 1e-9));
-}
-
 void TestMixed(Checks& checks)
 {
   for (const bool peeling : { true, false })
@@ -409,7 +386,8 @@ void TestGather(Checks& checks)
     checks.Expect(mappers[0]->GetNumberOfLayersDrawn() == 2, "gathered in two layers");
   }
 
-  // A wall behind the first layer hides the others, which are not gathered then.
+  // A wall behind the first layer hides the others, which are not gathered then, in whatever way
+  // layers are made.
   vtkNew<vtkPlaneSource> wall;
   wall->SetOrigin(-2, -2, 0.65);
   wall->SetPoint1(2, -2, 0.65);
@@ -417,14 +395,25 @@ void TestGather(Checks& checks)
   vtkNew<vtkPolyDataMapper> plane;
   plane->SetInputConnection(wall->GetOutputPort());
   Unlit(window.Add(plane), { 1, 1, 1 }, 1.0);
-  for (auto& mapper : mappers)
+  using Mapper = vtkPointSplatMapper;
+  for (const auto& way : { std::make_pair(int(Mapper::COMPUTE), int(Mapper::TWO_PASS)),
+         std::make_pair(int(Mapper::QUADS), int(Mapper::TWO_PASS)),
+         std::make_pair(int(Mapper::COMPUTE), int(Mapper::IMAGE_SPACE)),
+         std::make_pair(int(Mapper::QUADS), int(Mapper::IMAGE_SPACE)) })
   {
-    mapper->SetProjection(0);
-    mapper->SetMaximumNumberOfLayers(1);
+    for (auto& mapper : mappers)
+    {
+      mapper->SetProjection(way.first);
+      mapper->SetMethod(way.second);
+      mapper->SetMaximumNumberOfLayers(1);
+    }
+    const std::string what = std::string("gathered before a wall, ") +
+      (way.first == Mapper::QUADS ? "quads" : "compute") +
+      (way.second == Mapper::IMAGE_SPACE ? ", image space" : "");
+    const Colour before = centre();
+    checks.AtLeast(before[0], 252.0, what + ", red");
+    checks.AtMost(std::abs(before[1] - 127.5), 3.0, what + ", green");
   }
-  const Colour before = centre();
-  checks.AtLeast(before[0], 252.0, "gathered before a wall, red");
-  checks.AtMost(std::abs(before[1] - 127.5), 3.0, "gathered before a wall, green");
 }
 
 /**
@@ -461,106 +450,6 @@ void TestPointOpacity(Checks& checks)
     checks.AtMost(std::abs(right[1] - 255 * (1 - 0.25 * 0.25)), 3.0, "opacity 0.75, twice");
     checks.AtMost(std::abs(left[2] - 255 * 0.5625), 3.0, "behind opacity 0.25, twice");
   }
-}
-
-/**
- * Group-sorted layers, all or all but the nearest, against peeled ones; lit, so that smoothing
- * within a layer counts.
- */
-void TestSorted(Checks& checks)
-{
-  for (const bool quads : { false, true })
-  {
-    Window window;
-    window.Renderer->SetBackground(Background[0], Background[1], Background[2]);
-    std::vector<vtkSmartPointer<vtkPointSplatMapper>> mappers;
-    for (const Shell& shell : Nested)
-    {
-      auto mapper = vtkSmartPointer<vtkPointSplatMapper>::New();
-      mapper->SetInputData(RandomTorus(30000, 0.5 * shell.Radius));
-      mapper->SetProjection(quads ? vtkPointSplatMapper::QUADS : 0);
-      vtkActor* actor = window.Add(mapper);
-      actor->GetProperty()->SetColor(shell.Rgb[0], shell.Rgb[1], shell.Rgb[2]);
-      actor->GetProperty()->SetOpacity(shell.Opacity);
-      mappers.push_back(mapper);
-    }
-    window.Renderer->ResetCamera();
-    window.Renderer->GetActiveCamera()->Elevation(50);
-    window.Renderer->ResetCameraClippingRange();
-    const Picture peeled = window.Draw();
-    auto used = [&]() { return std::string(mappers[0]->GetTransparencyUsed()); };
-    checks.Expect(used() == "peeling", "automatic transparency peels");
-    mappers[0]->SetTransparencyToSorted();
-    const Picture sorted = window.Draw();
-    checks.Expect(used() == "sorted", "sorted transparency, not " + used());
-    mappers[0]->SetTransparencyToNearestExact();
-    const Picture nearest = window.Draw();
-    checks.Expect(used() == "nearest-exact", "the nearest layer exact, not " + used());
-    checks.AtLeast(PsnrOfAll(peeled, sorted), 30.0, "sorted, against peeled");
-    checks.AtLeast(
-      PsnrOfAll(peeled, nearest), PsnrOfAll(peeled, sorted) + 1.0, "nearest exact, against sorted");
-
-    // Among other translucent props, layers are peeled whatever is asked for.
-    vtkNew<vtkPolyDataMapper> mesh;
-    mesh->SetInputData(MakeSphereMesh());
-    vtkActor* actor = window.Add(mesh);
-    actor->GetProperty()->SetOpacity(0.5);
-    window.Draw();
-    checks.Expect(used() == "peeling", "peeled among translucent meshes, not " + used());
-  }
-}
-
-/**
- * Groups that the input brings are taken for sorted transparency where they cover the surface, and
- * not where they were made for deferred blending: splats that do not overlap leave it bare.
- */
-void TestGivenGroups(Checks& checks)
-{
-  vtkNew<vtkPointSplatEstimation> estimation;
-  estimation->SetInputData(RandomTorus(20000));
-  vtkNew<vtkPointSplatGrouping> grouping;
-  grouping->SetInputConnection(estimation->GetOutputPort());
-  grouping->SetReach(1.0);
-  int groups = 0;
-  auto draw = [&](vtkAlgorithm* source, int transparency) {
-    Window window;
-    vtkNew<vtkPointSplatMapper> mapper;
-    mapper->SetInputConnection(source->GetOutputPort());
-    mapper->ScalarVisibilityOff();
-    mapper->SetTransparency(transparency);
-    window.Add(mapper)->GetProperty()->SetOpacity(0.5);
-    window.Renderer->ResetCamera();
-    const Picture picture = window.Draw();
-    groups = mapper->GetNumberOfGroups();
-    return picture;
-  };
-  const Picture peeled = draw(estimation, vtkPointSplatMapper::PEELING);
-  const Picture sorted = draw(estimation, vtkPointSplatMapper::SORTED);
-  const int made = groups;
-  checks.AtLeast(PsnrOfAll(peeled, sorted), 30.0, "groups that are made, against peeled");
-
-  const Picture asIs = draw(grouping, vtkPointSplatMapper::SORTED);
-  checks.Expect(groups == made && grouping->GetNumberOfGroups() != made,
-    "groups without coverage are not taken");
-  checks.AtMost(LargestDifference(asIs, sorted), 0, "groups without coverage change nothing");
-
-  grouping->SetColoringToWeighted();
-  grouping->SetWantedNumberOfGroups(made + 2);
-  grouping->SetMaximumClipped(0.9);
-  for (const int coverage : { vtkPointSplatGrouping::Duplicate, vtkPointSplatGrouping::Enlarge })
-  {
-    const std::string what =
-      coverage == vtkPointSplatGrouping::Enlarge ? "enlarged groups" : "filled groups";
-    grouping->SetCoverage(coverage);
-    const Picture covering = draw(grouping, vtkPointSplatMapper::SORTED);
-    checks.Expect(groups == grouping->GetNumberOfGroups() && groups == made + 2,
-      what + " that cover the surface are taken");
-    checks.AtLeast(PsnrOfAll(peeled, covering), 30.0, what + ", against peeled");
-  }
-  // What covers the surface with kernels of 1.5 radii does not with disks.
-  grouping->SetReach(1.5);
-  draw(grouping, vtkPointSplatMapper::SORTED);
-  checks.Expect(groups == made, "groups that cover by their kernels alone are not taken");
 }
 
 void TestPicking(Checks& checks)
@@ -612,8 +501,6 @@ int TestSplatsTransparency(int, char*[])
   TestNumberOfLayers(checks);
   TestGather(checks);
   TestPointOpacity(checks);
-  TestSorted(checks);
-  TestGivenGroups(checks);
   TestPicking(checks);
   return checks.Failures ? EXIT_FAILURE : EXIT_SUCCESS;
 }

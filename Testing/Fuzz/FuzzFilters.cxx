@@ -74,11 +74,30 @@ void CheckIsosurface(vtkPolyData* output)
     FuzzExpect(
       std::abs(vtkMath::Norm(v) - 1) < 1e-3, "an isosurface normal has not unit length");
   }
+  vtkPointData* data = output->GetPointData();
+  FuzzExpect(!data->HasArray("SplatRadius") == !data->HasArray("SplatCurvature"),
+    "one of an isosurface's size arrays is missing");
+  if (data->HasArray("SplatRadius"))
+  {
+    vtkDataArray* radii = Wanted(output, "SplatRadius", 1);
+    vtkDataArray* curvatures = Wanted(output, "SplatCurvature", 6);
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      const double radius = radii->GetComponent(i, 0);
+      FuzzExpect(radius >= 0 && std::isfinite(radius), "a radius is negative or not finite");
+      for (int c = 0; c < 6; ++c)
+      {
+        FuzzExpect(
+          std::isfinite(curvatures->GetComponent(i, c)), "a curvature is not finite");
+      }
+    }
+  }
 }
 
 void RunIsosurface(FuzzRandom& random)
 {
   vtkNew<vtkIsosurfacePoints> filter;
+  filter->SetSplatSizes(!random.Chance(0.2));
   const int number = random.Chance(0.05) ? random.Below(300) : random.Below(4);
   filter->SetNumberOfContours(number);
   for (int i = 0; i < number; ++i)

@@ -11,11 +11,11 @@ import time
 from splatview_tools import PROGRAM, Picture, SplatviewTest, main
 
 OPTIONS = (
-    "--iso --spacing --magnify --array --normals --radius-scale --color --opacity --background"
-    " --camera --size --scalar-bar --shadows --target-error --method --transparency --layers --projection"
-    " --output --json --frames --quiet --help --version"
+    "--iso --particles --spacing --magnify --array --normals --project --radius-scale --color --opacity"
+    " --background --camera --size --scalar-bar --shadows --target-error --method --transparency --layers"
+    " --projection --output --json --frames --quiet --help --version"
 ).split()
-FLAGS = {"--scalar-bar", "--quiet", "--help", "--version"}
+FLAGS = {"--particles", "--project", "--scalar-bar", "--quiet", "--help", "--version"}
 
 # A tetrahedron's corners, with its outward normals.
 CLOUD = "".join(
@@ -37,7 +37,7 @@ BAD_OPTIONS = (
     "--size 99999x1", "--target-error 2", "--target-error -1", "--method best", "--transparency x", "--layers 0", "--shadows 0",
     "--projection x", "--output o.jpg", "--output .png",
     "--output no/such/folder/o.png", "--json no/such/folder/r.json", "--frames 0",
-    "--quiet=yes", "--scalar-bar", "--array nosuch", "--iso 5",
+    "--quiet=yes", "--scalar-bar", "--array nosuch", "--iso 5", "--particles=yes",
 )  # fmt: skip
 
 TEXT_MHD = """ObjectType = Image
@@ -110,6 +110,10 @@ class TestSplatviewCommand(SplatviewTest):
     def test_unknown_array_says_which_there_are(self):
         self.write("cloud.xyz", CLOUD)
         self.assertIn("Normals", self.assert_refused("cloud.xyz", "--array", "x"))
+
+    def test_particles_have_no_isovalue(self):
+        self.write("cloud.xyz", CLOUD)
+        self.assertIn("--iso", self.assert_refused("cloud.xyz", "--particles", "--iso", "1"))
 
     def test_missing_empty_garbled_and_folder(self):
         for kind in KINDS:

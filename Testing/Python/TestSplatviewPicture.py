@@ -174,6 +174,25 @@ class TestSplatviewPicture(SplatviewTest):
         self.assertGreater(len(changed), 50)
         self.assertGreater(min(changed), 60)  # it stands at the right
 
+    def test_particles(self):
+        """A ball of fluid is closed and smooth; a drop beside it is small, whatever is estimated."""
+        rows = ["16 0 0\n"]
+        for i in range(-8, 9):
+            for j in range(-8, 9):
+                rows += [f"{i} {j} {k}\n" for k in range(-8, 9) if i * i + j * j + k * k < 64]
+        self.write("drop.xyz", "".join(rows))
+        report, picture = self.draw("drop.xyz", "--particles", "--color", "1,1,1")
+        (surface,) = report["surfaces"]
+        self.assertEqual(surface["normals"], "density")
+        self.assert_bounds(surface, (-8.0, 16.62, -8.0, 8.0, -8.0, 8.0), 0.7)
+        covered = sum(p != BACKGROUND for p in picture.pixels())
+        # Of the picture, as of a circle of radius 8 and one of 0.62.
+        again = self.draw("drop.xyz", "--particles", "--color", "1,1,1", "--spacing", "0.15")[1]
+        fine = sum(p != BACKGROUND for p in again.pixels())
+        self.assertAlmostEqual(covered / fine, 1.0, delta=0.03)
+        self.assertLess(picture.difference(again), 2.0)
+        self.assertGreater(min(picture.centre()), 200)
+
     def test_report(self):
         report, _ = self.draw("globe.xyz")
         self.assertEqual(report["points"], 4000)

@@ -19,9 +19,10 @@ set(Cloud GL Filters)
 set(Project GL Cloud)
 set(Select GL Cloud Project)
 set(Reconstruct GL Cloud Project)
-# Of reconstruction what all ways to reconstruct read and write, and how wide splats are there.
+# Of reconstruction what all ways to reconstruct read and write.
 set(Shade GL Cloud Project
-  vtkPointSplatRequest.h vtkPointSplatTiles.h vtkPointSplatLayers.h vtkPointSplatLayers.glsl)
+  vtkPointSplatRequest.h vtkPointSplatLayers.h vtkPointSplatLayers.glsl
+  vtkPointSplatOutlines.h)
 set(Shadow GL Cloud Project Reconstruct)
 set(Frame GL Cloud Project Select Reconstruct Shade Shadow Choice)
 set(Rendering ${Frame} Frame Filters)

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIsosurfaceSplat.h"
+
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+/// What K, the form times the radius, may be at most: as vtkPointSplatProjection.glsl draws it.
+constexpr double LargestBend = 1.0;
+}
+
+void vtkIsosurfaceSplat::Bend(const double hessian[6], double slope)
+{
+  std::fill_n(this->Curvature, 6, 0.0);
+  double a[3], b[3];
+  vtkMath::Perpendiculars(this->Normal, a, b, 0);
+  const double* h = hessian;
+  auto form = [h, slope](const double u[3], const double v[3]) {
+    return (h[0] * u[0] * v[0] + h[1] * u[1] * v[1] + h[2] * u[2] * v[2] +
+             h[3] * (u[0] * v[1] + u[1] * v[0]) + h[4] * (u[1] * v[2] + u[2] * v[1]) +
+             h[5] * (u[0] * v[2] + u[2] * v[0])) /
+      slope;
+  };
+  // B in the basis of the tangents, as its mean and what its eigenvalues are off it.
+  const double aa = form(a, a), bb = form(b, b), ab = form(a, b);
+  const double mean = 0.5 * (aa + bb), half = 0.5 * (aa - bb);
+  const double root = std::hypot(half, ab);
+  const double strongest = std::abs(mean) + root;
+  // NaN compares false; a slope of zero gives infinity.
+  if (!(strongest > 0) || !std::isfinite(strongest) || !(this->Radius > 0))
+  {
+    return;
+  }
+  const double limit = LargestBend / this->Radius;
+  const double greater = std::clamp(mean + root, -limit, limit);
+  const double lesser = std::clamp(mean - root, -limit, limit);
+  const double middle = 0.5 * (greater + lesser);
+  const double scale = root > 0 ? 0.5 * (greater - lesser) / root : 0.0;
+  const double B[3] = { middle + scale * half, middle - scale * half, scale * ab };
+  static const int rows[6] = { 0, 1, 2, 0, 1, 0 };
+  static const int columns[6] = { 0, 1, 2, 1, 2, 2 };
+  for (int k = 0; k < 6; ++k)
+  {
+    const int i = rows[k], j = columns[k];
+    this->Curvature[k] =
+      B[0] * a[i] * a[j] + B[1] * b[i] * b[j] + B[2] * (a[i] * b[j] + b[i] * a[j]);
+  }
+}
+
+VTK_ABI_NAMESPACE_END

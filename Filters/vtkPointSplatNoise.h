@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkPointSplatNoise.h
+ * @brief whether points and normals agree on one surface
+ *
+ * An internal helper of vtkPointSplatEstimation and vtkPointSplatProjection.
+ */
+#ifndef vtkPointSplatNoise_h
+#define vtkPointSplatNoise_h
+
+#include "vtkPointSplatNeighbors.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkAlgorithm;
+
+namespace vtkPointSplatNoise
+{
+/// Neighbours that deviate from a point's surface by more than this, in their mean distance, are
+/// noise: those of clean data that turn by half a radian within that distance deviate by less.
+inline constexpr float Noisy = 0.15f;
+
+/**
+ * The share of a sample of the slots, one leaf of the search tree in 32, whose neighbours do not
+ * lie on one surface. normals: 3 floats a slot.
+ */
+double Measure(vtkAlgorithm* self, const vtkPointSplatNeighbors& neighbors, const float* normals);
+}
+
+VTK_ABI_NAMESPACE_END
+#endif

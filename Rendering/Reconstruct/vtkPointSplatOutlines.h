@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The pixels that outlines run through, and what four samples of each show: so outlines are as
+// smooth as a multisampled mesh's, at the cost of these pixels alone.
+//
+// 1. Find. A compute shader compares the layers of each pixel with those beside it
+//    (vtkPointSplatOutlineCS.glsl), lists the pixels in which one surface ends before another, and
+//    flags their texels, which are not presented as they are.
+// 2. Choose. The lists of their tiles are walked for the nearest hits of four samples, half a pixel
+//    apart (vtkPointSplatOutlineSamplesCS.glsl). Each takes after that of the pixels about it which
+//    shows the same surface: surfaces do not change within a pixel, but end there.
+// 3. Present. What is shown is the mean of the pixels that the samples take after; in multisampled
+//    framebuffers each of their samples gets one of them (vtkPointSplatOutlineFS.glsl).
+//
+// Buffers: the pixels, R32UI, y times the images' width plus x, and in the upper 4 bits the first
+// layer that ends there, in no order; the choices, R32UI, two bits a sample.
+#ifndef vtkPointSplatOutlines_h
+#define vtkPointSplatOutlines_h
+
+#include "vtkPointSplatBuffer.h"
+#include "vtkPointSplatProgram.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+class vtkPointSplatLayers;
+class vtkPointSplatUnits;
+
+class vtkPointSplatOutlines
+{
+public:
+  /// Forgets all.
+  void Clear() { this->Count = 0; }
+
+  /**
+   * Where to look.
+   */
+  struct Search
+  {
+    glm::ivec4 Window;      // first pixel's x, y, last one's
+    glm::ivec2 TileSize;    // pixels
+    glm::ivec2 TilesAcross; // of the image, along x and y
+    GLuint Items;           // vtkPointSplatItemTable
+    GLuint Summaries;       // of the tiles (vtkPointSplatTileSummary.glsl), or 0
+  };
+
+  /**
+   * Finds and flags those in a window; they are appended to what was found before, with no choices
+   * yet. False, with GetError(), where the shader does not build.
+   */
+  bool Find(const vtkPointSplatLayers& layers, const Search& search);
+
+  int GetCount() const { return this->Count; }
+  /// The pixels from a number on, without their layers.
+  std::vector<uint32_t> DownloadPixels(int first) const;
+  vtkPointSplatBuffer& GetChoices() { return this->Choices; }
+  /// Binds the pixels and the choices to a program in use.
+  void Bind(vtkPointSplatUnits& units, vtkPointSplatProgram& program) const;
+
+  vtkIdType GetMemorySize() const { return this->Pixels.GetSize() + this->Choices.GetSize(); }
+  const std::string& GetError() const { return this->Error; }
+  void Release();
+
+private:
+  vtkPointSplatBuffer Pixels{ GL_R32UI };
+  vtkPointSplatBuffer Choices{ GL_R32UI };
+  vtkPointSplatBuffer Counter;
+  std::map<std::string, vtkPointSplatProgram> Programs; // by defines
+  int Count = 0;
+  std::string Error;
+};
+
+#endif
