@@ -163,8 +163,8 @@ public:
 
   /**
    * The share of points, of every 32nd, whose neighbours contradict one another: with their given
-   * normals they lie off one surface by more than 0.15 of their mean distance. 0 where normals were
-   * estimated.
+   * normals they lie off one surface by more than 0.15 of their mean distance, and their positions off
+   * any plane. 0 where normals were estimated.
    */
   vtkGetMacro(Noise, double);
 

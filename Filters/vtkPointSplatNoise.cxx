@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatNoise.h"
 
+#include "vtkMath.h"
 #include "vtkPointSplatRobustSurface.h"
+
+#include <cmath>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -13,6 +16,51 @@ constexpr vtkPointSplatNeighbors::Slot Stride = 32;
 /// Neighbours and bandwidths as vtkPointSplatProjection has them by default.
 constexpr int NumberOfNeighbors = 24;
 constexpr float Bandwidth = 0.5f;
+/// Of the deviation from a plane, the square root of the least eigenvalue of the neighbours'
+/// covariance, over that of the middle one, which is 1.4 spacings for 24 neighbours: positions that
+/// deviate by less than a tenth of their spacing are no noise, whatever the normals say.
+constexpr double LeastFlatness = 0.07;
+
+/// Whether the positions of neighbours are off any plane: normals that others than the surface's
+/// geometry gave, as of waves on a flat sea, contradict it on purpose.
+bool IsRough(const vtkPointSplatNeighbors::Neighborhood& around)
+{
+  double mean[3] = { 0, 0, 0 };
+  double rows[3][3] = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } };
+  const double scale = around.Count > 0 ? around.SquaredDistance[around.Count - 1] : 0;
+  if (!(scale > 0))
+  {
+    return false;
+  }
+  const double inverse = 1 / std::sqrt(scale);
+  for (int i = 0; i < around.Count; ++i)
+  {
+    const double p[3] = { inverse * around.X[i], inverse * around.Y[i], inverse * around.Z[i] };
+    for (int r = 0; r < 3; ++r)
+    {
+      mean[r] += p[r] / around.Count;
+      for (int c = 0; c < 3; ++c)
+      {
+        rows[r][c] += p[r] * p[c] / around.Count;
+      }
+    }
+  }
+  double vectors[3][3];
+  double values[3];
+  double* a[3];
+  double* v[3];
+  for (int r = 0; r < 3; ++r)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      rows[r][c] -= mean[r] * mean[c];
+    }
+    a[r] = rows[r];
+    v[r] = vectors[r];
+  }
+  return vtkMath::Jacobi(a, values, v) &&
+    values[2] > LeastFlatness * LeastFlatness * values[1]; // the greatest first
+}
 }
 
 double vtkPointSplatNoise::Measure(
@@ -32,7 +80,7 @@ double vtkPointSplatNoise::Measure(
     const bool found = surface.Project();
     Counts& own = counts.Local();
     ++own.All;
-    own.Noisy += found && surface.Noise > Noisy ? 1 : 0;
+    own.Noisy += found && surface.Noise > Noisy && IsRough(around) ? 1 : 0;
     return true;
   };
   const double progress = self->GetProgress();

@@ -23,7 +23,7 @@ inline constexpr float Noisy = 0.15f;
 
 /**
  * The share of a sample of the slots, one leaf of the search tree in 32, whose neighbours do not
- * lie on one surface. normals: 3 floats a slot.
+ * lie on one surface by their normals, nor on a plane without these. normals: 3 floats a slot.
  */
 double Measure(vtkAlgorithm* self, const vtkPointSplatNeighbors& neighbors, const float* normals);
 }
