@@ -15,6 +15,7 @@
 #include "vtkPointSplatNoise.h"
 #include "vtkPointSplatNormals.h"
 #include "vtkPointSplatRobustSurface.h"
+#include "vtkPointSplatSheet.h"
 #include "vtkPointSplatSensors.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -425,8 +426,13 @@ bool vtkPointSplatProjection::Run::Describe()
       count += squared[count] >= LeastCurvatureReach * LeastCurvatureReach * farthest ? 1 : 0;
     }
     vtkPointSplatCurvature curvature;
-    curvature.Estimate({ s, count, slotsOf.data(), x.data(), y.data(), z.data(), squared.data() },
-      this->Projected.data());
+    const Neighborhood moved{ s, count, slotsOf.data(), x.data(), y.data(), z.data(),
+      squared.data() };
+    const float spacing = vtkPointSplatSheet::GetSpacing(moved);
+    vtkPointSplatSheet sheet;
+    sheet.Select(moved, vtkPointSplatSheet::CountNear(moved, spacing), this->Projected.data(),
+      this->Projected.data() + std::size_t(3) * s, spacing);
+    curvature.Estimate(moved, this->Projected.data(), sheet);
     std::copy_n(curvature.Tensor, 6, this->Curvatures.data() + std::size_t(6) * s);
   });
 }
