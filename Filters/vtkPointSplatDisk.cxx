@@ -14,10 +14,8 @@ namespace
 /// squared distances, and another one much less.
 constexpr float LargestResidual = 0.25f;
 constexpr float ResidualRatio = 0.3f;
-/// The disk's radius, of the mean distance to the neighbours next to it: a square's corners' disks
-/// reach to its middle.
-constexpr float RadiusPerDistance = 0.74f;
-/// At borders: no farther over them than a triangle of equal sides needs, and a little for rounding.
+/// The radius at borders, of the mean distance of the neighbours next to the point: no farther over
+/// them than a triangle of equal sides needs, and a little for rounding.
 constexpr float BorderPerDistance = 0.6f;
 /// Neighbours lie in a row if their variance across it is less than this part of that along
 /// it; those of a point on a straight border have about a third.
@@ -279,11 +277,15 @@ float vtkPointSplatDisk::Reach(float known, bool closed) const
   return std::sqrt(farthest);
 }
 
-/// Whether all of the cell is nearer than that.
-bool vtkPointSplatDisk::IsWithin(float known) const
+float vtkPointSplatDisk::Farthest() const
 {
-  return std::all_of(this->Cell, this->Cell + this->Size,
-    [known](const Vertex& v) { return v.X * v.X + v.Y * v.Y <= known * known; });
+  float farthest = 0;
+  for (int j = 0; j < this->Size; ++j)
+  {
+    const Vertex& v = this->Cell[j];
+    farthest = std::max(farthest, v.X * v.X + v.Y * v.Y);
+  }
+  return std::sqrt(farthest);
 }
 
 bool vtkPointSplatDisk::InRow(int nearest) const
@@ -326,7 +328,7 @@ bool vtkPointSplatDisk::Estimate(const vtkPointSplatNeighbors::Neighborhood& aro
     return std::sqrt(this->U[i] * this->U[i] + this->V[i] * this->V[i]);
   };
   const bool closed =
-    this->ClipByBisectors(count) && this->IsWithin(distance(count - 1));
+    this->ClipByBisectors(count) && this->Farthest() <= distance(count - 1);
   if (!closed && this->Sheet.Near < count)
   {
     // What is far counts only where it is all around.
@@ -336,7 +338,8 @@ bool vtkPointSplatDisk::Estimate(const vtkPointSplatNeighbors::Neighborhood& aro
   float radius = 0;
   if (count > 0)
   {
-    radius = (closed ? RadiusPerDistance : BorderPerDistance) * this->MeanDistance();
+    radius = closed ? std::min(this->MeanDistance(), this->Farthest())
+                    : BorderPerDistance * this->MeanDistance();
     this->Gap = this->Reach(distance(count - 1), closed) * this->Scale1;
     this->Spacing = distance(std::min(vtkPointSplatSheet::SpacingRank, count) - 1);
   }

@@ -63,7 +63,7 @@ private:
   bool ClipByBisectors(int count);
   float MeanDistance() const;
   float Reach(float known, bool closed) const;
-  bool IsWithin(float known) const;
+  float Farthest() const; // vertex of the cell, its distance
 
   float Scale1, Scale2; // world units of the plane's two coordinates
   float U[vtkPointSplatNeighbors::MaximumNumberOfNeighbors];

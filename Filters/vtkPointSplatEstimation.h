@@ -48,10 +48,11 @@
  *    triangles are not oriented consistently), the plane that fits them takes its place.
  *    The neighbours are projected to the tangent plane (Pajarola, Sainz, Guidotti 2004, Confetti,
  *    section 4.3), as far off as they are in space, and bisectors cut the point's Voronoi cell out
- *    of it. The radius is 0.74 (0.6 at borders) of the mean distance of the neighbours that share the cell's edges,
- *    weighted by their lengths, or more where a Delaunay triangle around the point needs it: what
- *    must be covered is each triangle by its three disks together, so that one with an obtuse
- *    angle asks less than its circumcentre's distance. Where the cell stays open, four times as
+ *    of it. The radius is the mean distance (at borders 0.6 of it) of the neighbours that share
+ *    the cell's edges, weighted by their lengths, and no more than the distance of the cell's
+ *    farthest vertex; or more where a Delaunay triangle around the point needs it: what must be
+ *    covered is each triangle by its three disks together, so that one with an obtuse angle asks
+ *    less than its circumcentre's distance. Where the cell stays open, four times as
  *    many neighbours are looked at, and if the nearest lie in a row, one a leaf of the search tree,
  *    which reaches past it; what does not close the cell all around is left out then. Where the
  *    whole cloud is as regular as a mesh's vertices are, gaps much larger than usual are holes in
