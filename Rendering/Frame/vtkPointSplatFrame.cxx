@@ -291,7 +291,8 @@ bool vtkPointSplatFrame::PresentTranslucent(Pass& pass, const vtkPointSplatShadi
   bool good = true;
   if (pass.Flat || (shading.Reflects() && !pass.Presented))
   {
-    good = this->Resolve.PresentFlat(target, pass.View, source, surfaces.Flat);
+    good =
+      this->Resolve.PresentFlat(target, pass.View, surfaces.Flat, surfaces.GetOutlines());
   }
   for (int layer = layers.GetNumberOfLayers() - 1; layer >= 0 && !pass.Flat; --layer)
   {

@@ -7,8 +7,8 @@
 // Presents all translucent layers at once, flattened to one colour and opacity a pixel
 // at the nearest layer's depth, where there is nothing else translucent that could lie
 // between them. With the hooks of VTK's translucent passes, as vtkPointSplatLayerFS.
-// BESIDE_OUTLINES: without pixels that outlines run through. OUTLINES: these, each the mean of
-// those that its samples take after.
+// Without pixels that outlines run through; OUTLINES: these, each the mean of those that its samples
+// take after.
 
 //PointSplat::Defines
 
@@ -16,15 +16,12 @@
 
 //VTK::DepthPeeling::Dec
 
-#ifdef BESIDE_OUTLINES
-#include "vtkPointSplatLayers"
-#endif
 #ifdef OUTLINES
 #include "vtkPointSplatOutline"
 #endif
 
 uniform sampler2D Flattened;   // premultiplied
-uniform sampler2D NearestDepths;
+uniform sampler2D NearestDepths; // less 2 where an outline runs through the pixel
 uniform ivec2 ImageOrigin;
 
 void main()
@@ -39,14 +36,13 @@ void main()
   while (nextPixel(counts, at, pixelAt, share))
   {
     flattened += share * texelFetch(Flattened, pixelAt, 0);
-    depth = min(depth, texelFetch(NearestDepths, pixelAt, 0).r);
+    float own = texelFetch(NearestDepths, pixelAt, 0).r;
+    depth = min(depth, own < 0.0 ? own + 2.0 : own);
   }
 #else
   vec4 flattened = texelFetch(Flattened, at, 0);
   float depth = texelFetch(NearestDepths, at, 0).r;
-#endif
-#ifdef BESIDE_OUTLINES
-  flattened.a = isOutline(fetchLayer(at, 0)) ? 0.0 : flattened.a;
+  flattened.a = depth < 0.0 ? 0.0 : flattened.a;
 #endif
   if (flattened.a <= 0.0)
   {

@@ -3,7 +3,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Shades all surface layers of a pixel and blends them, the nearest over those behind it.
-// Writes: premultiplied colour and opacity; the nearest layer's depth.
+// Writes: premultiplied colour and opacity; the nearest layer's depth, less 2 where an outline runs
+// through the pixel.
 // REFLECTION: some surfaces reflect the environment. REFLECTION_ALONE: the layer is another's to
 // draw, but for what it reflects.
 
@@ -24,7 +25,8 @@ void main()
   {
     discard;
   }
-  nearestDepth = vec4(windowDepth(-(NearDistance + uintBitsToFloat(texel.x))));
+  nearestDepth = vec4(windowDepth(-(NearDistance + uintBitsToFloat(texel.x))) -
+    (isOutline(texel) ? 2.0 : 0.0));
   nearestDepth.a = 1.0;
   colour = vec4(0.0);
   bool there = true;

@@ -199,21 +199,13 @@ bool vtkPointSplatResolve::PresentSelection(const Target& target, const vtkPoint
 
 //------------------------------------------------------------------------------
 bool vtkPointSplatResolve::PresentFlat(const Target& target, const vtkPointSplatView& view,
-  const Source& source, const vtkPointSplatFlatImages& images)
+  const vtkPointSplatFlatImages& images, const vtkPointSplatOutlines& outlines)
 {
-  const int count = source.Outlines.GetCount();
-  for (const bool outlines : { false, true })
+  for (const int points : { 0, outlines.GetCount() })
   {
-    if (outlines && count == 0)
-    {
-      continue;
-    }
     vtkPointSplatProgram program;
-    if (!this->Use(target, outlines ? OutlineFile : ScreenFile, "vtkPointSplatFlatFS",
-          outlines      ? SampleDefines() + "#define OUTLINES\n"
-            : count > 0 ? source.Layers.GetDefines() + "#define BESIDE_OUTLINES\n"
-                        : "",
-          program))
+    if (!this->Use(target, points > 0 ? OutlineFile : ScreenFile, "vtkPointSplatFlatFS",
+          points > 0 ? SampleDefines() + "#define OUTLINES\n" : "", program))
     {
       return false;
     }
@@ -221,11 +213,14 @@ bool vtkPointSplatResolve::PresentFlat(const Target& target, const vtkPointSplat
       static_cast<vtkOpenGLRenderWindow*>(target.Renderer->GetRenderWindow()));
     units.Bind(program, "Flattened", GL_TEXTURE_2D, images.Colour.Get());
     units.Bind(program, "NearestDepths", GL_TEXTURE_2D, images.Depth.Get());
-    source.Layers.Bind(units, program);
-    source.Outlines.Bind(units, program);
+    outlines.Bind(units, program);
     program.Set("ImageSize", view.Size);
     program.Set("ImageOrigin", view.Origin);
-    this->Draw(target, view, outlines ? count : 0);
+    this->Draw(target, view, points);
+    if (outlines.GetCount() == 0)
+    {
+      break;
+    }
   }
   return true;
 }

@@ -63,8 +63,8 @@ public:
     const vtkPointSplatLayers& layers, int slot, const Selection& selection);
 
   /// Presents images of premultiplied colours and of depths that layers were flattened to.
-  bool PresentFlat(const Target& target, const vtkPointSplatView& view, const Source& source,
-    const vtkPointSplatFlatImages& images);
+  bool PresentFlat(const Target& target, const vtkPointSplatView& view,
+    const vtkPointSplatFlatImages& images, const vtkPointSplatOutlines& outlines);
 
   /// Whether the hooks of the render passes that an actor is drawn in are the same for all actors.
   static bool AreHooksShared(vtkActor* actor);
