@@ -4,6 +4,8 @@
 #ifndef ScatteredSamples_h
 #define ScatteredSamples_h
 
+#include "Expect.h"
+
 #include "vtkCallbackCommand.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
@@ -14,34 +16,15 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <vector>
-
-inline int failures = 0;
-
-inline void Expect(bool good, const std::string& what)
-{
-  if (!good)
-  {
-    std::fprintf(stderr, "FAILED: %s\n", what.c_str());
-    ++failures;
-  }
-}
-
-inline void AtMost(double value, double bound, const std::string& what)
-{
-  if (!(value <= bound))
-  {
-    std::fprintf(stderr, "FAILED: %s: %g is more than %g\n", what.c_str(), value, bound);
-    ++failures;
-  }
-}
 
 /// In the cube from -1 to 1.
 struct Field
@@ -181,6 +164,25 @@ inline std::vector<double> GetNumbers(vtkPolyData* data)
     numbers.insert(numbers.end(), n, n + 3);
   }
   return numbers;
+}
+
+/// Points and normals are the same whatever threads make them.
+inline void ExpectSameByAllBackends(vtkPolyDataAlgorithm* filter)
+{
+  std::vector<double> first;
+  const std::string usual = vtkSMPTools::GetBackend();
+  for (const char* backend : { "Sequential", "STDThread", "TBB" })
+  {
+    if (vtkSMPTools::SetBackend(backend))
+    {
+      filter->Modified();
+      filter->Update();
+      const std::vector<double> all = GetNumbers(filter->GetOutput());
+      Expect(first.empty() || all == first, "points depend on threads");
+      first = all;
+    }
+  }
+  vtkSMPTools::SetBackend(usual.c_str());
 }
 
 #endif

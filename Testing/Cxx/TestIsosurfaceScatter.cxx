@@ -141,20 +141,7 @@ void Outputs()
   filter->SetValue(0, 0.3);
   filter->SetValue(1, 0.2);
   filter->SetValue(2, 0.25);
-  std::vector<double> first;
-  const std::string usual = vtkSMPTools::GetBackend();
-  for (const char* backend : { "Sequential", "STDThread", "TBB" })
-  {
-    if (vtkSMPTools::SetBackend(backend))
-    {
-      filter->Modified();
-      filter->Update();
-      const std::vector<double> all = GetNumbers(filter->GetOutput());
-      Expect(first.empty() || all == first, "points depend on threads");
-      first = all;
-    }
-  }
-  vtkSMPTools::SetBackend(usual.c_str());
+  ExpectSameByAllBackends(filter);
   vtkPolyData* output = filter->GetOutput();
   vtkDataArray* isovalues = output->GetPointData()->GetArray(vtkPointSplatArrays::Isovalue);
   Expect(output->GetPoints()->GetDataType() == VTK_FLOAT &&

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sizes and curvature of vtkIsosurfacePoints against closed forms, and whether its disks cover the
 // isosurface.
+#include "Expect.h"
+
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
@@ -28,24 +30,6 @@
 
 namespace
 {
-int failures = 0;
-
-void Expect(bool good, const std::string& what)
-{
-  if (!good)
-  {
-    std::cerr << "FAILED: " << what << "\n";
-    ++failures;
-  }
-}
-
-void AtMost(double value, double bound, const std::string& what)
-{
-  // NaN compares false.
-  Expect(value <= bound,
-    what + ": " + std::to_string(value) + " is more than " + std::to_string(bound));
-}
-
 using Field = std::function<double(const double x[3])>;
 
 /// A volume of [-1.1, 1.1]^3 in its own axes, which are turned if asked, of samples so far apart.

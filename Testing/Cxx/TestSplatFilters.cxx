@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkIsosurfacePoints against vtkFlyingEdges3D and closed forms; the disks of
 // vtkPointSplatEstimation against brute force.
+#include "Expect.h"
+
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
@@ -30,23 +32,6 @@
 
 namespace
 {
-int failures = 0;
-
-void Expect(bool good, const std::string& what)
-{
-  if (!good)
-  {
-    std::cerr << "FAILED: " << what << "\n";
-    ++failures;
-  }
-}
-
-void AtMost(double value, double bound, const std::string& what)
-{
-  Expect(value <= bound,
-    what + ": " + std::to_string(value) + " is more than " + std::to_string(bound));
-}
-
 constexpr int N = 40;
 constexpr double Torus[2] = { 0.6, 0.25 };
 

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Groups of splats against brute force, closed forms and each other.
+#include "Expect.h"
+
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
@@ -26,17 +28,6 @@
 
 namespace
 {
-int failures = 0;
-
-void Check(bool good, const std::string& what)
-{
-  if (!good)
-  {
-    std::cerr << "FAILED: " << what << "\n";
-    ++failures;
-  }
-}
-
 /**
  * A cloud with normals and radii, built splat by splat.
  */
@@ -135,7 +126,7 @@ void TestIndependence()
     int largest = 0;
     for (int i = 0; i < count; ++i)
     {
-      Check(groups->GetValue(i) >= 0 && groups->GetValue(i) < grouping->GetNumberOfGroups(),
+      Expect(groups->GetValue(i) >= 0 && groups->GetValue(i) < grouping->GetNumberOfGroups(),
         "a splat without a group");
       for (int j = 0; j < i; ++j)
       {
@@ -148,7 +139,7 @@ void TestIndependence()
           ++pairs;
           ++degree[i];
           ++degree[j];
-          Check(groups->GetValue(i) != groups->GetValue(j), "splats of a group overlap");
+          Expect(groups->GetValue(i) != groups->GetValue(j), "splats of a group overlap");
         }
       }
     }
@@ -160,13 +151,13 @@ void TestIndependence()
     }
     if (kind != 1)
     {
-      Check(grouping->GetMaximumDegree() == largest &&
+      Expect(grouping->GetMaximumDegree() == largest &&
           std::abs(grouping->GetMeanDegree() - mean) < 1e-9,
         "degrees");
     }
-    Check(grouping->GetNumberOfGroups() <= largest + 1, "more groups than the largest degree asks");
+    Expect(grouping->GetNumberOfGroups() <= largest + 1, "more groups than the largest degree asks");
   }
-  Check(pairs > 100000, "too few overlaps to tell anything");
+  Expect(pairs > 100000, "too few overlaps to tell anything");
 }
 
 /**
@@ -218,7 +209,7 @@ void TestRelaxations()
   {
     grouping->SetOverlapFactor(c);
     vtkIntArray* groups = Groups(grouping);
-    Check(grouping->GetNumberOfGroups() <= last, "a smaller c gives more groups");
+    Expect(grouping->GetNumberOfGroups() <= last, "a smaller c gives more groups");
     last = grouping->GetNumberOfGroups();
     const double reach = c * 2 * plane.Radii->GetValue(0);
     for (int i = 0; i < 2000; ++i)
@@ -231,7 +222,7 @@ void TestRelaxations()
         if (groups->GetValue(i) == groups->GetValue(j) &&
           vtkMath::Distance2BetweenPoints(p, q) < reach * reach * (1 - 1e-12))
         {
-          Check(false, "splats of a group are nearer than c (ri + rj)");
+          Expect(false, "splats of a group are nearer than c (ri + rj)");
         }
       }
     }
@@ -239,7 +230,7 @@ void TestRelaxations()
   grouping->SetOverlapFactor(1.0);
   grouping->SetCoplanarAngle(5.0);
   grouping->Update();
-  Check(grouping->GetNumberOfGroups() == 1, "a plane of one colour needs one group");
+  Expect(grouping->GetNumberOfGroups() == 1, "a plane of one colour needs one group");
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetNumberOfComponents(3);
   for (int i = 0; i < 2000; ++i)
@@ -248,7 +239,7 @@ void TestRelaxations()
   }
   plane.Data->GetPointData()->SetScalars(colors);
   grouping->Update();
-  Check(grouping->GetNumberOfGroups() > 1, "splats of different colours share a group");
+  Expect(grouping->GetNumberOfGroups() > 1, "splats of different colours share a group");
 
   Cloud sheets; // two, back to back
   sheets.Add(0, 0, 0, 0, 0, 1, 1);
@@ -256,10 +247,10 @@ void TestRelaxations()
   vtkNew<vtkPointSplatGrouping> back;
   back->SetInputData(sheets.Data);
   back->Update();
-  Check(back->GetNumberOfGroups() == 2, "sheets overlap");
+  Expect(back->GetNumberOfGroups() == 2, "sheets overlap");
   back->IgnoreOppositeOn();
   back->Update();
-  Check(back->GetNumberOfGroups() == 1, "opposite sheets are ignored");
+  Expect(back->GetNumberOfGroups() == 1, "opposite sheets are ignored");
 }
 
 void TestDeterminism()
@@ -279,7 +270,7 @@ void TestDeterminism()
         vtkIntArray* groups = Groups(grouping);
         const std::vector<int> found(groups->GetPointer(0), groups->GetPointer(0) + 20000);
         reference[coloring] = threads == 1 ? found : reference[coloring];
-        Check(found == reference[coloring], "groups depend on the number of threads");
+        Expect(found == reference[coloring], "groups depend on the number of threads");
       }
     });
   }
@@ -333,7 +324,7 @@ void TestWeighted()
       const std::vector<int> weighted(groups->GetPointer(0), groups->GetPointer(0) + 800);
       const double left = OverlapWithin(cloud, weighted);
       const double total = 800 * vtkMath::Pi() * std::pow(cloud.Radii->GetValue(0), 2);
-      Check(std::abs(left / total - grouping->GetOverlapWithinGroups()) < 1e-4, "overlap reported");
+      Expect(std::abs(left / total - grouping->GetOverlapWithinGroups()) < 1e-4, "overlap reported");
       // Largest-first cut down in either of two ways: wrapped around, or the least colour's.
       std::vector<int> wrapped = largestFirst;
       std::vector<int> clamped = largestFirst;
@@ -342,19 +333,19 @@ void TestWeighted()
         wrapped[i] %= K;
         clamped[i] = std::min(clamped[i], K - 1);
       }
-      Check(left <= OverlapWithin(cloud, wrapped) * (1 + 1e-6), "worse than largest-first, wrapped");
-      Check(left <= OverlapWithin(cloud, clamped) * (1 + 1e-6), "worse than largest-first, clamped");
-      Check(left <= last * (1 + 1e-6), "more groups leave more overlap");
+      Expect(left <= OverlapWithin(cloud, wrapped) * (1 + 1e-6), "worse than largest-first, wrapped");
+      Expect(left <= OverlapWithin(cloud, clamped) * (1 + 1e-6), "worse than largest-first, clamped");
+      Expect(left <= last * (1 + 1e-6), "more groups leave more overlap");
       last = left;
     }
     grouping->SetWantedNumberOfGroups(0);
     grouping->SetMaximumOverlap(0.02);
     grouping->Update();
-    Check(grouping->GetOverlapWithinGroups() <= 0.02, "more overlap than is wanted");
+    Expect(grouping->GetOverlapWithinGroups() <= 0.02, "more overlap than is wanted");
     const int K = grouping->GetNumberOfGroups();
     grouping->SetWantedNumberOfGroups(K - 1);
     grouping->Update();
-    Check(K == 1 || grouping->GetOverlapWithinGroups() > 0.02, "fewer groups would have done");
+    Expect(K == 1 || grouping->GetOverlapWithinGroups() > 0.02, "fewer groups would have done");
   }
 }
 
@@ -373,9 +364,9 @@ void TestCoverage()
     grouping->SetMaximumClipped(0.0);
     grouping->Update();
     const double share = vtkMath::Pi() / (2 * vtkMath::Pi() - Lens(d, 1));
-    Check(grouping->GetNumberOfGroups() == 2 && grouping->GetNumberOfDuplicates() == 0,
+    Expect(grouping->GetNumberOfGroups() == 2 && grouping->GetNumberOfDuplicates() == 0,
       "two disks, two groups");
-    Check(std::abs(grouping->GetGroupCoverage(0) - share) < 0.01, "two disks' covered share");
+    Expect(std::abs(grouping->GetGroupCoverage(0) - share) < 0.01, "two disks' covered share");
   }
 
   for (int kind = 0; kind < 3; ++kind)
@@ -395,16 +386,16 @@ void TestCoverage()
     {
       const double covered = grouping->GetGroupCoverage(k);
       const double scale = grouping->GetGroupRadiusScale(k);
-      Check(covered > 0.99 && covered < 1.01,
+      Expect(covered > 0.99 && covered < 1.01,
         "enlarged radii miss the area: " + std::to_string(covered));
-      Check(scale > 1 && scale < 4, "scale " + std::to_string(scale));
+      Expect(scale > 1 && scale < 4, "scale " + std::to_string(scale));
     }
     for (vtkIdType i = 0; i < 6000; ++i)
     {
       if (std::abs(radii->GetComponent(i, 0) -
             r * grouping->GetGroupRadiusScale(groups->GetValue(i))) > 1e-6)
       {
-        Check(false, "a radius is not scaled as reported");
+        Expect(false, "a radius is not scaled as reported");
       }
     }
     // A Monte Carlo count of one group's cover, that shares no code with the filter.
@@ -436,7 +427,7 @@ void TestCoverage()
       }
       hit += covered;
     }
-    Check(hit > 0.975 * probed, "probes covered: " + std::to_string(double(hit) / probed));
+    Expect(hit > 0.975 * probed, "probes covered: " + std::to_string(double(hit) / probed));
 
     // Duplicates, where disks are so small that a quarter of them leaves gaps.
     Cloud sparse;
@@ -447,7 +438,7 @@ void TestCoverage()
     vtkPolyData* out = grouping->GetOutput();
     auto* ids =
       vtkIdTypeArray::SafeDownCast(out->GetPointData()->GetAbstractArray("vtkOriginalPointIds"));
-    Check(grouping->GetNumberOfDuplicates() > 0 &&
+    Expect(grouping->GetNumberOfDuplicates() > 0 &&
         out->GetNumberOfPoints() == 6000 + grouping->GetNumberOfDuplicates(),
       "number of points with duplicates");
     std::set<std::pair<vtkIdType, int>> seen;
@@ -459,12 +450,12 @@ void TestCoverage()
       if (vtkMath::Distance2BetweenPoints(p, q) != 0 ||
         !seen.insert({ ids->GetValue(i), groups->GetValue(i) }).second)
       {
-        Check(false, "a duplicate is not its original, or twice in a group");
+        Expect(false, "a duplicate is not its original, or twice in a group");
       }
     }
     for (int k = 0; k < 4; ++k)
     {
-      Check(grouping->GetGroupCoverage(k) > grouping->GetGroupCoverageBefore(k) + 0.05,
+      Expect(grouping->GetGroupCoverage(k) > grouping->GetGroupCoverageBefore(k) + 0.05,
         "duplicates cover nothing");
     }
   }
@@ -492,7 +483,7 @@ void TestEllipses()
   grouping->SetInputData(row.Data);
   grouping->SetReach(1.0);
   grouping->Update();
-  Check(grouping->GetNumberOfGroups() == 2 && grouping->GetMaximumDegree() == 2, "ellipses in a row");
+  Expect(grouping->GetNumberOfGroups() == 2 && grouping->GetMaximumDegree() == 2, "ellipses in a row");
 }
 
 void TestBadInput()
@@ -504,7 +495,7 @@ void TestBadInput()
   vtkNew<vtkPolyData> empty;
   grouping->SetInputData(empty);
   grouping->Update();
-  Check(grouping->GetNumberOfGroups() == 0 && !observer->GetError(), "no points");
+  Expect(grouping->GetNumberOfGroups() == 0 && !observer->GetError(), "no points");
 
   const double nan = std::numeric_limits<double>::quiet_NaN();
   Cloud bad;
@@ -530,9 +521,9 @@ void TestBadInput()
   const int expected[] = { 0, -1, -1, -1, -1, -1, -1, 0, 1, -1 };
   for (int i = 0; i < 10; ++i)
   {
-    Check(i == 7 ? groups->GetValue(i) >= 0 : groups->GetValue(i) == expected[i], "bad splat " + std::to_string(i));
+    Expect(i == 7 ? groups->GetValue(i) >= 0 : groups->GetValue(i) == expected[i], "bad splat " + std::to_string(i));
   }
-  Check(grouping->GetNumberOfSkippedPoints() == 7 && observer->GetWarning(), "skipped and reported");
+  Expect(grouping->GetNumberOfSkippedPoints() == 7 && observer->GetWarning(), "skipped and reported");
   observer->Clear();
 
   // No radii and no normals: estimated.
@@ -541,7 +532,7 @@ void TestBadInput()
   sphere.Data->GetPointData()->Initialize();
   grouping->SetInputData(sphere.Data);
   grouping->Update();
-  Check(grouping->GetNumberOfGroups() > 3 &&
+  Expect(grouping->GetNumberOfGroups() > 3 &&
       grouping->GetOutput()->GetPointData()->GetArray("SplatRadius"),
     "estimated sizes");
 
@@ -553,7 +544,7 @@ void TestBadInput()
   }
   grouping->SetInputData(heap.Data);
   groups = Groups(grouping);
-  Check(observer->GetError() && grouping->GetNumberOfGroups() == 0 && groups->GetValue(5) == -1,
+  Expect(observer->GetError() && grouping->GetNumberOfGroups() == 0 && groups->GetValue(5) == -1,
     "a heap is refused");
   observer->Clear();
 
@@ -566,7 +557,7 @@ void TestBadInput()
   grouping->SetInputData(few.Data);
   grouping->SetCoverageToEnlarge();
   groups = Groups(grouping);
-  Check(observer->GetError() && grouping->GetNumberOfGroups() == 1000 && groups->GetValue(5) >= 0,
+  Expect(observer->GetError() && grouping->GetNumberOfGroups() == 1000 && groups->GetValue(5) >= 0,
     "coverage of a heap is refused");
   observer->Clear();
 
@@ -579,7 +570,7 @@ void TestBadInput()
   grouping->SetInputData(sphere.Data);
   grouping->Update();
   vtkDataArray* used = grouping->GetOutput()->GetPointData()->GetArray("SplatRadius");
-  Check(used && used->GetNumberOfTuples() == 1000 && grouping->GetNumberOfGroups() > 3,
+  Expect(used && used->GetNumberOfTuples() == 1000 && grouping->GetNumberOfGroups() > 3,
     "too few radii");
 }
 }

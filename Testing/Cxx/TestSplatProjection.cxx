@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkPointSplatProjection on surfaces of closed forms. Lengths are in spacings of the points.
+#include "Expect.h"
+
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -29,23 +31,6 @@
 
 namespace
 {
-int failures = 0;
-
-void Expect(bool good, const std::string& what)
-{
-  if (!good)
-  {
-    std::cerr << "FAILED: " << what << "\n";
-    ++failures;
-  }
-}
-
-void AtMost(double value, double bound, const std::string& what)
-{
-  Expect(value <= bound,
-    what + ": " + std::to_string(value) + " is more than " + std::to_string(bound));
-}
-
 using Vector = std::array<double, 3>;
 
 struct Cloud

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Where sensors' positions are given, estimated normals face them.
+#include "Expect.h"
+
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
@@ -23,17 +25,6 @@
 
 namespace
 {
-int failures = 0;
-
-void Expect(bool good, const std::string& what)
-{
-  if (!good)
-  {
-    std::cerr << "FAILED: " << what << "\n";
-    ++failures;
-  }
-}
-
 constexpr int Side = 30;
 /// Of the sensors that saw squares beside one another: above or below.
 constexpr double Sides[3] = { 1, -1, 1 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // An isosurface's points are drawn with the sizes that they bring: nothing is estimated, and thin
 // vessels look as their mesh does.
+#include "Expect.h"
 #include "SplatScene.h"
 
 #include "vtkFlyingEdges3D.h"
@@ -15,17 +16,6 @@
 
 namespace
 {
-int failures = 0;
-
-void Expect(bool good, const std::string& what)
-{
-  if (!good)
-  {
-    std::cerr << "FAILED: " << what << "\n";
-    ++failures;
-  }
-}
-
 constexpr int Samples = 56;
 
 /// Vessels of 0.7 to 2 voxels' radius as a scanner has them, and specks between them.
