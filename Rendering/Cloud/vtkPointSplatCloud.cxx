@@ -175,9 +175,8 @@ void vtkPointSplatCloud::BuildSplats(
   std::vector<vtkPointSplatPacking> packings;
   for (const Block& block : blocks)
   {
-    packings.push_back(
-      vtkPointSplatPacking::Collect(
-        input.Owner, block.Data, input.NeedSizes, input.ProjectNoise));
+    packings.push_back(vtkPointSplatPacking::Collect(
+      input.Owner, block.Data, input.NeedSizes, input.ProjectNoise));
     this->Projected = this->Projected || packings.back().Projected;
     this->Circular = this->Circular && !packings.back().Axis1;
     this->Sized = this->Sized && (packings.back().Radius || packings.back().Axis1);

@@ -249,7 +249,8 @@ bool vtkPointSplatFrame::PresentLayers(Pass& pass, vtkActor* actor, size_t own)
     this->HasEnvironment ? &this->Environment : nullptr };
   const vtkPointSplatResolve::Target target{ this->Renderer, actor,
     pass.Entries[own].Source->GetMapper(), window,
-    pass.Translucent || !vtkPointSplatCollection::HasOpaqueAfter(this->Renderer, actor) };
+    pass.Translucent || pass.Surfaces->GetOutlines().GetCount() == 0 ||
+      !vtkPointSplatCollection::HasOpaqueAfter(this->Renderer, actor) };
   const int slot = pass.Batched ? -1 : static_cast<int>(own);
   if (pass.Translucent && !this->Flatten(pass, shading))
   {
@@ -291,8 +292,7 @@ bool vtkPointSplatFrame::PresentTranslucent(Pass& pass, const vtkPointSplatShadi
   bool good = true;
   if (pass.Flat || (shading.Reflects() && !pass.Presented))
   {
-    good =
-      this->Resolve.PresentFlat(target, pass.View, surfaces.Flat, surfaces.GetOutlines());
+    good = this->Resolve.PresentFlat(target, pass.View, surfaces.Flat, surfaces.GetOutlines());
   }
   for (int layer = layers.GetNumberOfLayers() - 1; layer >= 0 && !pass.Flat; --layer)
   {

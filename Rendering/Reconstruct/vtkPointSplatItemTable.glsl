@@ -42,8 +42,14 @@ vec4 itemKernel(uint tag)
   return itemTexel(tag, 2);
 }
 
-// The least layer distance, world units, at most; and of points: it in pixels; spacing, world units;
-// and whether silhouettes are anti-aliased.
+// The least layer distance, world units; of splats, whose own may be less, the largest.
+float itemLayer(uint tag)
+{
+  return itemTexel(tag, 3).x;
+}
+
+// Of points: the least layer distance, world units, and in pixels; spacing, world units; and
+// whether silhouettes are anti-aliased.
 vec4 itemPoints(uint tag)
 {
   return itemTexel(tag, 3);

@@ -37,6 +37,7 @@ const uint AnySlot = 0xfffeu;
 
 float depths[Looked];
 uint slots[Looked];
+bool ends[Looked]; // the light ends with this layer
 
 bool differs(uint a, uint b)
 {
@@ -65,12 +66,13 @@ void find(ivec2 first, ivec2 low, ivec2 high)
       bool ended = layer > 0 && slots[k] >= AnySlot;
       slots[k] = ended ? slots[k] : isEmpty(texel) ? NoSlot : tagOfTexel(texel) >> 1;
       depths[k] = uintBitsToFloat(texel.x);
+      ends[k] = isLast(texel);
     }
     for (int k = 0; k < TILE_WIDTH * TILE_HEIGHT; ++k)
     {
       int at = (k / TILE_WIDTH + 1) * Across + k % TILE_WIDTH + 1;
       uint slot = slots[at];
-      float leastStep = slot < AnySlot ? itemPoints(2u * slot).x : 0.0;
+      float leastStep = slot < AnySlot ? itemLayer(2u * slot) : 0.0;
       bool outline = differs(slot, slots[at - 1]) || differs(slot, slots[at + 1]) ||
         differs(slot, slots[at - Across]) || differs(slot, slots[at + Across]) ||
         steps(at - 1, at, at + 1, leastStep) || steps(at - Across, at, at + Across, leastStep);
@@ -88,10 +90,7 @@ void find(ivec2 first, ivec2 low, ivec2 high)
     bool more = false;
     for (int k = 0; k < Looked; ++k)
     {
-      ivec2 pixel = clamp(first + ivec2(k % Across - 1, k / Across - 1), low, high);
-      uvec4 texel = texelFetch(
-        LayerTexels, (pixel.y * LayerCapacity + layer) * LayerSize.x + pixel.x);
-      slots[k] = slots[k] < AnySlot && isLast(texel) ? AnySlot : slots[k];
+      slots[k] = slots[k] < AnySlot && ends[k] ? AnySlot : slots[k];
       more = more || slots[k] < AnySlot;
     }
     if (!more)
@@ -115,7 +114,7 @@ bool continues(uvec4 from, uvec4 to, ivec2 step)
     ? a.x + (a.y - a.x) * (float(TILE_WIDTH) / float(TILE_WIDTH - 1)) - b.x
     : a.x + (a.z - a.x) * (float(TILE_HEIGHT) / float(TILE_HEIGHT - 1)) - b.x;
   return from.w == to.w && from.w != 0xffffffffu &&
-    ((from.w & 0xffffu) == NoSlot || abs(next) <= 0.5 * itemPoints(from.w & 0xffffu).x);
+    ((from.w & 0xffffu) == NoSlot || abs(next) <= 0.5 * itemLayer(from.w & 0xffffu));
 }
 
 bool isPlain(ivec2 tile)
@@ -127,7 +126,8 @@ bool isPlain(ivec2 tile)
     ivec2 step = (k < 2 ? 1 : -1) * ivec2(k & 1, 1 - (k & 1));
     ivec2 at = clamp(tile + step, TileWindow.xy / TileSize, TileWindow.zw / TileSize);
     uvec4 other = texelFetch(Summaries, at.y * TilesAcross.x + at.x);
-    plain = plain && (at == tile || (k < 2 ? continues(own, other, step) : continues(other, own, step)));
+    plain = plain &&
+      (at == tile || (k < 2 ? continues(own, other, step) : continues(other, own, step)));
   }
   return plain;
 }

@@ -93,7 +93,9 @@ void main()
   {
     ivec2 at = clamp(first + ivec2(i % 3 - 1, i / 3 - 1), TileWindow.xy, TileWindow.zw);
     tagsAbout[i] = fetchTag(at, layer, depthsAbout[i]);
-    farthest = tagsAbout[i] == NoTag ? farthest : max(farthest, depthsAbout[i] + 5.0 * itemPoints(tagsAbout[i]).x);
+    farthest = tagsAbout[i] == NoTag
+      ? farthest
+      : max(farthest, depthsAbout[i] + 5.0 * itemLayer(tagsAbout[i]));
   }
 #ifdef LAYERS
   peeledTo = -1.0;

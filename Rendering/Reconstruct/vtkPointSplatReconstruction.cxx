@@ -21,7 +21,7 @@ vtkPointSplatTiles::Result vtkPointSplatReconstruction::Build(const vtkPointSpla
   outlines.Clear();
   if (vtkPointSplatReconstruction::UsesTiles(request))
   {
-    const vtkPointSplatTiles::Result result = 
+    const vtkPointSplatTiles::Result result =
       this->Tiles.Reconstruct(request, parts, layers, outlines);
     this->Error = this->Tiles.GetError();
     return result;

@@ -33,7 +33,7 @@ void summarise(int layer)
     layersOfAll += 1u << 16;
   }
   bool empty = tags[0] == NoTag;
-  float leastStep = empty ? 0.0 : itemPoints(tags[0]).x;
+  float leastStep = empty ? 0.0 : itemLayer(tags[0]);
   for (int k = 0; k < Pixels; ++k)
   {
     isSmooth = isSmooth && (tags[k] | 1u) == (tags[0] | 1u) &&

@@ -8,8 +8,7 @@
 // REFLECTION: some surfaces reflect the environment. REFLECTION_ALONE: the layer is another's to
 // draw, but for what it reflects.
 
-#include "vtkPointSplatLayers"
-#include "vtkPointSplatMaterials"
+#include "vtkPointSplatShadedTexel"
 #ifdef REFLECTION
 #include "vtkPointSplatReflection"
 #endif
@@ -41,22 +40,13 @@ void main()
       break;
     }
 #endif
-    Surface s = unpackTexel(texel);
-    vec3 positionVC = pointOfPixel(at, -(NearDistance + s.depth));
-    vec3 normalVC = s.normal;
-#ifdef FACTORS
-    lightFactors = fetchLayerFactors(at, layer);
-#endif
-    bool back;
-    vec4 shaded = shadeSurface(
-      int(s.tag >> 1), positionVC, normalVC, s.colour, layer == GatheredLayer, back);
-    shaded.a *= s.coverage;
-    shaded.rgb *= shaded.a * clamp(s.agreement / FullAgreement, 0.0, 1.0);
+    Shaded s = shadeTexel(texel, at, layer);
+    vec4 shaded = vec4(s.colour.a * s.colour.rgb, s.colour.a);
 #ifdef REFLECTION_ALONE
     shaded = vec4(0.0);
 #endif
 #ifdef REFLECTION
-    shaded = addReflection(int(s.tag >> 1), positionVC, normalVC, back, shaded);
+    shaded = addReflection(s.slot, s.positionVC, s.normalVC, s.back, shaded);
 #endif
     colour += there ? (1.0 - colour.a) * shaded : vec4(0.0);
     there = there && !isLast(texel);

@@ -19,7 +19,7 @@
 #include "vtkPointSplatLayers"
 #include "vtkPointSplatRay"
 #if OUTPUT == 0
-#include "vtkPointSplatMaterials"
+#include "vtkPointSplatShadedTexel"
 #ifdef REFLECTION
 #include "vtkPointSplatReflection"
 #endif
@@ -48,9 +48,7 @@ void main()
   {
     discard;
   }
-  Surface s = unpackTexel(texel);
-  vec3 positionVC = pointOfPixel(at, -(NearDistance + s.depth));
-  gl_FragDepth = windowDepth(positionVC.z);
+  gl_FragDepth = windowDepth(-(NearDistance + unpackTexel(texel).depth));
 
   //VTK::DepthPeeling::PreColor
 
@@ -65,18 +63,13 @@ void main()
   id >>= uint(SelectionShift);
   gl_FragData[0] = vec4(uvec4(id, id >> 8, id >> 16, 255u) & 255u) / 255.0;
 #else
-  vec3 normalVC = s.normal;
-#ifdef FACTORS
-  lightFactors = fetchLayerFactors(at, Layer);
-#endif
-  bool back;
-  vec4 shaded = shadeSurface(
-    int(s.tag >> 1), positionVC, normalVC, s.colour, Layer == GatheredLayer, back);
-  shaded.rgb *= clamp(s.agreement / FullAgreement, 0.0, 1.0);
-  shaded.a *= s.coverage;
+  Shaded s = shadeTexel(texel, at, Layer);
+  vec3 positionVC = s.positionVC;
+  vec3 normalVC = s.normalVC;
+  vec4 shaded = s.colour;
 #ifdef REFLECTION
   shaded.rgb *= shaded.a;
-  shaded = addReflection(int(s.tag >> 1), positionVC, normalVC, back, shaded);
+  shaded = addReflection(s.slot, positionVC, normalVC, s.back, shaded);
   shaded.rgb /= max(shaded.a, 1e-6);
 #endif
   gl_FragData[0] = shaded;

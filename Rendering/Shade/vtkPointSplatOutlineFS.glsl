@@ -16,10 +16,8 @@
 
 //VTK::DepthPeeling::Dec
 
-#include "vtkPointSplatLayers"
+#include "vtkPointSplatShadedTexel"
 #include "vtkPointSplatOutline"
-#include "vtkPointSplatRay"
-#include "vtkPointSplatMaterials"
 
 uniform ivec2 ImageOrigin; // the images' first pixel in the framebuffer
 uniform int Layer;
@@ -43,19 +41,12 @@ void main()
     {
       continue;
     }
-    Surface s = unpackTexel(texel);
-    vec3 place = pointOfPixel(pixelAt, -(NearDistance + s.depth));
-#ifdef FACTORS
-    lightFactors = fetchLayerFactors(pixelAt, Layer);
-#endif
-    bool back;
-    vec4 shaded = shadeSurface(
-      int(s.tag >> 1), place, s.normal, s.colour, Layer == GatheredLayer, back);
-    shaded.rgb *= shaded.a * clamp(s.agreement / FullAgreement, 0.0, 1.0);
-    sum += share * shaded;
+    Shaded s = shadeTexel(texel, pixelAt, Layer);
+    sum += share * vec4(s.colour.a * s.colour.rgb, s.colour.a);
     covered += share;
-    normalVC = place.z > positionVC.z ? s.normal : normalVC;
-    positionVC = place.z > positionVC.z ? place : positionVC;
+    bool nearer = s.positionVC.z > positionVC.z;
+    normalVC = nearer ? s.normalVC : normalVC;
+    positionVC = nearer ? s.positionVC : positionVC;
   }
   if (covered == 0.0 || (!Blends && covered < 0.5))
   {
