@@ -8,8 +8,8 @@
 // An invocation has a tile of TILE_WIDTH x TILE_HEIGHT pixels. With SUMMARIES (of all tiles, see
 // vtkPointSplatTileSummary) it looks at pixels only where the tile or one beside it is not smooth, or
 // where one does not continue the other.
-// Reads: LayerTexels, Summaries. Writes: OutlinePixels (vtkPointSplatOutlines.h) and their number;
-// OutlineFlag of the nearest layer's texels.
+// Reads: LayerTexels, Summaries. Writes: OutlinePixels (vtkPointSplatOutlines.h) their
+// number and their indices; OutlineFlag of the nearest layer's texels.
 
 #include "vtkPointSplatTexel"
 #include "vtkPointSplatItemTable"
@@ -26,6 +26,7 @@ uniform int RowCount;               // that are
 layout(std430, binding = 0) buffer Texels { uint texels[]; };
 layout(std430, binding = 4) writeonly buffer OutlinePixels { uint outlinePixels[]; };
 layout(std430, binding = 5) buffer OutlineCount { uint outlineCount; };
+layout(std430, binding = 6) writeonly buffer OutlineIndices { uint outlineIndices[]; };
 
 const int Across = TILE_WIDTH + 2;
 const ivec2 TileSize = ivec2(TILE_WIDTH, TILE_HEIGHT);
@@ -80,8 +81,10 @@ void find(ivec2 first, ivec2 low, ivec2 high)
       if (outline && (found >> k & 1u) == 0u && pixel == clamp(pixel, low, high))
       {
         found |= 1u << k;
-        outlinePixels[atomicAdd(outlineCount, 1u)] =
-          uint(pixel.y * LayerSize.x + pixel.x) | uint(min(layer, 15)) << 28;
+        uint place = uint(pixel.y * LayerSize.x + pixel.x);
+        uint index = atomicAdd(outlineCount, 1u);
+        outlinePixels[index] = place | uint(min(layer, 15)) << 28;
+        outlineIndices[place] = index;
         texels[4 * ((pixel.y - FirstRow) * LayerCapacity * LayerSize.x + pixel.x) + 2] |=
           OutlineFlag;
       }

@@ -27,8 +27,10 @@ bool vtkPointSplatOutlines::Find(const vtkPointSplatLayers& layers, const Search
     this->Error = program.GetLog();
     return false;
   }
-  const glm::ivec2& size = layers.GetSize();
-  this->Pixels.Reserve(4 * static_cast<GLsizeiptr>(size.x) * size.y);
+  this->Size = layers.GetSize();
+  const GLsizeiptr bytes = 4 * static_cast<GLsizeiptr>(this->Size.x) * this->Size.y;
+  this->Pixels.Reserve(bytes);
+  this->Indices.Reserve(bytes);
   const GLuint found = static_cast<GLuint>(this->Count);
   this->Counter.Upload(&found, 4);
   program.Use();
@@ -40,6 +42,7 @@ bool vtkPointSplatOutlines::Find(const vtkPointSplatLayers& layers, const Search
   program.Set("TilesAcross", search.TilesAcross);
   this->Pixels.BindStorage(4);
   this->Counter.BindStorage(5);
+  this->Indices.BindStorage(6);
   const int rows = layers.GetRowsPerBand();
   const glm::ivec2 across = glm::ivec2(search.Window.x, search.Window.z) / search.TileSize.x;
   for (int row = search.Window.y / rows * rows; row <= search.Window.w; row += rows)
@@ -55,7 +58,7 @@ bool vtkPointSplatOutlines::Find(const vtkPointSplatLayers& layers, const Search
   GLuint all = found;
   this->Counter.Download(&all, 4);
   this->Count = static_cast<int>(all);
-  this->Choices.Reserve(4 * static_cast<GLsizeiptr>(size.x) * size.y);
+  this->Choices.Reserve(bytes);
   this->Choices.Fill(4 * found, 4 * static_cast<GLsizeiptr>(all - found), 0);
   return true;
 }
@@ -77,7 +80,9 @@ std::vector<uint32_t> vtkPointSplatOutlines::DownloadPixels(int first) const
 void vtkPointSplatOutlines::Bind(vtkPointSplatUnits& units, vtkPointSplatProgram& program) const
 {
   units.Bind(program, "OutlinePixels", GL_TEXTURE_BUFFER, this->Pixels.GetTexture());
+  units.Bind(program, "OutlineIndices", GL_TEXTURE_BUFFER, this->Indices.GetTexture());
   units.Bind(program, "OutlineChoices", GL_TEXTURE_BUFFER, this->Choices.GetTexture());
+  program.Set("OutlineImage", this->Size);
 }
 
 //------------------------------------------------------------------------------
@@ -86,6 +91,7 @@ void vtkPointSplatOutlines::Release()
   this->Pixels.Release();
   this->Counter.Release();
   this->Choices.Release();
+  this->Indices.Release();
   this->Programs.clear();
   this->Count = 0;
 }

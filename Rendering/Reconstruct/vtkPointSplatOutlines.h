@@ -5,15 +5,17 @@
 //
 // 1. Find. A compute shader compares the layers of each pixel with those beside it
 //    (vtkPointSplatOutlineCS.glsl), lists the pixels in which one surface ends before another, and
-//    flags their texels, which are not presented as they are.
+//    flags their texels.
 // 2. Choose. The lists of their tiles are walked for the nearest hits of four samples, half a pixel
 //    apart (vtkPointSplatOutlineSamplesCS.glsl). Each takes after that of the pixels about it which
 //    shows the same surface: surfaces do not change within a pixel, but end there.
-// 3. Present. What is shown is the mean of the pixels that the samples take after; in multisampled
-//    framebuffers each of their samples gets one of them (vtkPointSplatOutlineFS.glsl).
+// 3. Present. What is shown is the mean of the pixels that the samples take after
+//    (vtkPointSplatOutlineMeans.h); in multisampled framebuffers each of their samples gets one of
+//    them (vtkPointSplatOutline.glsl).
 //
 // Buffers: the pixels, R32UI, y times the images' width plus x, and in the upper 4 bits the first
-// layer that ends there, in no order; the choices, R32UI, two bits a sample.
+// layer that ends there, in no order; their choices, R32UI, two bits a sample; and of each such pixel
+// of the image its index among them, R32UI.
 #ifndef vtkPointSplatOutlines_h
 #define vtkPointSplatOutlines_h
 
@@ -55,19 +57,21 @@ public:
   /// The pixels from a number on, without their layers.
   std::vector<uint32_t> DownloadPixels(int first) const;
   vtkPointSplatBuffer& GetChoices() { return this->Choices; }
-  /// Binds the pixels and the choices to a program in use.
+  /// Binds all of these to a program in use.
   void Bind(vtkPointSplatUnits& units, vtkPointSplatProgram& program) const;
 
-  vtkIdType GetMemorySize() const { return this->Pixels.GetSize() + this->Choices.GetSize(); }
+  vtkIdType GetMemorySize() const { return this->Pixels.GetSize() + this->Choices.GetSize() + this->Indices.GetSize(); }
   const std::string& GetError() const { return this->Error; }
   void Release();
 
 private:
   vtkPointSplatBuffer Pixels{ GL_R32UI };
   vtkPointSplatBuffer Choices{ GL_R32UI };
+  vtkPointSplatBuffer Indices{ GL_R32UI };
   vtkPointSplatBuffer Counter;
   std::map<std::string, vtkPointSplatProgram> Programs; // by defines
   int Count = 0;
+  glm::ivec2 Size = glm::ivec2(0); // of the images
   std::string Error;
 };
 

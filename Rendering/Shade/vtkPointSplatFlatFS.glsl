@@ -1,5 +1,6 @@
 #version 330
 #extension GL_ARB_sample_shading : enable
+#extension GL_ARB_shading_language_packing : enable
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
@@ -7,8 +8,8 @@
 // Presents all translucent layers at once, flattened to one colour and opacity a pixel
 // at the nearest layer's depth, where there is nothing else translucent that could lie
 // between them. With the hooks of VTK's translucent passes, as vtkPointSplatLayerFS.
-// Without pixels that outlines run through; OUTLINES: these, each the mean of those that its samples
-// take after.
+// OUTLINES (vtkPointSplatOutline): a pixel that an outline runs through gets the mean of those that
+// its samples take after. 0: there are none.
 
 //PointSplat::Defines
 
@@ -16,7 +17,7 @@
 
 //VTK::DepthPeeling::Dec
 
-#ifdef OUTLINES
+#if OUTLINES > 0
 #include "vtkPointSplatOutline"
 #endif
 
@@ -27,22 +28,22 @@ uniform ivec2 ImageOrigin;
 void main()
 {
   ivec2 at = ivec2(gl_FragCoord.xy) - ImageOrigin;
-#ifdef OUTLINES
-  vec4 flattened = vec4(0.0);
-  float depth = 1.0;
-  uint counts = countsAbout();
-  ivec2 pixelAt;
-  float share;
-  while (nextPixel(counts, at, pixelAt, share))
-  {
-    flattened += share * texelFetch(Flattened, pixelAt, 0);
-    float own = texelFetch(NearestDepths, pixelAt, 0).r;
-    depth = min(depth, own < 0.0 ? own + 2.0 : own);
-  }
-#else
+#if OUTLINES == 3
+  at = pixelOfSample(at);
+#endif
   vec4 flattened = texelFetch(Flattened, at, 0);
   float depth = texelFetch(NearestDepths, at, 0).r;
-  flattened.a = depth < 0.0 ? 0.0 : flattened.a;
+  bool sampled = depth < 0.0;
+  depth += sampled ? 2.0 : 0.0;
+#if OUTLINES == 1
+  for (; sampled; sampled = false) // left where no pixel of several goes on
+  {
+    Mean mean = meanAt(at);
+    flattened = mean.colour;
+    depth = mean.depth;
+  }
+#elif OUTLINES == 2
+  flattened.a = sampled ? 0.0 : flattened.a;
 #endif
   if (flattened.a <= 0.0)
   {

@@ -20,15 +20,15 @@ void main()
 {
   ivec2 at = ivec2(gl_FragCoord.xy);
   uvec4 texel = fetchLayer(at, 0);
-  if (isEmpty(texel))
+  bool there = !isEmpty(texel);
+  if (!there && !isOutline(texel))
   {
     discard;
   }
-  nearestDepth = vec4(windowDepth(-(NearDistance + uintBitsToFloat(texel.x))) -
-    (isOutline(texel) ? 2.0 : 0.0));
+  float depth = there ? windowDepth(-(NearDistance + uintBitsToFloat(texel.x))) : 1.0;
+  nearestDepth = vec4(depth - (isOutline(texel) ? 2.0 : 0.0));
   nearestDepth.a = 1.0;
   colour = vec4(0.0);
-  bool there = true;
   for (int layer = 0; layer < LayerCount; ++layer)
   {
     texel = fetchLayer(at, layer);

@@ -1,4 +1,6 @@
 #version 330
+#extension GL_ARB_sample_shading : enable
+#extension GL_ARB_shading_language_packing : enable
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
@@ -8,7 +10,10 @@
 // mesh. Hooks as in VTK's own fragment shaders let render passes add to it; names that their code
 // declares (pixel, front, ...) are not used here.
 // OUTPUT: 0 shaded, 1 one colour for hardware selection, 2 ids for it. REFLECTION: some surfaces
-// reflect the environment.
+// reflect the environment. OUTLINES (vtkPointSplatOutline): a pixel that an outline runs through gets
+// the mean of the shaded pixels that its samples take after, and the share that these cover as
+// opacity, at the depth of the nearest; in multisampled framebuffers each sample has its own colour
+// and depth, so that splats and meshes meet within pixels. 0: there are none.
 
 //PointSplat::Defines
 
@@ -18,37 +23,53 @@
 
 #include "vtkPointSplatLayers"
 #include "vtkPointSplatRay"
+#include "vtkPointSplatShownTexel"
 #if OUTPUT == 0
 #include "vtkPointSplatShadedTexel"
 #ifdef REFLECTION
 #include "vtkPointSplatReflection"
 #endif
+#if OUTLINES > 0
+#include "vtkPointSplatOutline"
+#endif
 #endif
 
 uniform ivec2 ImageOrigin;   // the images' first pixel in the framebuffer
 uniform int Layer;
-uniform int OnlySlot;        // of the cloud that is presented; -1: of all
 uniform vec4 SelectionColour;
 uniform int SelectionShift;
 
 void main()
 {
   ivec2 at = ivec2(gl_FragCoord.xy) - ImageOrigin;
+  bool sampled = false;
+#if OUTLINES == 3
+  at = pixelOfSample(at);
+#endif
   uvec4 texel = fetchLayer(at, 0);
-  bool apart = false;
-#if OUTPUT == 0
-  // What an outline runs through is drawn by samples (vtkPointSplatOutlineFS).
-  apart = isOutline(texel);
+#if OUTLINES == 1 || OUTLINES == 2
+  sampled = isOutline(texel);
 #endif
   if (Layer > 0)
   {
     texel = fetchLayer(at, Layer);
   }
-  if (apart || isEmpty(texel) || (OnlySlot >= 0 && int(tagOfTexel(texel) >> 1) != OnlySlot))
+  float depth = uintBitsToFloat(texel.x);
+#if OUTLINES == 1
+  Mean mean = Mean(vec4(0.0), depth, 0u);
+  for (bool fetched = !sampled; !fetched; fetched = true) // left where no pixel of several goes on
+  {
+    mean = meanAt(at);
+  }
+  depth = mean.depth;
+  if (sampled ? mean.colour.a <= 0.0 : !isShown(texel))
+#else
+  if (sampled || !isShown(texel))
+#endif
   {
     discard;
   }
-  gl_FragDepth = windowDepth(-(NearDistance + unpackTexel(texel).depth));
+  gl_FragDepth = windowDepth(-(NearDistance + depth));
 
   //VTK::DepthPeeling::PreColor
 
@@ -67,6 +88,11 @@ void main()
   vec3 positionVC = s.positionVC;
   vec3 normalVC = s.normalVC;
   vec4 shaded = s.colour;
+#if OUTLINES == 1
+  positionVC = sampled ? pointOfPixel(at, -(NearDistance + depth)) : positionVC;
+  normalVC = sampled ? decodeNormal(mean.normal) : normalVC;
+  shaded = sampled ? vec4(mean.colour.rgb / max(mean.colour.a, 1e-6), mean.colour.a) : shaded;
+#endif
 #ifdef REFLECTION
   shaded.rgb *= shaded.a;
   shaded = addReflection(s.slot, positionVC, normalVC, s.back, shaded);

@@ -21,15 +21,28 @@
 
 namespace
 {
-const char* const ScreenFile = "vtkPointSplatScreenVS";
-const char* const OutlineFile = "vtkPointSplatOutlineVS";
+/// Values of OUTLINES in vtkPointSplatOutline.glsl.
+constexpr int OutlineMeans = 1;
+constexpr int OutlinesAlone = 3;
 
-/// Of the framebuffer that is bound.
-std::string SampleDefines()
+/// How outlines are drawn to the framebuffer that is bound, one draw after another.
+std::vector<int> StepsFor(const vtkPointSplatOutlines& outlines)
 {
   GLint samples = 0;
   glGetIntegerv(GL_SAMPLES, &samples);
-  return samples > 1 ? "#define MULTISAMPLED\n" : "";
+  return outlines.GetCount() == 0 ? std::vector<int>{ 0 }
+    : samples > 1                 ? std::vector<int>{ 2, OutlinesAlone }
+                                  : std::vector<int>{ OutlineMeans };
+}
+
+const char* VertexFile(int outlines)
+{
+  return outlines == OutlinesAlone ? "vtkPointSplatOutlineVS" : "vtkPointSplatScreenVS";
+}
+
+std::string Define(int outlines)
+{
+  return "#define OUTLINES " + std::to_string(outlines) + "\n";
 }
 
 std::vector<vtkOpenGLRenderPass*> PassesOf(vtkActor* actor)
@@ -123,51 +136,34 @@ bool vtkPointSplatResolve::Present(const Target& target, const vtkPointSplatShad
   const Source& source, int layer, int slot)
 {
   const vtkPointSplatLayers& layers = source.Layers;
-  vtkPointSplatProgram program;
-  if (!this->Use(target, ScreenFile, "vtkPointSplatLayerFS",
-        "#define OUTPUT 0\n" + layers.GetDefines() +
-          shading.GetDefines(layers.GetGathered() >= 0),
-        program))
+  for (const int outlines : StepsFor(source.Outlines))
   {
-    return false;
+    if (outlines == OutlineMeans &&
+      !this->Means.Shade(shading, layers, source.Outlines, { layer, slot, target.Blends }))
+    {
+      this->Error = this->Means.GetError();
+      return false;
+    }
+    vtkPointSplatProgram program;
+    if (!this->Use(target, VertexFile(outlines), "vtkPointSplatLayerFS",
+          "#define OUTPUT 0\n" + Define(outlines) + layers.GetDefines() +
+            shading.GetDefines(layers.GetGathered() >= 0),
+          program))
+    {
+      return false;
+    }
+    vtkPointSplatUnits units(
+      static_cast<vtkOpenGLRenderWindow*>(target.Renderer->GetRenderWindow()));
+    layers.Bind(units, program);
+    source.Outlines.Bind(units, program);
+    this->Means.Bind(units, program);
+    shading.Bind(units, program, layers.GetFactorCount());
+    program.Set("ImageOrigin", shading.View.Origin);
+    program.Set("Layer", layer);
+    program.Set("OnlySlot", slot);
+    this->Draw(target, shading.View, outlines == OutlinesAlone ? source.Outlines.GetCount() : 0);
+    shading.Unbind();
   }
-  vtkPointSplatUnits units(
-    static_cast<vtkOpenGLRenderWindow*>(target.Renderer->GetRenderWindow()));
-  layers.Bind(units, program);
-  shading.Bind(units, program, layers.GetFactorCount());
-  program.Set("ImageOrigin", shading.View.Origin);
-  program.Set("Layer", layer);
-  program.Set("OnlySlot", slot);
-  this->Draw(target, shading.View);
-  shading.Unbind();
-  return source.Outlines.GetCount() == 0 ||
-    this->PresentOutlines(target, shading, source, layer, slot);
-}
-
-//------------------------------------------------------------------------------
-bool vtkPointSplatResolve::PresentOutlines(const Target& target,
-  const vtkPointSplatShading& shading, const Source& source, int layer, int slot)
-{
-  vtkPointSplatProgram program;
-  if (!this->Use(target, OutlineFile, "vtkPointSplatOutlineFS",
-        SampleDefines() + source.Layers.GetDefines() +
-          shading.GetDefines(source.Layers.GetGathered() >= 0),
-        program))
-  {
-    return false;
-  }
-  vtkPointSplatUnits units(
-    static_cast<vtkOpenGLRenderWindow*>(target.Renderer->GetRenderWindow()));
-  source.Layers.Bind(units, program);
-  source.Outlines.Bind(units, program);
-  shading.Bind(units, program, source.Layers.GetFactorCount());
-  program.Set("ImageSize", shading.View.Size);
-  program.Set("ImageOrigin", shading.View.Origin);
-  program.Set("Layer", layer);
-  program.Set("OnlySlot", slot);
-  program.Set("Blends", target.Blends);
-  this->Draw(target, shading.View, source.Outlines.GetCount());
-  shading.Unbind();
   return true;
 }
 
@@ -176,8 +172,9 @@ bool vtkPointSplatResolve::PresentSelection(const Target& target, const vtkPoint
   const vtkPointSplatLayers& layers, int slot, const Selection& selection)
 {
   vtkPointSplatProgram program;
-  if (!this->Use(target, ScreenFile, "vtkPointSplatLayerFS",
-        std::string("#define OUTPUT ") + (selection.Ids ? "2\n" : "1\n") + layers.GetDefines(),
+  if (!this->Use(target, VertexFile(0), "vtkPointSplatLayerFS",
+        std::string("#define OUTPUT ") + (selection.Ids ? "2\n" : "1\n") + Define(0) +
+          layers.GetDefines(),
         program))
   {
     return false;
@@ -201,11 +198,15 @@ bool vtkPointSplatResolve::PresentSelection(const Target& target, const vtkPoint
 bool vtkPointSplatResolve::PresentFlat(const Target& target, const vtkPointSplatView& view,
   const vtkPointSplatFlatImages& images, const vtkPointSplatOutlines& outlines)
 {
-  for (const int points : { 0, outlines.GetCount() })
+  for (const int step : StepsFor(outlines))
   {
+    if (step == OutlineMeans && !this->Means.Flatten(images, outlines))
+    {
+      this->Error = this->Means.GetError();
+      return false;
+    }
     vtkPointSplatProgram program;
-    if (!this->Use(target, points > 0 ? OutlineFile : ScreenFile, "vtkPointSplatFlatFS",
-          points > 0 ? SampleDefines() + "#define OUTLINES\n" : "", program))
+    if (!this->Use(target, VertexFile(step), "vtkPointSplatFlatFS", Define(step), program))
     {
       return false;
     }
@@ -214,13 +215,9 @@ bool vtkPointSplatResolve::PresentFlat(const Target& target, const vtkPointSplat
     units.Bind(program, "Flattened", GL_TEXTURE_2D, images.Colour.Get());
     units.Bind(program, "NearestDepths", GL_TEXTURE_2D, images.Depth.Get());
     outlines.Bind(units, program);
-    program.Set("ImageSize", view.Size);
+    this->Means.Bind(units, program);
     program.Set("ImageOrigin", view.Origin);
-    this->Draw(target, view, points);
-    if (outlines.GetCount() == 0)
-    {
-      break;
-    }
+    this->Draw(target, view, step == OutlinesAlone ? outlines.GetCount() : 0);
   }
   return true;
 }

@@ -8,6 +8,7 @@
 
 #include "vtkPointSplatFlat.h"
 #include "vtkPointSplatLayers.h"
+#include "vtkPointSplatOutlineMeans.h"
 #include "vtkPointSplatOutlines.h"
 #include "vtkPointSplatProgram.h"
 #include "vtkPointSplatScreen.h"
@@ -50,7 +51,6 @@ public:
   bool Present(const Target& target, const vtkPointSplatShading& shading, const Source& source,
     int layer, int slot);
 
-
   /**
    * What hardware selection asks for.
    */
@@ -70,18 +70,21 @@ public:
   static bool AreHooksShared(vtkActor* actor);
 
   const std::string& GetError() const { return this->Error; }
-  void Release() { this->Screen.Release(); }
+  void Release()
+  {
+    this->Screen.Release();
+    this->Means.Release();
+  }
 
 private:
   struct Hooks;
-  bool PresentOutlines(const Target& target, const vtkPointSplatShading& shading,
-    const Source& source, int layer, int slot);
   bool Use(const Target& target, const char* vertexFile, const char* file,
     const std::string& defines, vtkPointSplatProgram& program);
   /// points: that are drawn instead of all pixels, or 0.
   void Draw(const Target& target, const vtkPointSplatView& view, int points = 0);
 
   vtkPointSplatScreen Screen;
+  vtkPointSplatOutlineMeans Means;
   std::string Error;
 };
 
