@@ -10,6 +10,7 @@
 #include "vtkDataSet.h"
 #include "vtkHardwareSelector.h"
 #include "vtkInformation.h"
+#include "vtkLookupTable.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPlaneCollection.h"
@@ -63,6 +64,7 @@ public:
 
 private:
   vtkSmartPointer<vtkUnsignedCharArray> MapColours(vtkDataSet* data, int& cellFlag);
+  vtkPointSplatValues MapValues(vtkDataSet* data);
   std::string GetColourKey();
 
   vtkPointSplatMapper* Self;
@@ -120,6 +122,10 @@ void vtkPointSplatMapper::vtkInternals::UpdateCloud(
     input.MapColours = [this](vtkDataSet* block, int& cellFlag) {
       return this->MapColours(block, cellFlag);
     };
+    if (this->Self->InterpolateScalarsBeforeMapping)
+    {
+      input.MapValues = [this](vtkDataSet* block) { return this->MapValues(block); };
+    }
     input.FindScalars = [this](vtkDataSet* block) {
       int cellFlag = 0;
       return vtkAbstractMapper::GetAbstractScalars(block, this->Self->ScalarMode,
@@ -137,9 +143,9 @@ std::string vtkPointSplatMapper::vtkInternals::GetColourKey()
   vtkScalarsToColors* table = this->Self->GetLookupTable();
   std::ostringstream key;
   key << m.ScalarMode << ' ' << m.ColorMode << ' ' << m.ArrayAccessMode << ' ' << m.ArrayId << ' '
-      << m.ArrayName << ' ' << m.ArrayComponent << ' ' << m.UseLookupTableScalarRange << ' '
-      << m.ScalarRange[0] << ' ' << m.ScalarRange[1] << ' ' << table << ' '
-      << (table ? table->GetMTime() : 0);
+      << m.ArrayName << ' ' << m.ArrayComponent << ' ' << m.InterpolateScalarsBeforeMapping << ' '
+      << m.UseLookupTableScalarRange << ' ' << m.ScalarRange[0] << ' ' << m.ScalarRange[1] << ' '
+      << table << ' ' << (table ? table->GetMTime() : 0);
   return key.str();
 }
 
@@ -310,7 +316,7 @@ vtkSmartPointer<vtkUnsignedCharArray> vtkPointSplatMapper::vtkInternals::MapColo
          "one, or SetColorModeToMapScalars().");
     return nullptr;
   }
-  // Colours are interpolated, not texture coordinates.
+  // Colours, not texture coordinates.
   const vtkTypeBool interpolate = m->InterpolateScalarsBeforeMapping;
   m->InterpolateScalarsBeforeMapping = 0;
   m->ClearColorArrays(); // else those of the block before are taken for this one's
@@ -318,6 +324,37 @@ vtkSmartPointer<vtkUnsignedCharArray> vtkPointSplatMapper::vtkInternals::MapColo
   m->InterpolateScalarsBeforeMapping = interpolate;
   vtkSmartPointer<vtkUnsignedCharArray> colours = m->Colors;
   return colours;
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatValues vtkPointSplatMapper::vtkInternals::MapValues(vtkDataSet* data)
+{
+  vtkPointSplatMapper* m = this->Self;
+  int cellFlag = 0;
+  auto scalars = vtkDataArray::SafeDownCast(vtkAbstractMapper::GetAbstractScalars(
+    data, m->ScalarMode, m->ArrayAccessMode, m->ArrayId, m->ArrayName, cellFlag));
+  // What vtkMapper makes coordinates of, but for types and components that it would stumble over.
+  const bool mapped = scalars && cellFlag == 0 && scalars->GetDataType() != VTK_BIT &&
+    scalars->GetNumberOfTuples() == data->GetNumberOfPoints() &&
+    !(m->ColorMode == VTK_COLOR_MODE_DIRECT_SCALARS ||
+      (m->ColorMode == VTK_COLOR_MODE_DEFAULT && vtkUnsignedCharArray::SafeDownCast(scalars)));
+  if (!mapped)
+  {
+    return {};
+  }
+  vtkScalarsToColors* own = scalars->GetLookupTable();
+  vtkScalarsToColors* table = own ? own : m->GetLookupTable();
+  if (table->GetIndexedLookup() ||
+    table->GetVectorComponent() >= scalars->GetNumberOfComponents())
+  {
+    return {};
+  }
+  m->ClearColorArrays();
+  m->MapScalars(data, 1.0, cellFlag);
+  vtkPointSplatValues values;
+  values.Coordinates = m->GetColorCoordinates();
+  values.Table = m->GetColorTextureMap();
+  return values;
 }
 
 //------------------------------------------------------------------------------

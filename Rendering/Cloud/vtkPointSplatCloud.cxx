@@ -248,7 +248,8 @@ void vtkPointSplatCloud::Measure()
 void vtkPointSplatCloud::BuildColours(const vtkPointSplatCloudInput& input)
 {
   this->Colours.clear();
-  if (!input.MapColours)
+  this->ValueTable.clear();
+  if (!input.MapColours || (input.MapValues && this->BuildValues(input)))
   {
     return;
   }
@@ -282,6 +283,62 @@ void vtkPointSplatCloud::BuildColours(const vtkPointSplatCloudInput& input)
       }
     });
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatCloud::BuildValues(const vtkPointSplatCloudInput& input)
+{
+  std::vector<vtkPointSplatValues> all;
+  double low = VTK_DOUBLE_MAX;
+  double high = -VTK_DOUBLE_MAX;
+  for (const Block& block : this->Blocks)
+  {
+    all.push_back(input.MapValues(block.Data));
+    vtkFloatArray* coordinates = all.back().Coordinates;
+    if (!coordinates || coordinates->GetNumberOfTuples() < block.Data->GetNumberOfPoints())
+    {
+      return false;
+    }
+    double range[2];
+    coordinates->GetFiniteRange(range, 0);
+    low = std::min(low, range[0]);
+    high = std::max(high, range[1]);
+  }
+  vtkImageData* image = all.empty() ? nullptr : all.back().Table.Get();
+  auto colours = image
+    ? vtkArrayDownCast<vtkUnsignedCharArray>(image->GetPointData()->GetScalars())
+    : nullptr;
+  const int entries = image ? image->GetDimensions()[0] : 0;
+  if (!colours || colours->GetNumberOfComponents() != 4 ||
+    colours->GetNumberOfTuples() < 2 * vtkIdType(entries) || low > high)
+  {
+    return false;
+  }
+  // The first row, and one of the second.
+  this->ValueTable.resize(static_cast<size_t>(entries) + 1);
+  std::memcpy(this->ValueTable.data(), colours->GetPointer(0), 4 * this->ValueTable.size());
+  this->ValueScale = { { (high - low) * entries, low * entries } };
+  this->Colours.resize(static_cast<size_t>(this->Count));
+  const size_t words = this->GetWordsPerSplat();
+  const double scale = high > low ? 1.0 / (high - low) : 0.0;
+  for (size_t b = 0; b < all.size(); ++b)
+  {
+    const Block& block = this->Blocks[b];
+    const float* from = all[b].Coordinates->GetPointer(0);
+    vtkSMPTools::For(block.First, block.First + block.Count, [&](vtkIdType begin, vtkIdType end) {
+      for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
+      {
+        const float* at = from + 2 * size_t(this->Splats[words * i + 7]);
+        const float value =
+          static_cast<float>(std::clamp((double(at[0]) - low) * scale, 0.0, 1.0));
+        // NaN compares false.
+        const bool known = value >= 0.0f && at[1] < 0.5f;
+        std::memcpy(&this->Colours[i], &value, 4);
+        this->Colours[i] = known ? this->Colours[i] : 0x80000000u;
+      }
+    });
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -432,6 +489,11 @@ vtkPointSplatCloud::Buffers& vtkPointSplatCloud::Fill(ContextBuffers& all, bool 
   };
   fill(buffers.Splats, buffers.SplatTime, this->SplatTime, this->Splats, this->GetWordsPerSplat());
   fill(buffers.Colours, buffers.ColourTime, this->ColourTime, this->Colours, 1);
+  if (this->ColourTime > buffers.ValueTime)
+  {
+    buffers.ValueTable.Upload(this->ValueTable);
+    buffers.ValueTime.Modified();
+  }
   fill(buffers.Factors, buffers.FactorTime, this->FactorTime, this->Factors, 1);
   return buffers;
 }

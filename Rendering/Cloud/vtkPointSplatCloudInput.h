@@ -5,11 +5,25 @@
 #define vtkPointSplatCloudInput_h
 
 #include "vtkDataSet.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <functional>
 #include <string>
+
+/**
+ * What vtkMapper makes of values that are interpolated before they are mapped.
+ */
+struct vtkPointSplatValues
+{
+  /// Two a point: the place along the table, of which 0 to 1 is all; and 1 for NaN, else less than
+  /// a half. Null: the block's scalars cannot be drawn so.
+  vtkSmartPointer<vtkFloatArray> Coordinates;
+  /// RGBA colours, 8 bits each: the first row is the table, the second one is NaN's colour.
+  vtkSmartPointer<vtkImageData> Table;
+};
 
 struct vtkPointSplatCloudInput
 {
@@ -23,6 +37,8 @@ struct vtkPointSplatCloudInput
   bool ProjectNoise = true;
   /// RGBA colours of a block's points, or of its cells (then cellFlag gets 1); null: of no worth.
   std::function<vtkSmartPointer<vtkUnsignedCharArray>(vtkDataSet*, int& cellFlag)> MapColours;
+  /// A block's values, that are blended and then mapped to colours; or null: colours are blended.
+  std::function<vtkPointSplatValues(vtkDataSet*)> MapValues;
   /// The array of a block that colours come from, or null.
   std::function<vtkAbstractArray*(vtkDataSet*)> FindScalars;
   /// Changes with whatever colours depend on beside the scalars, or null.

@@ -25,16 +25,16 @@ bool vtkPointSplatDeferred::Fits(const glm::ivec2& size, int groups, vtkIdType b
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatDeferred::BuildPrograms(bool factors)
+bool vtkPointSplatDeferred::BuildPrograms(bool factors, bool values)
 {
   const std::string defines = factors ? "#define FACTORS\n" : "";
   vtkPointSplatProgram& geometry = this->Geometry[factors ? 1 : 0];
-  vtkPointSplatProgram& compositing = this->Compositing[factors ? 1 : 0];
+  vtkPointSplatProgram& compositing = this->Compositing[(factors ? 1 : 0) + (values ? 2 : 0)];
   const bool built =
     geometry.Build({ { GL_VERTEX_SHADER, "vtkPointSplatGroupVS" },
                      { GL_FRAGMENT_SHADER, "vtkPointSplatGroupFS" } },
       defines + "#define CLIPPING\n#define PLATEAU\n") &&
-    compositing.BuildScreen("vtkPointSplatCompositeFS", defines);
+    compositing.BuildScreen("vtkPointSplatCompositeFS", defines + (values ? "#define VALUES\n" : ""));
   this->Error = built ? std::string() : geometry.GetLog() + compositing.GetLog();
   return built;
 }
@@ -68,8 +68,9 @@ bool vtkPointSplatDeferred::Reconstruct(
   const vtkPointSplatRequest& request, vtkPointSplatLayers& layers)
 {
   const bool factors = request.GetFactorCount() > 0;
+  const bool values = request.HasValues();
   const glm::ivec2& size = request.View.Size;
-  if (!this->BuildPrograms(factors))
+  if (!this->BuildPrograms(factors, values))
   {
     return false;
   }
@@ -118,13 +119,19 @@ bool vtkPointSplatDeferred::Reconstruct(
   this->Result.Bind(state, targets);
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDepthMask(GL_FALSE);
-  vtkPointSplatProgram& compositing = this->Compositing[factors ? 1 : 0];
+  vtkPointSplatProgram& compositing = this->Compositing[(factors ? 1 : 0) + (values ? 2 : 0)];
   compositing.Use();
   vtkPointSplatUnits units(window);
   units.Bind(compositing, "Texels", GL_TEXTURE_2D_ARRAY, this->Texels.Get());
   units.Bind(compositing, "GroupDepths", GL_TEXTURE_2D_ARRAY, this->Depths.Get());
   units.Bind(
     compositing, "FactorTexels", GL_TEXTURE_2D_ARRAY, factors ? this->Factors.Get() : 0);
+  if (values)
+  {
+    this->Items.Upload(request.Items, request.View);
+    units.Bind(compositing, "ItemTable", GL_TEXTURE_BUFFER, this->Items.GetTexture());
+    units.Bind(compositing, "ValueTables", GL_TEXTURE_BUFFER, this->Items.GetValueTables());
+  }
   compositing.Set("DepthUnit", static_cast<float>(request.GetDepthUnit()));
   compositing.Set("GroupCount", groups);
   compositing.Set("TagMask", request.GetTagMask());
@@ -142,11 +149,15 @@ vtkIdType vtkPointSplatDeferred::GetMemorySize() const
 //------------------------------------------------------------------------------
 void vtkPointSplatDeferred::Release()
 {
-  for (int factors = 0; factors < 2; ++factors)
+  for (vtkPointSplatProgram& program : this->Geometry)
   {
-    this->Geometry[factors].Release();
-    this->Compositing[factors].Release();
+    program.Release();
   }
+  for (vtkPointSplatProgram& program : this->Compositing)
+  {
+    program.Release();
+  }
+  this->Items.Release();
   this->Texels.Release();
   this->Depths.Release();
   this->Factors.Release();

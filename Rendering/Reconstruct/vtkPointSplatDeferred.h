@@ -16,6 +16,7 @@
 #define vtkPointSplatDeferred_h
 
 #include "vtkPointSplatFramebuffer.h"
+#include "vtkPointSplatItemTable.h"
 #include "vtkPointSplatLayers.h"
 #include "vtkPointSplatProgram.h"
 #include "vtkPointSplatRequest.h"
@@ -40,11 +41,12 @@ public:
   void Release();
 
 private:
-  bool BuildPrograms(bool factors);
+  bool BuildPrograms(bool factors, bool values);
   void DrawGroup(const vtkPointSplatRequest& request, int group, vtkPointSplatProgram& geometry);
 
   vtkPointSplatProgram Geometry[2]; // the latter with factors of lights
-  vtkPointSplatProgram Compositing[2];
+  vtkPointSplatProgram Compositing[4]; // and the last two with values
+  vtkPointSplatItemTable Items;
   vtkPointSplatImage Texels{ GL_RGBA32UI };
   vtkPointSplatImage Depths{ GL_DEPTH_COMPONENT32F };
   vtkPointSplatImage Factors{ GL_R32UI };

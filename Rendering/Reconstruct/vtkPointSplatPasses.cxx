@@ -115,9 +115,12 @@ bool vtkPointSplatPasses::Normalise(
 {
   const bool factors = layers.GetFactorCount() > 0;
   const bool ids = request.HasIds && layer == 0;
-  vtkPointSplatProgram& program = this->Normalising[(factors ? 1 : 0) + (ids ? 2 : 0)];
-  if (!program.BuildScreen("vtkPointSplatNormaliseFS",
-        std::string(factors ? "#define FACTORS\n" : "") + (ids ? "#define IDS\n" : "")))
+  // What is gathered has colours.
+  const bool values = request.HasValues() && !(request.Gather && layer == request.MaximumLayers - 1);
+  const std::string defines = std::string(factors ? "#define FACTORS\n" : "") +
+    (ids ? "#define IDS\n" : "") + (values ? "#define VALUES\n" : "");
+  vtkPointSplatProgram& program = this->Normalising[defines];
+  if (!program.BuildScreen("vtkPointSplatNormaliseFS", defines))
   {
     this->Error = program.GetLog();
     return false;
@@ -139,6 +142,9 @@ bool vtkPointSplatPasses::Normalise(
   vtkPointSplatUnits units(window);
   this->Sums.Bind(units, program);
   units.Bind(program, "Depths", GL_TEXTURE_2D, this->Codes[static_cast<size_t>(layer) % 4].Get());
+  units.Bind(program, "ItemTable", GL_TEXTURE_BUFFER, values ? this->Items.GetTexture() : 0);
+  units.Bind(
+    program, "ValueTables", GL_TEXTURE_BUFFER, values ? this->Items.GetValueTables() : 0);
   program.Set("TagMask", request.GetTagMask());
   program.Set("DepthUnit", static_cast<float>(request.GetDepthUnit()));
   program.Set("PixelSize", request.View.GetPixelSize());
@@ -170,10 +176,7 @@ void vtkPointSplatPasses::Release()
   this->Raster.Release();
   this->PointSums.Release();
   this->Fill.Release();
-  for (vtkPointSplatProgram& program : this->Normalising)
-  {
-    program.Release();
-  }
+  this->Normalising.clear();
   this->Framebuffer.Release();
   this->Screen.Release();
 }

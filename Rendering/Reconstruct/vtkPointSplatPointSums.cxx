@@ -68,7 +68,9 @@ bool vtkPointSplatPointSums::DrawAll(const vtkPointSplatRequest& request,
     {
       continue;
     }
-    const std::string defines = common + (item.ClipPlanes.empty() ? "" : "#define CLIPPING\n");
+    const std::string defines = common +
+      (file == AccumulateFile && item.Cloud->HasValues() ? "#define VALUES\n" : "") +
+      (item.ClipPlanes.empty() ? "" : "#define CLIPPING\n");
     vtkPointSplatProgram& program = this->Programs[file + defines];
     if (!program.Build({ { GL_COMPUTE_SHADER, file } }, defines))
     {
@@ -105,6 +107,9 @@ bool vtkPointSplatPointSums::DrawAll(const vtkPointSplatRequest& request,
       units.Bind(program, "Colours", GL_TEXTURE_BUFFER, buffers.Colours.GetTexture());
       units.Bind(program, "Factors", GL_TEXTURE_BUFFER,
         item.Factors ? item.Factors->GetTexture() : 0);
+      units.Bind(
+        program, "ValueTables", GL_TEXTURE_BUFFER, buffers.ValueTable.GetTexture());
+      program.Set("ValueMap", item.GetValueMap());
       program.Set("ItemColour", peel.Gather ? item.Colour : glm::vec4(1.0f));
       program.Set("DepthUnit", static_cast<float>(request.GetDepthUnit()));
       program.Set("SumStride", sums.GetSumStride());

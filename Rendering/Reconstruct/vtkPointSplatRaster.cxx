@@ -23,7 +23,9 @@ const char* const IdentifyFile = "vtkPointSplatIdentifyFS";
 vtkPointSplatProgram* vtkPointSplatRaster::Use(
   const vtkPointSplatItem& item, const std::string& file, const std::string& common)
 {
-  const std::string defines = common + (item.ClipPlanes.empty() ? "" : "#define CLIPPING\n") +
+  const std::string defines = common +
+    (file == AccumulateFile && item.Cloud->HasValues() ? "#define VALUES\n" : "") +
+    (item.ClipPlanes.empty() ? "" : "#define CLIPPING\n") +
     (item.IsPoints          ? "#define POINTS\n"
         : item.Kernel.Plateau ? "#define PLATEAU\n"
                               : "");
@@ -74,6 +76,7 @@ bool vtkPointSplatRaster::DrawAll(const vtkPointSplatRequest& request,
            : glm::vec2(vtkPointSplatReach::Prefilter));
     program->Set("DepthUnit", static_cast<float>(request.GetDepthUnit()));
     program->Set("ItemColour", peel.Gather ? item.Colour : glm::vec4(1.0f));
+    program->Set("ValueMap", item.GetValueMap());
     if (!identifies)
     {
       peel.Bind(units, *program, request.View.PixelZ);
@@ -81,6 +84,7 @@ bool vtkPointSplatRaster::DrawAll(const vtkPointSplatRequest& request,
     if (!sees)
     {
       units.Bind(*program, "Depths", GL_TEXTURE_2D, codes.Get());
+      units.Bind(*program, "ValueTables", GL_TEXTURE_BUFFER, buffers.ValueTable.GetTexture());
     }
     vtkPointSplatQuads::Draw(item, buffers, identifies);
   }

@@ -30,6 +30,13 @@ bool vtkPointSplatRequest::HasColours() const
 }
 
 //------------------------------------------------------------------------------
+bool vtkPointSplatRequest::HasValues() const
+{
+  return std::any_of(this->Items.begin(), this->Items.end(),
+    [](const vtkPointSplatItem& item) { return item.Cloud->HasValues(); });
+}
+
+//------------------------------------------------------------------------------
 int vtkPointSplatRequest::GetFactorCount() const
 {
   int count = 0;

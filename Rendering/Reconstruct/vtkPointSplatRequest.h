@@ -38,6 +38,8 @@ struct vtkPointSplatRequest
 
   bool IsPeeled() const { return this->MaximumLayers > 1 || this->SceneDepth != 0; }
   bool HasColours() const;
+  /// Whether clouds have values in the place of colours.
+  bool HasValues() const;
   int GetFactorCount() const;
   /// The bits that tags of the items need (vtkPointSplatDepthCode.glsl).
   unsigned int GetTagMask() const;

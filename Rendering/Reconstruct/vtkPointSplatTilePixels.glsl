@@ -24,6 +24,9 @@ uniform float PrefilterRadius;  // pixels
 uniform vec4 Kernel;            // of all clouds, but for KERNELS, where they differ
 uniform float DepthReach;       // from a splat's nearest depth to its farthest, at most
 uniform float DepthUnit;        // five times the largest least layer distance, world units
+#ifdef VALUES
+#include "vtkPointSplatValue"
+#endif
 #ifdef COLOURS
 uniform usamplerBuffer RecordColours;
 #endif
@@ -194,6 +197,9 @@ struct Paint
 #ifdef COLOURS
   vec4 colour;
 #endif
+#ifdef VALUES
+  bool isValue; // which colour has, and whether it is known
+#endif
 #ifdef FACTORS
   LightFactors factors;
 #endif
@@ -211,7 +217,19 @@ Paint paintOf(int record, uint tag)
   p.kernel = Kernel;
 #endif
 #ifdef COLOURS
-  p.colour = unpackColour(texelFetch(RecordColours, record).r);
+  uint code = texelFetch(RecordColours, record).r;
+  p.colour = unpackColour(code);
+#ifdef VALUES
+  vec4 map = itemValueMap(tag);
+  vec2 value = decodeValue(code);
+  p.isValue = hasValues(map);
+#ifdef GATHER
+  // What is gathered is of several clouds.
+  p.colour = p.isValue && gathering ? mapValue(value, map) : p.colour;
+  p.isValue = p.isValue && !gathering;
+#endif
+  p.colour = p.isValue ? vec4(value, 0.0, 0.0) : p.colour;
+#endif
 #ifdef GATHER
   p.colour *= gathering ? itemColour(tag) : vec4(1.0);
 #endif
@@ -253,7 +271,11 @@ void addToLayer(int k, Head h, Paint p, bool hit, float r2, float depth, vec3 no
   normals[k] += round(turned * normal);
   behinds[k] += round(weight * (mine ? behind : 0.0) * (DepthScale / DepthUnit));
 #ifdef COLOURS
+#ifdef VALUES
+  colours[k] += p.isValue ? weightedValue(weight, p.colour.xy) : round(weight * p.colour);
+#else
   colours[k] += round(weight * p.colour);
+#endif
 #endif
 #ifdef FACTORS
   factors[k] += round(weight * p.factors);
