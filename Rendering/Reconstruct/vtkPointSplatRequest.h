@@ -36,7 +36,10 @@ struct vtkPointSplatRequest
 
   bool operator==(const vtkPointSplatRequest& other) const;
 
-  bool IsPeeled() const { return this->MaximumLayers > 1 || this->SceneDepth != 0; }
+  bool IsPeeled() const
+  {
+    return this->MaximumLayers > 1 || this->Gather || this->SceneDepth != 0;
+  }
   bool HasColours() const;
   /// Whether clouds have values in the place of colours.
   bool HasValues() const;
