@@ -97,8 +97,11 @@ void vtkPointSplatCloud::Update(const vtkPointSplatCloudInput& input)
   Key factorKey = colourKey;
   for (const Block& block : this->Blocks)
   {
-    vtkAbstractArray* scalars = input.FindScalars ? input.FindScalars(block.Data) : nullptr;
+    int cellFlag = 0;
+    vtkAbstractArray* scalars =
+      input.FindScalars ? input.FindScalars(block.Data, cellFlag) : nullptr;
     colourKey.emplace_back(scalars, scalars ? scalars->GetMTime() : 0);
+    colourKey.emplace_back(nullptr, cellFlag ? block.Data->GetMTime() : 0); // of its cells
     vtkDataArray* factors = block.Data->GetPointData()->GetArray(vtkPointSplatArrays::Shadow);
     factorKey.emplace_back(factors, factors ? factors->GetMTime() : 0);
   }
@@ -249,6 +252,7 @@ void vtkPointSplatCloud::BuildColours(const vtkPointSplatCloudInput& input)
 {
   this->Colours.clear();
   this->ValueTable.clear();
+  this->CellColours = false;
   if (!input.MapColours || (input.MapValues && this->BuildValues(input)))
   {
     return;
@@ -256,9 +260,8 @@ void vtkPointSplatCloud::BuildColours(const vtkPointSplatCloudInput& input)
   const size_t words = this->GetWordsPerSplat();
   for (const Block& block : this->Blocks)
   {
-    int cellFlag = 0;
-    vtkSmartPointer<vtkUnsignedCharArray> colours = input.MapColours(block.Data, cellFlag);
-    if (!colours || colours->GetNumberOfComponents() != 4)
+    const vtkPointSplatColours colours = input.MapColours(block.Data);
+    if (!colours.Array || colours.Array->GetNumberOfComponents() != 4)
     {
       continue;
     }
@@ -268,14 +271,16 @@ void vtkPointSplatCloud::BuildColours(const vtkPointSplatCloudInput& input)
       this->Colours.assign(static_cast<size_t>(this->Count), 0xffffffffu);
     }
     const std::vector<vtkIdType> cells =
-      cellFlag == 1 ? vtkPointSplatPacking::CellsOfPoints(block.Data) : std::vector<vtkIdType>();
-    const unsigned char* from = colours->GetPointer(0);
-    const vtkIdType tuples = colours->GetNumberOfTuples();
+      colours.OfCells ? vtkPointSplatPacking::CellsOfPoints(block.Data) : std::vector<vtkIdType>();
+    this->CellColours = this->CellColours || colours.OfCells;
+    const unsigned char* from = colours.Array->GetPointer(0);
+    const vtkIdType tuples = colours.Array->GetNumberOfTuples();
     vtkSMPTools::For(block.First, block.First + block.Count, [&](vtkIdType begin, vtkIdType end) {
       for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
       {
         vtkIdType id = this->Splats[words * i + 7];
-        id = cellFlag == 1 ? cells[static_cast<size_t>(id)] : id;
+        id = colours.OfCells ? cells[static_cast<size_t>(id)] : colours.Only >= 0 ? colours.Only : id;
+        this->Colours[i] = colours.WithoutCell;
         if (id >= 0 && id < tuples)
         {
           std::memcpy(&this->Colours[i], from + 4 * id, 4);

@@ -20,6 +20,9 @@
 // Colours: RGBA, 8 bits each, one a splat, where scalars colour the points; or values (see below).
 // Factors: of up to four lights, 8 bits each, one a splat, where the input has `ShadowFactor`.
 //
+// Colours of cells: a splat has that of the first cell, by its id, that uses the point, as of a
+// point's vertex; a point without a cell has the table's colour of NaN. They are not blended: a
+// pixel has the colour of the splat with the greatest weight.
 // Values: where scalars are to be interpolated before they are mapped, there are values in the place
 // of colours. Stages blend these, and map the mean of each pixel through the cloud's table, so that
 // no colour appears that the table has not (vtkPointSplatValue.glsl). A value is a float from 0, the
@@ -127,6 +130,8 @@ public:
   /// Whether splats have colours, or values in their place.
   bool HasColours() const { return !this->Colours.empty(); }
   bool HasValues() const { return !this->ValueTable.empty(); }
+  /// Whether colours are of cells, and a pixel has that of one splat.
+  bool HasCellColours() const { return this->CellColours; }
   /// Colours, packed as those of splats: the table's, and last that of NaN.
   const std::vector<uint32_t>& GetValueTable() const { return this->ValueTable; }
   /// From a value to its place in the table, in entries: its factor, and what is added.
@@ -171,6 +176,7 @@ private:
 
   std::vector<uint32_t> Splats;
   std::vector<uint32_t> Colours;
+  bool CellColours = false;
   std::vector<uint32_t> ValueTable;
   std::array<double, 2> ValueScale{ { 0.0, 0.0 } };
   std::vector<uint32_t> Factors;

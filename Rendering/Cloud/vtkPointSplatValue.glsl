@@ -4,7 +4,9 @@
 // Values that splats have in the place of colours (vtkPointSplatCloud.h), their weighted sums, and
 // how means are mapped to colours.
 // A map tells of a cloud: x its table's first entry; y how many entries there are, behind which that
-// of NaN lies, or 0 where splats have colours; z and w from a value to its place, in entries.
+// of NaN lies, or 0 where splats have colours; z and w from a value to its place, in entries. Where
+// there are colours, x is 1 if these are of cells: pixels have that of the splat with the greatest
+// weight.
 
 #include "vtkPointSplatColourCode"
 
@@ -20,6 +22,11 @@ const float ValueMargin = 1.0 / 64.0;
 bool hasValues(vec4 map)
 {
   return map.y > 0.0;
+}
+
+bool hasCellColours(vec4 map)
+{
+  return map.y == 0.0 && map.x > 0.0;
 }
 
 // Of a splat: its value, and 1; or both 0 where it has none.

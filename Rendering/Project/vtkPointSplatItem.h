@@ -81,8 +81,8 @@ struct vtkPointSplatItem
   static std::vector<glm::dvec4> ClipPlanesOf(vtkMapper* mapper);
 
   /**
-   * How values are mapped (vtkPointSplatValue.glsl), by a table that begins at this entry: 0 where
-   * there are none.
+   * How values are mapped, by a table that begins at this entry, or what is done with colours
+   * (vtkPointSplatValue.glsl).
    */
   glm::vec4 GetValueMap(size_t first = 0) const;
   /// From the coordinates in the cloud's buffers to view coordinates.

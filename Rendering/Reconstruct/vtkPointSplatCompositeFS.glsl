@@ -11,7 +11,7 @@
 #include "vtkPointSplatDepthCode"
 #include "vtkPointSplatGroupTexel"
 #include "vtkPointSplatTexel"
-#ifdef VALUES
+#if defined(VALUES) || defined(CELL_COLOURS)
 #include "vtkPointSplatItemTable"
 #include "vtkPointSplatValue"
 #endif
@@ -78,8 +78,12 @@ void main()
   {
     return;
   }
-#ifdef VALUES
+#if defined(VALUES) || defined(CELL_COLOURS)
   vec4 map = itemValueMap(nearest & TagMask);
+#endif
+#ifdef CELL_COLOURS
+  float greatest = 0.0;
+  uint ofGreatest = 0u;
 #endif
   float weights = 0.0;
   vec4 normalAndBehind = vec4(0.0);
@@ -110,6 +114,10 @@ void main()
 #else
         colours += weight * unpackColour(splat.w);
 #endif
+#ifdef CELL_COLOURS
+        ofGreatest = weight > greatest ? splat.w : ofGreatest;
+        greatest = max(greatest, weight);
+#endif
 #ifdef FACTORS
         factors += weight * unpackColour(texelFetch(FactorTexels, ivec3(pixel, k), 0).r);
 #endif
@@ -120,6 +128,9 @@ void main()
   vec4 colour = colours / weights;
 #ifdef VALUES
   colour = colourOfSum(colours, weights, map);
+#endif
+#ifdef CELL_COLOURS
+  colour = hasCellColours(map) ? unpackColour(ofGreatest) : colour;
 #endif
   texel = packTexel(decodeDepth(nearest) + normalAndBehind.w, normalAndBehind.xyz,
     nearest & TagMask, 1.0, colour);

@@ -22,6 +22,7 @@
 #include "vtkPointSplatRequest.h"
 #include "vtkPointSplatScreen.h"
 
+#include <map>
 #include <string>
 
 class vtkPointSplatDeferred
@@ -41,11 +42,12 @@ public:
   void Release();
 
 private:
-  bool BuildPrograms(bool factors, bool values);
+  bool BuildPrograms(bool factors, const std::string& colours);
   void DrawGroup(const vtkPointSplatRequest& request, int group, vtkPointSplatProgram& geometry);
 
   vtkPointSplatProgram Geometry[2]; // the latter with factors of lights
-  vtkPointSplatProgram Compositing[4]; // and the last two with values
+  std::map<std::string, vtkPointSplatProgram> Compositing; // by defines
+  vtkPointSplatProgram* Composite = nullptr;               // that is used
   vtkPointSplatItemTable Items;
   vtkPointSplatImage Texels{ GL_RGBA32UI };
   vtkPointSplatImage Depths{ GL_DEPTH_COMPONENT32F };

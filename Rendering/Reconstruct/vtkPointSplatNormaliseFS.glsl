@@ -8,7 +8,7 @@
 
 #include "vtkPointSplatSums"
 #include "vtkPointSplatTexel"
-#ifdef VALUES
+#if defined(VALUES) || defined(CELL_COLOURS)
 #include "vtkPointSplatItemTable"
 #include "vtkPointSplatValue"
 #endif
@@ -41,9 +41,14 @@ void main()
     mean.xyz = normalize(vec3(slope, 1.0));
   }
   vec4 colour = summed ? s.colour / s.weight : vec4(1.0);
-#ifdef VALUES
+#if defined(VALUES) || defined(CELL_COLOURS)
   vec4 map = itemValueMap(empty ? 0u : code & TagMask);
+#endif
+#ifdef VALUES
   colour = summed ? colourOfSum(s.colour, s.weight, map) : colour;
+#endif
+#ifdef CELL_COLOURS
+  colour = summed && hasCellColours(map) ? unpackColour(fetchId(pixel)) : colour;
 #endif
   texel = empty ? uvec4(0u) : packTexel(depth, mean.xyz, code & TagMask, 1.0, colour);
 #ifdef FACTORS

@@ -50,14 +50,15 @@ bool vtkPointSplatRaster::DrawAll(const vtkPointSplatRequest& request,
   const bool sees = file == VisibilityFile;
   const bool identifies = file == IdentifyFile;
   const bool factors = file == AccumulateFile && sums.GetContent().Factors > 0;
+  const bool ofCells = identifies && request.HasCellColours();
   const std::string defines =
-    (identifies ? std::string() : peel.GetDefines()) + (factors ? "#define FACTORS\n" : "");
+    (identifies && !ofCells ? std::string() : peel.GetDefines()) + (factors ? "#define FACTORS\n" : "");
   const unsigned int tagMask = request.GetTagMask();
   vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
   const vtkPointSplatPointSizes sizes;
   for (const vtkPointSplatItem& item : request.Items)
   {
-    if (!item.IsInView())
+    if (!item.IsInView() || (ofCells && !item.Cloud->HasCellColours()))
     {
       continue;
     }
@@ -67,7 +68,7 @@ bool vtkPointSplatRaster::DrawAll(const vtkPointSplatRequest& request,
       return false;
     }
     vtkPointSplatCloud::Buffers& buffers =
-      identifies ? item.Cloud->UploadIds(request.Ids) : item.Cloud->Upload();
+      identifies && !ofCells ? item.Cloud->UploadIds(request.Ids) : item.Cloud->Upload();
     vtkPointSplatQuads::SetUniforms(*program, item, request.View, tagMask);
     program->Set(
       "Reach", sees ? vtkPointSplatReach::Disk : static_cast<float>(item.Kernel.Support));
@@ -77,7 +78,7 @@ bool vtkPointSplatRaster::DrawAll(const vtkPointSplatRequest& request,
     program->Set("DepthUnit", static_cast<float>(request.GetDepthUnit()));
     program->Set("ItemColour", peel.Gather ? item.Colour : glm::vec4(1.0f));
     program->Set("ValueMap", item.GetValueMap());
-    if (!identifies)
+    if (!identifies || ofCells)
     {
       peel.Bind(units, *program, request.View.PixelZ);
     }
@@ -86,7 +87,8 @@ bool vtkPointSplatRaster::DrawAll(const vtkPointSplatRequest& request,
       units.Bind(*program, "Depths", GL_TEXTURE_2D, codes.Get());
       units.Bind(*program, "ValueTables", GL_TEXTURE_BUFFER, buffers.ValueTable.GetTexture());
     }
-    vtkPointSplatQuads::Draw(item, buffers, identifies);
+    vtkPointSplatQuads::Draw(
+      item, buffers, ofCells ? &buffers.Colours : identifies ? &buffers.Ids : nullptr);
   }
   return true;
 }

@@ -37,6 +37,22 @@ bool vtkPointSplatRequest::HasValues() const
 }
 
 //------------------------------------------------------------------------------
+bool vtkPointSplatRequest::HasCellColours() const
+{
+  return !this->HasIds &&
+    std::any_of(this->Items.begin(), this->Items.end(),
+      [](const vtkPointSplatItem& item) { return item.Cloud->HasCellColours(); });
+}
+
+//------------------------------------------------------------------------------
+std::string vtkPointSplatRequest::GetColourDefines(bool gathered) const
+{
+  // What is gathered has mean colours.
+  return std::string(this->HasValues() && !gathered ? "#define VALUES\n" : "") +
+    (this->HasCellColours() && !gathered ? "#define CELL_COLOURS\n" : "");
+}
+
+//------------------------------------------------------------------------------
 int vtkPointSplatRequest::GetFactorCount() const
 {
   int count = 0;

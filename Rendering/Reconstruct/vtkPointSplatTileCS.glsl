@@ -9,7 +9,7 @@
 // 3. With LAYERS, the next layer, until each pixel has no further hit, or so little light comes
 //    through the layers before that what is behind could not be seen.
 // Variants: LAYERS, GATHER (the last layer takes all that is left, weighted by opacity), COLOURS,
-// VALUES (of some clouds in the place of colours), FACTORS, IDS (names the splat of the greatest weight), KERNELS, PLATEAU, CURVED (some splats need
+// VALUES (of some clouds in the place of colours), CELL_COLOURS (of some), FACTORS, IDS (names the splat of the greatest weight), KERNELS, PLATEAU, CURVED (some splats need
 // exact rays), CLIPPING.
 // Reads: Records, Lists, Tiles, SceneDepth. Writes: Texels, FactorTexels, IdTexels, Counts.
 
@@ -76,12 +76,17 @@ void writeLayer(ivec2 first, int layer)
     colour = colours[k] * share;
 #endif
     bool hit = tags[k] != NoTag;
-#ifdef VALUES
+#if defined(VALUES) || defined(CELL_COLOURS)
     vec4 map = itemValueMap(hit ? tags[k] : 0u);
 #ifdef GATHER
     map = gathering ? vec4(0.0) : map;
 #endif
+#endif
+#ifdef VALUES
     colour = weights[k] > 0.0 ? colourOfSum(colours[k], weights[k], map) : colour;
+#endif
+#ifdef CELL_COLOURS
+    colour = hasCellColours(map) ? unpackColour(ids[k]) : colour;
 #endif
     float depth = nearest[k] + behinds[k] * share * (DepthUnit / DepthScale);
     vec3 normal = weights[k] > 0.0 ? normals[k] * share : vec3(0.0, 0.0, 1.0);

@@ -24,7 +24,7 @@ uniform float PrefilterRadius;  // pixels
 uniform vec4 Kernel;            // of all clouds, but for KERNELS, where they differ
 uniform float DepthReach;       // from a splat's nearest depth to its farthest, at most
 uniform float DepthUnit;        // five times the largest least layer distance, world units
-#ifdef VALUES
+#if defined(VALUES) || defined(CELL_COLOURS)
 #include "vtkPointSplatValue"
 #endif
 #ifdef COLOURS
@@ -61,8 +61,8 @@ vec4 colours[Pixels];
 #endif
 LightFactors factors[Pixels];
 #endif
-#ifdef IDS
-float greatest[Pixels]; // kernel, and who has it
+#if defined(IDS) || defined(CELL_COLOURS)
+float greatest[Pixels]; // kernel, and who has it: the id, or the colour
 uint ids[Pixels];
 #endif
 #ifdef LAYERS
@@ -203,7 +203,7 @@ struct Paint
 #ifdef FACTORS
   LightFactors factors;
 #endif
-#ifdef IDS
+#if defined(IDS) || defined(CELL_COLOURS)
   uint id;
 #endif
 };
@@ -229,6 +229,9 @@ Paint paintOf(int record, uint tag)
   p.isValue = p.isValue && !gathering;
 #endif
   p.colour = p.isValue ? vec4(value, 0.0, 0.0) : p.colour;
+#endif
+#ifdef CELL_COLOURS
+  p.id = code;
 #endif
 #ifdef GATHER
   p.colour *= gathering ? itemColour(tag) : vec4(1.0);
@@ -280,7 +283,7 @@ void addToLayer(int k, Head h, Paint p, bool hit, float r2, float depth, vec3 no
 #ifdef FACTORS
   factors[k] += round(weight * p.factors);
 #endif
-#ifdef IDS
+#if defined(IDS) || defined(CELL_COLOURS)
   // Of equal ones the first in the list, which is the same splat whatever kind of id is wanted: a
   // selection asks for a block and for a point in it one after the other.
   bool names = mine && kernel > greatest[k];
@@ -302,7 +305,7 @@ void clearLayer()
 #ifdef FACTORS
     factors[k] = LightFactors(0.0);
 #endif
-#ifdef IDS
+#if defined(IDS) || defined(CELL_COLOURS)
     greatest[k] = -1.0;
     ids[k] = 0xffffffffu;
 #endif

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // InterpolateScalarsBeforeMapping: values are blended and then mapped, as on a mesh with the same
 // flag, and no colour appears that the table has not.
-#include "SplatScene.h"
+#include "SplatTables.h"
 
 #include "vtkCameraPass.h"
 #include "vtkDiscretizableColorTransferFunction.h"
@@ -16,30 +16,15 @@
 #include "vtkRenderPassCollection.h"
 #include "vtkSequencePass.h"
 
-#include <array>
 #include <limits>
-#include <set>
 
 namespace
 {
 using namespace SplatScene;
-using Mapper = vtkPointSplatMapper;
 using Change = std::function<void(Window&, vtkActor*)>;
 
 // dB: what the issue of colours by value is held to.
 constexpr double LeastPsnr = 38.0;
-
-struct Way
-{
-  const char* Name;
-  int Method;
-  int Projection;
-};
-const Way Ways[] = { { "tiles", Mapper::AUTOMATIC_METHOD, Mapper::AUTOMATIC_PROJECTION },
-  { "quads", Mapper::TWO_PASS, Mapper::QUADS },
-  { "deferred", Mapper::DEFERRED, Mapper::AUTOMATIC_PROJECTION },
-  { "image space", Mapper::IMAGE_SPACE, Mapper::COMPUTE },
-  { "image space by quads", Mapper::IMAGE_SPACE, Mapper::QUADS } };
 
 /// A wave of about a quarter of the sphere's girth, from 0.1 to 2.1.
 double Wave(const double p[3])
@@ -151,44 +136,6 @@ void CompareSheets(Checks& checks, const std::string& name, const Change& change
     checks.AtLeast(Psnr(wanted, Draw(MakeCloud(mesh), &way, zoomed)), LeastPsnr,
       name + " on a sheet, " + way.Name + ": psnr");
   }
-}
-
-vtkSmartPointer<vtkLookupTable> Saturated()
-{
-  auto table = vtkSmartPointer<vtkLookupTable>::New();
-  table->SetNumberOfTableValues(5);
-  table->SetTableValue(0, 1, 0, 0);
-  table->SetTableValue(1, 0, 1, 0);
-  table->SetTableValue(2, 0, 0, 1);
-  table->SetTableValue(3, 1, 1, 0);
-  table->SetTableValue(4, 0, 1, 1);
-  table->SetNanColor(1, 1, 1, 1);
-  return table;
-}
-
-void Unlit(vtkActor* actor)
-{
-  actor->GetProperty()->SetAmbient(1.0);
-  actor->GetProperty()->SetDiffuse(0.0);
-  actor->GetProperty()->SetSpecular(0.0);
-  actor->GetProperty()->LightingOff();
-}
-
-/// Pixels whose colour is neither black nor one of saturated channels that the table has.
-int CountOffTable(const Picture& picture, vtkLookupTable* table)
-{
-  std::set<std::array<int, 3>> known{ { 0, 0, 0 }, { 255, 255, 255 } };
-  for (int i = 0; i < table->GetNumberOfTableValues(); ++i)
-  {
-    const double* c = table->GetTableValue(i);
-    known.insert({ int(255 * c[0]), int(255 * c[1]), int(255 * c[2]) });
-  }
-  int count = 0;
-  for (size_t i = 0; i < picture.Pixels.size(); i += 3)
-  {
-    count += known.count({ picture.Pixels[i], picture.Pixels[i + 1], picture.Pixels[i + 2] }) == 0;
-  }
-  return count;
 }
 
 void TestTables(Checks& checks)
