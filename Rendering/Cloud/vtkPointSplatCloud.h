@@ -23,8 +23,8 @@
 // Colours of cells: a splat has that of the first cell, by its id, that uses the point, as of a
 // point's vertex; a point without a cell has the table's colour of NaN. They are not blended: a
 // pixel has the colour of the splat with the greatest weight.
-// Values: where scalars are to be interpolated before they are mapped, there are values in the place
-// of colours. Stages blend these, and map the mean of each pixel through the cloud's table, so that
+// Values: where scalars are to be interpolated before they are mapped, there are values in the
+// place of colours. Stages blend these, and map the mean of each pixel through the cloud's table, so that
 // no colour appears that the table has not (vtkPointSplatValue.glsl). A value is a float from 0, the
 // least of the cloud, to 1, the greatest; its sign bit is set where there is none, as of NaN. The
 // table is vtkMapper's, with the colours below and above the range at its ends, and behind them that

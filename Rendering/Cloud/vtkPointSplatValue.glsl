@@ -3,8 +3,8 @@
 //
 // Values that splats have in the place of colours (vtkPointSplatCloud.h), their weighted sums, and
 // how means are mapped to colours.
-// A map tells of a cloud: x its table's first entry; y how many entries there are, behind which that
-// of NaN lies, or 0 where splats have colours; z and w from a value to its place, in entries. Where
+// A map tells of a cloud: x its table's first entry; y how many entries there are, behind which
+// that of NaN lies, or 0 where splats have colours; z and w from a value to its place, in entries. Where
 // there are colours, x is 1 if these are of cells: pixels have that of the splat with the greatest
 // weight.
 
@@ -40,7 +40,8 @@ vec4 mapValue(vec2 value, vec4 map)
 {
   float place = map.z * value.x + map.w;
   float last = map.y - 1.0;
-  float entry = clamp(floor(place + ValueMargin), 0.0, place <= last + ValueMargin ? last - 1.0 : last);
+  float greatest = place <= last + ValueMargin ? last - 1.0 : last;
+  float entry = clamp(floor(place + ValueMargin), 0.0, greatest);
   return unpackColour(texelFetch(ValueTables, int(map.x + (value.y < 0.5 ? map.y : entry))).r);
 }
 

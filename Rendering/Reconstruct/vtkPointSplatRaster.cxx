@@ -52,7 +52,8 @@ bool vtkPointSplatRaster::DrawAll(const vtkPointSplatRequest& request,
   const bool factors = file == AccumulateFile && sums.GetContent().Factors > 0;
   const bool ofCells = identifies && request.HasCellColours();
   const std::string defines =
-    (identifies && !ofCells ? std::string() : peel.GetDefines()) + (factors ? "#define FACTORS\n" : "");
+    (identifies && !ofCells ? std::string() : peel.GetDefines()) +
+    (factors ? "#define FACTORS\n" : "");
   const unsigned int tagMask = request.GetTagMask();
   vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
   const vtkPointSplatPointSizes sizes;

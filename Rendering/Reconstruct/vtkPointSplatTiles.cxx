@@ -99,7 +99,8 @@ vtkPointSplatTiles::Variant vtkPointSplatTiles::VariantOf(
   const bool layers = request.IsPeeled();
   v.Project = both;
   v.Walk = std::string(clipping ? "#define CLIPPING\n" : "") + (layers ? "#define LAYERS\n" : "");
-  v.Tile = both + request.GetColourDefines(false) + (layers ? "#define LAYERS\n" : "") + (request.Gather ? "#define GATHER\n" : "") +
+  v.Tile = both + request.GetColourDefines(false) + (layers ? "#define LAYERS\n" : "") +
+    (request.Gather ? "#define GATHER\n" : "") +
     (plateau ? "#define PLATEAU\n" : "") + (kernels ? "#define KERNELS\n" : "");
   if (request.OnDevice)
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Scalars of cells and of field data: a splat has the colour of one cell, a pixel that of one splat,
-// and no colour appears that the table has not.
+// Scalars of cells and of field data: a splat has the colour of one cell, a pixel that of one
+// splat, and no colour appears that the table has not.
 #include "SplatTables.h"
 
 #include "vtkCallbackCommand.h"

@@ -83,7 +83,7 @@ void Compare(Checks& checks, const std::string& name, const Change& change, bool
 
 /**
  * Colours that points have from photographs, unlit, and by ambient light alone. Normals are of no
- * account then, not even such as contradict their neighbours: they lean to one side and to the other.
+ * account then, not even such as contradict their neighbours: they lean to either side.
  */
 void CompareColours(Checks& checks, bool lit)
 {
