@@ -8,8 +8,10 @@
 #include "vtkCompositeDataPipeline.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkInformation.h"
+#include "vtkLookupTable.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPlaneCollection.h"
@@ -20,6 +22,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cstring>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -62,7 +65,8 @@ public:
   std::vector<Drawn> AllDrawn;
 
 private:
-  vtkSmartPointer<vtkUnsignedCharArray> MapColours(vtkDataSet* data, int& cellFlag);
+  vtkPointSplatColours MapColours(vtkDataSet* data);
+  vtkPointSplatValues MapValues(vtkDataSet* data);
   std::string GetColourKey();
 
   vtkPointSplatMapper* Self;
@@ -117,11 +121,12 @@ void vtkPointSplatMapper::vtkInternals::UpdateCloud(
   input.ProjectNoise = this->Self->ProjectNoise;
   if (this->Self->ScalarVisibility)
   {
-    input.MapColours = [this](vtkDataSet* block, int& cellFlag) {
-      return this->MapColours(block, cellFlag);
-    };
-    input.FindScalars = [this](vtkDataSet* block) {
-      int cellFlag = 0;
+    input.MapColours = [this](vtkDataSet* block) { return this->MapColours(block); };
+    if (this->Self->InterpolateScalarsBeforeMapping)
+    {
+      input.MapValues = [this](vtkDataSet* block) { return this->MapValues(block); };
+    }
+    input.FindScalars = [this](vtkDataSet* block, int& cellFlag) {
       return vtkAbstractMapper::GetAbstractScalars(block, this->Self->ScalarMode,
         this->Self->ArrayAccessMode, this->Self->ArrayId, this->Self->ArrayName, cellFlag);
     };
@@ -137,9 +142,9 @@ std::string vtkPointSplatMapper::vtkInternals::GetColourKey()
   vtkScalarsToColors* table = this->Self->GetLookupTable();
   std::ostringstream key;
   key << m.ScalarMode << ' ' << m.ColorMode << ' ' << m.ArrayAccessMode << ' ' << m.ArrayId << ' '
-      << m.ArrayName << ' ' << m.ArrayComponent << ' ' << m.UseLookupTableScalarRange << ' '
-      << m.ScalarRange[0] << ' ' << m.ScalarRange[1] << ' ' << table << ' '
-      << (table ? table->GetMTime() : 0);
+      << m.ArrayName << ' ' << m.ArrayComponent << ' ' << m.InterpolateScalarsBeforeMapping << ' '
+      << m.UseLookupTableScalarRange << ' ' << m.ScalarRange[0] << ' ' << m.ScalarRange[1] << ' '
+      << m.FieldDataTupleId << ' ' << table << ' ' << (table ? table->GetMTime() : 0);
   return key.str();
 }
 
@@ -291,11 +296,11 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkUnsignedCharArray> vtkPointSplatMapper::vtkInternals::MapColours(
-  vtkDataSet* data, int& cellFlag)
+vtkPointSplatColours vtkPointSplatMapper::vtkInternals::MapColours(vtkDataSet* data)
 {
   // vtkMapper does not survive a lookup table that can make no colours of an array.
   vtkPointSplatMapper* m = this->Self;
+  int cellFlag = 0;
   vtkAbstractArray* scalars = vtkAbstractMapper::GetAbstractScalars(
     data, m->ScalarMode, m->ArrayAccessMode, m->ArrayId, m->ArrayName, cellFlag);
   const bool direct = m->ColorMode == VTK_COLOR_MODE_DIRECT_SCALARS ||
@@ -308,56 +313,66 @@ vtkSmartPointer<vtkUnsignedCharArray> vtkPointSplatMapper::vtkInternals::MapColo
       << "The array " << (scalars->GetName() ? scalars->GetName() : "(without name)")
       << " of bits, of signed char, or of more than 4 components, cannot be colours: choose another "
          "one, or SetColorModeToMapScalars().");
-    return nullptr;
+    return {};
   }
-  // Colours are interpolated, not texture coordinates.
+  // Of field data each cell has a tuple, unless one is chosen for all, as on meshes.
+  vtkPointSplatColours colours;
+  colours.Only = cellFlag == 2 ? m->FieldDataTupleId : -1;
+  colours.OfCells = cellFlag != 0 && colours.Only < 0;
+  if (colours.OfCells && data->GetNumberOfCells() == 0)
+  {
+    return {};
+  }
+  // Colours, not texture coordinates.
   const vtkTypeBool interpolate = m->InterpolateScalarsBeforeMapping;
   m->InterpolateScalarsBeforeMapping = 0;
   m->ClearColorArrays(); // else those of the block before are taken for this one's
   m->MapScalars(data, 1.0, cellFlag);
   m->InterpolateScalarsBeforeMapping = interpolate;
-  vtkSmartPointer<vtkUnsignedCharArray> colours = m->Colors;
+  colours.Array = m->Colors;
+  if (colours.OfCells && !direct && m->LookupTable)
+  {
+    vtkNew<vtkDoubleArray> nan;
+    nan->InsertNextValue(vtkMath::Nan());
+    vtkSmartPointer<vtkUnsignedCharArray> mapped;
+    mapped.TakeReference(m->LookupTable->MapScalars(nan, VTK_COLOR_MODE_MAP_SCALARS, 0));
+    if (mapped && mapped->GetNumberOfComponents() == 4)
+    {
+      std::memcpy(&colours.WithoutCell, mapped->GetPointer(0), 4);
+    }
+  }
   return colours;
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatMapper::HasTranslucentPolygonalGeometry()
+vtkPointSplatValues vtkPointSplatMapper::vtkInternals::MapValues(vtkDataSet* data)
 {
-  if (!this->ScalarVisibility || !this->GetLookupTable())
+  vtkPointSplatMapper* m = this->Self;
+  int cellFlag = 0;
+  auto scalars = vtkDataArray::SafeDownCast(vtkAbstractMapper::GetAbstractScalars(
+    data, m->ScalarMode, m->ArrayAccessMode, m->ArrayId, m->ArrayName, cellFlag));
+  // What vtkMapper makes coordinates of, but for types and components that it would stumble over.
+  const bool mapped = scalars && cellFlag == 0 && scalars->GetDataType() != VTK_BIT &&
+    scalars->GetNumberOfTuples() == data->GetNumberOfPoints() &&
+    !(m->ColorMode == VTK_COLOR_MODE_DIRECT_SCALARS ||
+      (m->ColorMode == VTK_COLOR_MODE_DEFAULT && vtkUnsignedCharArray::SafeDownCast(scalars)));
+  if (!mapped)
   {
-    return false;
+    return {};
   }
-  vtkDataObject* input =
-    this->GetNumberOfInputConnections(0) > 0 ? this->GetExecutive()->GetInputData(0, 0) : nullptr;
-  auto translucent = [this](vtkDataObject* object) {
-    vtkDataSet* data = vtkDataSet::SafeDownCast(object);
-    int cellFlag = 0;
-    vtkAbstractArray* scalars = data ? vtkAbstractMapper::GetAbstractScalars(data, this->ScalarMode,
-                                         this->ArrayAccessMode, this->ArrayId, this->ArrayName,
-                                         cellFlag)
-                                     : nullptr;
-    if (!scalars)
-    {
-      return false;
-    }
-    vtkScalarsToColors* table = this->GetLookupTable();
-    table->Build();
-    return table->IsOpaque(scalars, this->ColorMode, this->ArrayComponent) == 0;
-  };
-  if (auto composite = vtkCompositeDataSet::SafeDownCast(input))
+  vtkScalarsToColors* own = scalars->GetLookupTable();
+  vtkScalarsToColors* table = own ? own : m->GetLookupTable();
+  if (table->GetIndexedLookup() ||
+    table->GetVectorComponent() >= scalars->GetNumberOfComponents())
   {
-    vtkSmartPointer<vtkCompositeDataIterator> it;
-    it.TakeReference(composite->NewIterator());
-    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-    {
-      if (translucent(it->GetCurrentDataObject()))
-      {
-        return true;
-      }
-    }
-    return false;
+    return {};
   }
-  return translucent(input);
+  m->ClearColorArrays();
+  m->MapScalars(data, 1.0, cellFlag);
+  vtkPointSplatValues values;
+  values.Coordinates = m->GetColorCoordinates();
+  values.Table = m->GetColorTextureMap();
+  return values;
 }
 
 //------------------------------------------------------------------------------
@@ -411,21 +426,6 @@ void vtkPointSplatMapper::ReleaseGraphicsResources(vtkWindow* window)
       all.end());
   }
   this->Superclass::ReleaseGraphicsResources(window);
-}
-
-//------------------------------------------------------------------------------
-void vtkPointSplatMapper::SetAbsorption(double red, double green, double blue)
-{
-  const double wanted[3] = { red, green, blue };
-  for (int c = 0; c < 3; ++c)
-  {
-    const double absorption = wanted[c] > 0.0 ? wanted[c] : 0.0; // of NaN too
-    if (this->Absorption[c] != absorption)
-    {
-      this->Absorption[c] = absorption;
-      this->Modified();
-    }
-  }
 }
 
 //------------------------------------------------------------------------------

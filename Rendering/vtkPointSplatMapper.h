@@ -39,8 +39,17 @@
  *   covers the surface (vtkPointSplatGrouping with a Coverage and a Reach of 1). Missing ones are
  *   made.
  * - `ShadowFactor`, 1 to 4 components, 0 in a light's shadow, 1 lit: see Shadows.
- * - Scalars, as vtkMapper takes them: through the lookup table, or direct.
- *   InterpolateScalarsBeforeMapping is not honoured: colours are interpolated.
+ * - Scalars, as vtkMapper takes them: through the lookup table, or direct. Colours of points are
+ *   blended; with InterpolateScalarsBeforeMappingOn() values are, and each pixel's is mapped, so that
+ *   no colour appears that the table has not. Where vtkMapper cannot do that (direct colours, indexed
+ *   tables, a block without scalars) colours are blended with the flag too. A splat whose value is
+ *   NaN has the table's colour of NaN, and leaves the values about it as they are.
+ * - Scalars of cells, where there are none of points or ScalarMode asks for them: a splat has the
+ *   colour of its point's cell, of several the one with the least id, which is the vertex if there is
+ *   one; a pixel has the colour of one splat, and nothing is blended. Points without a cell, which
+ *   VTK does not draw, have the table's colour of NaN, or white where colours are direct. Of field
+ *   data each cell has a tuple, or all have the one of FieldDataTupleId.
+ * - Cell normals are not used; a warning says so where there are no others.
  *
  * Bad input: points that are ghosts, or whose coordinates, normal or size are not finite or not
  * positive, are left out; their number is reported once, and by GetNumberOfSkippedPoints(). Arrays

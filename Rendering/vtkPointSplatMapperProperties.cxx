@@ -1,8 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Of the mapper: what goes through all of its properties.
+// Of the mapper: what goes through all of its properties, and what is answered by them alone.
 #include "vtkPointSplatMapper.h"
+
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
+#include "vtkExecutive.h"
+#include "vtkScalarsToColors.h"
 
 #include <sstream>
 
@@ -108,4 +114,60 @@ void vtkPointSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfSkippedPoints: " << this->GetNumberOfSkippedPoints() << "\n";
   os << indent << "ImageMemorySize: " << this->GetImageMemorySize() << "\n";
 }
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatMapper::HasTranslucentPolygonalGeometry()
+{
+  if (!this->ScalarVisibility || !this->GetLookupTable())
+  {
+    return false;
+  }
+  vtkDataObject* input =
+    this->GetNumberOfInputConnections(0) > 0 ? this->GetExecutive()->GetInputData(0, 0) : nullptr;
+  auto translucent = [this](vtkDataObject* object) {
+    vtkDataSet* data = vtkDataSet::SafeDownCast(object);
+    int cellFlag = 0;
+    vtkAbstractArray* scalars = data ? vtkAbstractMapper::GetAbstractScalars(data, this->ScalarMode,
+                                         this->ArrayAccessMode, this->ArrayId, this->ArrayName,
+                                         cellFlag)
+                                     : nullptr;
+    if (!scalars)
+    {
+      return false;
+    }
+    vtkScalarsToColors* table = this->GetLookupTable();
+    table->Build();
+    return table->IsOpaque(scalars, this->ColorMode, this->ArrayComponent) == 0;
+  };
+  if (auto composite = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    vtkSmartPointer<vtkCompositeDataIterator> it;
+    it.TakeReference(composite->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      if (translucent(it->GetCurrentDataObject()))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+  return translucent(input);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatMapper::SetAbsorption(double red, double green, double blue)
+{
+  const double wanted[3] = { red, green, blue };
+  for (int c = 0; c < 3; ++c)
+  {
+    const double absorption = wanted[c] > 0.0 ? wanted[c] : 0.0; // of NaN too
+    if (this->Absorption[c] != absorption)
+    {
+      this->Absorption[c] = absorption;
+      this->Modified();
+    }
+  }
+}
+
 VTK_ABI_NAMESPACE_END

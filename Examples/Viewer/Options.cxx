@@ -231,6 +231,7 @@ Options Options::Parse(int argc, char* argv[])
   };
   const std::map<std::string, bool Options::*> flags = { { "--particles", &Options::Particles },
     { "--project", &Options::Project }, { "--scalar-bar", &Options::ScalarBar },
+    { "--unlit", &Options::Unlit }, { "--lit", &Options::Lit },
     { "--quiet", &Options::Quiet }, { "--help", &Options::Help }, { "-h", &Options::Help },
     { "--version", &Options::Version } };
 
@@ -280,6 +281,10 @@ Options Options::Parse(int argc, char* argv[])
   {
     throw UserError("--particles: goes without --iso; the surface is where the fluid ends");
   }
+  if (o.Unlit && (o.Lit || o.Shadows > 0))
+  {
+    throw UserError(std::string("--unlit: goes without ") + (o.Lit ? "--lit" : "--shadows"));
+  }
   if (o.ScalarBar && o.Array.empty())
   {
     throw UserError("--scalar-bar: needs --array");
@@ -326,6 +331,9 @@ How it looks
                        position, focal point, view up, and view angle in degrees
   --size WxH           default 1024x768
   --scalar-bar         show the colour scale of --array
+  --unlit              show colours as they are, without light. Points that have colours and no
+                       normals, as of photographs and laser scans, are shown so by themselves
+  --lit                light these, too
   --shadows N          light by a lamp up on the left that casts shadows: hard ones (1), or
                        soft ones by so many samples (1 to 1024)
 

@@ -41,6 +41,8 @@ struct Options
   bool Particles = false;
   bool Project = false;
   bool ScalarBar = false;
+  bool Unlit = false;
+  bool Lit = false;
   bool Quiet = false;
   bool Help = false;
   bool Version = false;

@@ -127,6 +127,7 @@ void WriteReport(const std::string& file, const Scene& scene, vtkRenderWindow* w
         << ", \"layer_distance\": " << Number(mapper->GetLayerDistanceUsed())
         << ", \"choices\": " << Object(mapper->GetChoices())
         << ", \"normals\": " << Quoted(surface.Normals)
+        << ", \"lit\": " << (surface.Lit ? "true" : "false")
         << ", \"coloured_by\": " << Quoted(surface.Colours) << ", \"color\": "
         << List(colour, colour + 3)
         << ", \"opacity\": " << Number(surface.Actor->GetProperty()->GetOpacity())

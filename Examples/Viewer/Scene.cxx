@@ -30,6 +30,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <cmath>
+#include <cstdio>
 #include <sstream>
 
 namespace
@@ -49,6 +50,12 @@ UserError NoSuchArray(const std::string& name, const std::string& array, vtkData
     all += (all.empty() ? "; it has " : ", ") + std::string(one ? one : "one without a name");
   }
   return UserError(name + ": has no point array '" + array + "'" + all);
+}
+
+void SetLit(Surface& surface, bool lit)
+{
+  surface.Lit = lit;
+  surface.Actor->GetProperty()->SetLighting(lit);
 }
 
 /**
@@ -110,6 +117,7 @@ Surface& AddSurface(
   surface.Actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
   surface.Actor->GetProperty()->SetSpecular(0.3);
   surface.Actor->GetProperty()->SetSpecularPower(20);
+  SetLit(surface, !options.Unlit);
   if (!options.Opacities.empty())
   {
     surface.Actor->GetProperty()->SetOpacity(options.Opacities[number % options.Opacities.size()]);
@@ -341,6 +349,18 @@ void AddPoints(Scene& scene, const Options& options, const std::string& name, vt
   surface.Normals = normals;
 
   ColourPoints(scene, options, surface, points);
+  // What colours without normals come from, cameras and laser scanners, has seen them in the light.
+  const bool photographed = normals == "estimated" && options.Normals != "estimate" &&
+    options.Array.empty() && surface.Colours != "actor";
+  if (photographed && surface.Lit && !options.Lit && options.Shadows == 0)
+  {
+    SetLit(surface, false);
+    if (!options.Quiet)
+    {
+      std::printf(
+        "%s: has colours and no normals, and is not lit; --lit lights it\n", name.c_str());
+    }
+  }
 }
 }
 

@@ -23,6 +23,7 @@ struct Surface
   std::string Normals;
   /// Where the colours are from: "actor", "RGB", or an array's name.
   std::string Colours;
+  bool Lit = true;
   vtkSmartPointer<vtkActor> Actor;
   vtkSmartPointer<vtkPointSplatMapper> Mapper;
 };

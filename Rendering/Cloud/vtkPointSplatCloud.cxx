@@ -97,8 +97,11 @@ void vtkPointSplatCloud::Update(const vtkPointSplatCloudInput& input)
   Key factorKey = colourKey;
   for (const Block& block : this->Blocks)
   {
-    vtkAbstractArray* scalars = input.FindScalars ? input.FindScalars(block.Data) : nullptr;
+    int cellFlag = 0;
+    vtkAbstractArray* scalars =
+      input.FindScalars ? input.FindScalars(block.Data, cellFlag) : nullptr;
     colourKey.emplace_back(scalars, scalars ? scalars->GetMTime() : 0);
+    colourKey.emplace_back(nullptr, cellFlag ? block.Data->GetMTime() : 0); // of its cells
     vtkDataArray* factors = block.Data->GetPointData()->GetArray(vtkPointSplatArrays::Shadow);
     factorKey.emplace_back(factors, factors ? factors->GetMTime() : 0);
   }
@@ -248,16 +251,17 @@ void vtkPointSplatCloud::Measure()
 void vtkPointSplatCloud::BuildColours(const vtkPointSplatCloudInput& input)
 {
   this->Colours.clear();
-  if (!input.MapColours)
+  this->ValueTable.clear();
+  this->CellColours = false;
+  if (!input.MapColours || (input.MapValues && this->BuildValues(input)))
   {
     return;
   }
   const size_t words = this->GetWordsPerSplat();
   for (const Block& block : this->Blocks)
   {
-    int cellFlag = 0;
-    vtkSmartPointer<vtkUnsignedCharArray> colours = input.MapColours(block.Data, cellFlag);
-    if (!colours || colours->GetNumberOfComponents() != 4)
+    const vtkPointSplatColours colours = input.MapColours(block.Data);
+    if (!colours.Array || colours.Array->GetNumberOfComponents() != 4)
     {
       continue;
     }
@@ -267,14 +271,16 @@ void vtkPointSplatCloud::BuildColours(const vtkPointSplatCloudInput& input)
       this->Colours.assign(static_cast<size_t>(this->Count), 0xffffffffu);
     }
     const std::vector<vtkIdType> cells =
-      cellFlag == 1 ? vtkPointSplatPacking::CellsOfPoints(block.Data) : std::vector<vtkIdType>();
-    const unsigned char* from = colours->GetPointer(0);
-    const vtkIdType tuples = colours->GetNumberOfTuples();
+      colours.OfCells ? vtkPointSplatPacking::CellsOfPoints(block.Data) : std::vector<vtkIdType>();
+    this->CellColours = this->CellColours || colours.OfCells;
+    const unsigned char* from = colours.Array->GetPointer(0);
+    const vtkIdType tuples = colours.Array->GetNumberOfTuples();
     vtkSMPTools::For(block.First, block.First + block.Count, [&](vtkIdType begin, vtkIdType end) {
       for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
       {
         vtkIdType id = this->Splats[words * i + 7];
-        id = cellFlag == 1 ? cells[static_cast<size_t>(id)] : id;
+        id = colours.OfCells ? cells[static_cast<size_t>(id)] : colours.Only >= 0 ? colours.Only : id;
+        this->Colours[i] = colours.WithoutCell;
         if (id >= 0 && id < tuples)
         {
           std::memcpy(&this->Colours[i], from + 4 * id, 4);
@@ -282,6 +288,62 @@ void vtkPointSplatCloud::BuildColours(const vtkPointSplatCloudInput& input)
       }
     });
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatCloud::BuildValues(const vtkPointSplatCloudInput& input)
+{
+  std::vector<vtkPointSplatValues> all;
+  double low = VTK_DOUBLE_MAX;
+  double high = -VTK_DOUBLE_MAX;
+  for (const Block& block : this->Blocks)
+  {
+    all.push_back(input.MapValues(block.Data));
+    vtkFloatArray* coordinates = all.back().Coordinates;
+    if (!coordinates || coordinates->GetNumberOfTuples() < block.Data->GetNumberOfPoints())
+    {
+      return false;
+    }
+    double range[2];
+    coordinates->GetFiniteRange(range, 0);
+    low = std::min(low, range[0]);
+    high = std::max(high, range[1]);
+  }
+  vtkImageData* image = all.empty() ? nullptr : all.back().Table.Get();
+  auto colours = image
+    ? vtkArrayDownCast<vtkUnsignedCharArray>(image->GetPointData()->GetScalars())
+    : nullptr;
+  const int entries = image ? image->GetDimensions()[0] : 0;
+  if (!colours || colours->GetNumberOfComponents() != 4 ||
+    colours->GetNumberOfTuples() < 2 * vtkIdType(entries) || low > high)
+  {
+    return false;
+  }
+  // The first row, and one of the second.
+  this->ValueTable.resize(static_cast<size_t>(entries) + 1);
+  std::memcpy(this->ValueTable.data(), colours->GetPointer(0), 4 * this->ValueTable.size());
+  this->ValueScale = { { (high - low) * entries, low * entries } };
+  this->Colours.resize(static_cast<size_t>(this->Count));
+  const size_t words = this->GetWordsPerSplat();
+  const double scale = high > low ? 1.0 / (high - low) : 0.0;
+  for (size_t b = 0; b < all.size(); ++b)
+  {
+    const Block& block = this->Blocks[b];
+    const float* from = all[b].Coordinates->GetPointer(0);
+    vtkSMPTools::For(block.First, block.First + block.Count, [&](vtkIdType begin, vtkIdType end) {
+      for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
+      {
+        const float* at = from + 2 * size_t(this->Splats[words * i + 7]);
+        const float value =
+          static_cast<float>(std::clamp((double(at[0]) - low) * scale, 0.0, 1.0));
+        // NaN compares false.
+        const bool known = value >= 0.0f && at[1] < 0.5f;
+        std::memcpy(&this->Colours[i], &value, 4);
+        this->Colours[i] = known ? this->Colours[i] : 0x80000000u;
+      }
+    });
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -432,6 +494,11 @@ vtkPointSplatCloud::Buffers& vtkPointSplatCloud::Fill(ContextBuffers& all, bool 
   };
   fill(buffers.Splats, buffers.SplatTime, this->SplatTime, this->Splats, this->GetWordsPerSplat());
   fill(buffers.Colours, buffers.ColourTime, this->ColourTime, this->Colours, 1);
+  if (this->ColourTime > buffers.ValueTime)
+  {
+    buffers.ValueTable.Upload(this->ValueTable);
+    buffers.ValueTime.Modified();
+  }
   fill(buffers.Factors, buffers.FactorTime, this->FactorTime, this->Factors, 1);
   return buffers;
 }

@@ -17,8 +17,19 @@
 //   elliptical: x y z longer axis | plane's normal, normal, 0, point id | axis 1, 0 | axis 2, 0
 // Normals are coded in two times 16 bits on an octahedron; the bend, the matrix K of
 // vtkPointSplatProjection.glsl, in three times 10. Without sizes the radius is 0.
-// Colours: RGBA, 8 bits each, one a splat, where scalars colour the points.
+// Colours: RGBA, 8 bits each, one a splat, where scalars colour the points; or values (see below).
 // Factors: of up to four lights, 8 bits each, one a splat, where the input has `ShadowFactor`.
+//
+// Colours of cells: a splat has that of the first cell, by its id, that uses the point, as of a
+// point's vertex; a point without a cell has the table's colour of NaN. They are not blended: a
+// pixel has the colour of the splat with the greatest weight.
+// Values: where scalars are to be interpolated before they are mapped, there are values in the
+// place of colours. Stages blend these, and map the mean of each pixel through the cloud's table, so that
+// no colour appears that the table has not (vtkPointSplatValue.glsl). A value is a float from 0, the
+// least of the cloud, to 1, the greatest; its sign bit is set where there is none, as of NaN. The
+// table is vtkMapper's, with the colours below and above the range at its ends, and behind them that
+// of NaN. All blocks must have values, or colours are blended, as they are of direct colours, of cell
+// scalars and by indexed tables, which have nothing between two of their colours.
 #ifndef vtkPointSplatCloud_h
 #define vtkPointSplatCloud_h
 
@@ -58,12 +69,14 @@ public:
   {
     vtkPointSplatBuffer Splats{ GL_RGBA32UI };
     vtkPointSplatBuffer Colours{ GL_R32UI };
+    vtkPointSplatBuffer ValueTable{ GL_R32UI };
     vtkPointSplatBuffer Factors{ GL_R32UI };
     vtkPointSplatBuffer Ids{ GL_R32UI };
     IdKind IdsAre = PointIds;
     vtkPointSplatHandle VertexArray{ vtkPointSplatHandle::VertexArray };
     vtkTimeStamp SplatTime;
     vtkTimeStamp ColourTime;
+    vtkTimeStamp ValueTime;
     vtkTimeStamp FactorTime;
     vtkTimeStamp IdTime;
   };
@@ -114,7 +127,15 @@ public:
   bool IsCircular() const { return this->Circular; }
   /// Whether the input has several blocks, or might have.
   bool IsComposite() const { return this->Composite; }
+  /// Whether splats have colours, or values in their place.
   bool HasColours() const { return !this->Colours.empty(); }
+  bool HasValues() const { return !this->ValueTable.empty(); }
+  /// Whether colours are of cells, and a pixel has that of one splat.
+  bool HasCellColours() const { return this->CellColours; }
+  /// Colours, packed as those of splats: the table's, and last that of NaN.
+  const std::vector<uint32_t>& GetValueTable() const { return this->ValueTable; }
+  /// From a value to its place in the table, in entries: its factor, and what is added.
+  const std::array<double, 2>& GetValueScale() const { return this->ValueScale; }
   /// Of how many lights the input has factors.
   int GetFactorCount() const { return this->FactorCount; }
   double GetMedianRadius() const { return this->MedianRadius; }
@@ -148,12 +169,16 @@ private:
     const class vtkPointSplatPacking& packing);
   void Measure();
   void BuildColours(const vtkPointSplatCloudInput& input);
+  bool BuildValues(const vtkPointSplatCloudInput& input);
   void BuildFactors(vtkObject* owner);
   std::vector<uint32_t> MakeIds(IdKind kind) const;
   Buffers& Fill(ContextBuffers& all, bool grouped);
 
   std::vector<uint32_t> Splats;
   std::vector<uint32_t> Colours;
+  bool CellColours = false;
+  std::vector<uint32_t> ValueTable;
+  std::array<double, 2> ValueScale{ { 0.0, 0.0 } };
   std::vector<uint32_t> Factors;
   int FactorCount = 0;
   std::vector<Block> Blocks;

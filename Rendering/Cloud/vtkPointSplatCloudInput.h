@@ -5,11 +5,40 @@
 #define vtkPointSplatCloudInput_h
 
 #include "vtkDataSet.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <cstdint>
 #include <functional>
 #include <string>
+
+/**
+ * What vtkMapper makes of a block's scalars, where colours are blended.
+ */
+struct vtkPointSplatColours
+{
+  /// RGBA, 8 bits each, one a point, or one a cell; null: the block has none.
+  vtkSmartPointer<vtkUnsignedCharArray> Array;
+  bool OfCells = false;
+  /// The one tuple that all points have; or -1: each has its own.
+  vtkIdType Only = -1;
+  /// RGBA, 8 bits each, of points without a cell.
+  uint32_t WithoutCell = 0xffffffffu;
+};
+
+/**
+ * What vtkMapper makes of values that are interpolated before they are mapped.
+ */
+struct vtkPointSplatValues
+{
+  /// Two a point: the place along the table, of which 0 to 1 is all; and 1 for NaN, else less than
+  /// a half. Null: the block's scalars cannot be drawn so.
+  vtkSmartPointer<vtkFloatArray> Coordinates;
+  /// RGBA colours, 8 bits each: the first row is the table, the second one is NaN's colour.
+  vtkSmartPointer<vtkImageData> Table;
+};
 
 struct vtkPointSplatCloudInput
 {
@@ -21,10 +50,12 @@ struct vtkPointSplatCloudInput
   bool NeedSizes = true;
   /// Whether points whose normals and neighbours contradict one another are moved onto one surface.
   bool ProjectNoise = true;
-  /// RGBA colours of a block's points, or of its cells (then cellFlag gets 1); null: of no worth.
-  std::function<vtkSmartPointer<vtkUnsignedCharArray>(vtkDataSet*, int& cellFlag)> MapColours;
-  /// The array of a block that colours come from, or null.
-  std::function<vtkAbstractArray*(vtkDataSet*)> FindScalars;
+  /// A block's colours; null: of no worth.
+  std::function<vtkPointSplatColours(vtkDataSet*)> MapColours;
+  /// A block's values, that are blended and then mapped to colours; or null: colours are blended.
+  std::function<vtkPointSplatValues(vtkDataSet*)> MapValues;
+  /// The array of a block that colours come from, or null; cellFlag gets 0 where it is of points.
+  std::function<vtkAbstractArray*(vtkDataSet*, int& cellFlag)> FindScalars;
   /// Changes with whatever colours depend on beside the scalars, or null.
   std::function<std::string()> ColourKey;
 };

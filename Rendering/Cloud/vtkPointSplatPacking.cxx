@@ -4,6 +4,7 @@
 
 #include "vtkArrayDispatch.h"
 #include "vtkCallbackCommand.h"
+#include "vtkCellData.h"
 #include "vtkDataArrayRange.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
@@ -296,6 +297,14 @@ vtkPointSplatPacking vtkPointSplatPacking::Collect(
   if (!a.Axis1 || !a.Axis2)
   {
     a.Axis1 = a.Axis2 = nullptr;
+  }
+  vtkDataArray* ofCells = data->GetCellData()->GetNormals();
+  if (!a.Normals && ofCells)
+  {
+    vtkWarningWithObjectMacro(owner,
+      << "The cell normals " << (ofCells->GetName() ? ofCells->GetName() : "(without name)")
+      << " are not used, since points are drawn: their normals are estimated. "
+         "vtkCellDataToPointData makes point normals of them.");
   }
   if (!a.Normals || (needSizes && !a.Radius && !a.Axis1))
   {

@@ -44,6 +44,17 @@ bool vtkPointSplatItem::operator==(const vtkPointSplatItem& other) const
 }
 
 //------------------------------------------------------------------------------
+glm::vec4 vtkPointSplatItem::GetValueMap(size_t first) const
+{
+  if (!this->Cloud->HasValues())
+  {
+    return glm::vec4(this->Cloud->HasCellColours() ? 1.0f : 0.0f, 0.0f, 0.0f, 0.0f);
+  }
+  const std::array<double, 2>& scale = this->Cloud->GetValueScale();
+  return glm::vec4(first, this->Cloud->GetValueTable().size() - 1, scale[0], scale[1]);
+}
+
+//------------------------------------------------------------------------------
 glm::dmat4 vtkPointSplatItem::GetMCVC(const vtkPointSplatView& view) const
 {
   // In double precision: only the product of a far camera and a far cloud is small.

@@ -80,6 +80,11 @@ struct vtkPointSplatItem
   /// A mapper's, in world coordinates, up to the most that can be.
   static std::vector<glm::dvec4> ClipPlanesOf(vtkMapper* mapper);
 
+  /**
+   * How values are mapped, by a table that begins at this entry, or what is done with colours
+   * (vtkPointSplatValue.glsl).
+   */
+  glm::vec4 GetValueMap(size_t first = 0) const;
   /// From the coordinates in the cloud's buffers to view coordinates.
   glm::dmat4 GetMCVC(const vtkPointSplatView& view) const;
   std::vector<glm::dvec4> GetClipPlanesVC(const vtkPointSplatView& view) const;

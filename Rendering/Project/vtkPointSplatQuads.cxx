@@ -52,7 +52,7 @@ void vtkPointSplatQuads::SetUniforms(vtkPointSplatProgram& program, const vtkPoi
 
 //------------------------------------------------------------------------------
 void vtkPointSplatQuads::Bind(const vtkPointSplatItem& item, vtkPointSplatCloud::Buffers& buffers,
-  bool ids, vtkIdType first)
+  const vtkPointSplatBuffer* ids, vtkIdType first)
 {
   const GLsizei stride = 4 * static_cast<GLsizei>(item.Cloud->GetWordsPerSplat());
   const GLsizei step = stride << item.StrideShift;
@@ -76,7 +76,7 @@ void vtkPointSplatQuads::Bind(const vtkPointSplatItem& item, vtkPointSplatCloud:
   }
   if (ids)
   {
-    glBindBuffer(GL_ARRAY_BUFFER, buffers.Ids.Get());
+    glBindBuffer(GL_ARRAY_BUFFER, ids->Get());
     glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, step4, at(0, 4));
   }
   const bool colours = item.Cloud->HasColours();
@@ -110,14 +110,15 @@ void vtkPointSplatQuads::Bind(const vtkPointSplatItem& item, vtkPointSplatCloud:
 void vtkPointSplatQuads::DrawRun(const vtkPointSplatItem& item,
   vtkPointSplatCloud::Buffers& buffers, vtkIdType first, vtkIdType count)
 {
-  vtkPointSplatQuads::Bind(item, buffers, false, first);
+  vtkPointSplatQuads::Bind(item, buffers, nullptr, first);
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(count));
   glBindVertexArray(0);
 }
 
 //------------------------------------------------------------------------------
 void vtkPointSplatQuads::Draw(
-  const vtkPointSplatItem& item, vtkPointSplatCloud::Buffers& buffers, bool ids)
+  const vtkPointSplatItem& item, vtkPointSplatCloud::Buffers& buffers,
+  const vtkPointSplatBuffer* ids)
 {
   for (const std::pair<vtkIdType, vtkIdType>& run : RunsOf(item))
   {

@@ -17,16 +17,17 @@ public:
     const vtkPointSplatView& view, unsigned int tagMask);
 
   /**
-   * Draws all splats that are in view: the ids, if asked for, are those of the buffers.
+   * Draws all splats that are in view: with these ids, or their own.
    */
-  static void Draw(const vtkPointSplatItem& item, vtkPointSplatCloud::Buffers& buffers, bool ids);
+  static void Draw(const vtkPointSplatItem& item, vtkPointSplatCloud::Buffers& buffers,
+    const vtkPointSplatBuffer* ids);
   /// Draws a run of splats as quads.
   static void DrawRun(const vtkPointSplatItem& item, vtkPointSplatCloud::Buffers& buffers,
     vtkIdType first, vtkIdType count);
 
 private:
-  static void Bind(const vtkPointSplatItem& item, vtkPointSplatCloud::Buffers& buffers, bool ids,
-    vtkIdType first);
+  static void Bind(const vtkPointSplatItem& item, vtkPointSplatCloud::Buffers& buffers,
+    const vtkPointSplatBuffer* ids, vtkIdType first);
 };
 
 #endif

@@ -18,6 +18,11 @@ uniform usampler2D Depths;
 uniform float DepthUnit; // of depths in the sums, world units
 uniform bool HasColours;
 uniform vec4 ItemColour; // multiplies the points' colours
+#ifdef VALUES
+#include "vtkPointSplatValue"
+
+uniform vec4 ValueMap;
+#endif
 
 layout(location = 0) out vec4 weightAndNormal;
 layout(location = 1) out vec4 depthAndColour;
@@ -51,6 +56,16 @@ void main()
     discard;
   }
   vec4 colour = HasColours ? ItemColour * splatColour : ItemColour;
+#ifdef VALUES
+  vec2 value = decodeValue(packColour(splatColour));
+#ifdef GATHER
+  // What is gathered is of several clouds.
+  colour = ItemColour * mapValue(value, ValueMap);
+#else
+  // As weightedValue(), but floats need no second part.
+  colour = vec4(value.x, 0.0, value.y, 0.0);
+#endif
+#endif
 #ifdef GATHER
   f.weight *= colour.a;
 #endif

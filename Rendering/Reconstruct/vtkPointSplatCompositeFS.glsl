@@ -11,6 +11,10 @@
 #include "vtkPointSplatDepthCode"
 #include "vtkPointSplatGroupTexel"
 #include "vtkPointSplatTexel"
+#if defined(VALUES) || defined(CELL_COLOURS)
+#include "vtkPointSplatItemTable"
+#include "vtkPointSplatValue"
+#endif
 
 uniform usampler2DArray Texels;
 uniform sampler2DArray GroupDepths;
@@ -74,6 +78,13 @@ void main()
   {
     return;
   }
+#if defined(VALUES) || defined(CELL_COLOURS)
+  vec4 map = itemValueMap(nearest & TagMask);
+#endif
+#ifdef CELL_COLOURS
+  float greatest = 0.0;
+  uint ofGreatest = 0u;
+#endif
   float weights = 0.0;
   vec4 normalAndBehind = vec4(0.0);
   vec4 colours = vec4(0.0);
@@ -95,7 +106,18 @@ void main()
         weights += weight;
         normalAndBehind +=
           weight * vec4(turnTo(nearest, splat.x) * decodeNormal(splat.y), behind);
+#ifdef VALUES
+        // As weightedValue(), but floats need no second part.
+        vec2 value = decodeValue(splat.w);
+        colours += weight *
+          (hasValues(map) ? vec4(value.x, 0.0, value.y, 0.0) : unpackColour(splat.w));
+#else
         colours += weight * unpackColour(splat.w);
+#endif
+#ifdef CELL_COLOURS
+        ofGreatest = weight > greatest ? splat.w : ofGreatest;
+        greatest = max(greatest, weight);
+#endif
 #ifdef FACTORS
         factors += weight * unpackColour(texelFetch(FactorTexels, ivec3(pixel, k), 0).r);
 #endif
@@ -103,8 +125,15 @@ void main()
     }
   }
   normalAndBehind /= weights;
+  vec4 colour = colours / weights;
+#ifdef VALUES
+  colour = colourOfSum(colours, weights, map);
+#endif
+#ifdef CELL_COLOURS
+  colour = hasCellColours(map) ? unpackColour(ofGreatest) : colour;
+#endif
   texel = packTexel(decodeDepth(nearest) + normalAndBehind.w, normalAndBehind.xyz,
-    nearest & TagMask, 1.0, colours / weights);
+    nearest & TagMask, 1.0, colour);
 #ifdef FACTORS
   factorTexel = packColour(factors / weights);
 #endif

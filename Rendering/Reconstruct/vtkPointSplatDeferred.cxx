@@ -25,16 +25,17 @@ bool vtkPointSplatDeferred::Fits(const glm::ivec2& size, int groups, vtkIdType b
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatDeferred::BuildPrograms(bool factors)
+bool vtkPointSplatDeferred::BuildPrograms(bool factors, const std::string& colours)
 {
   const std::string defines = factors ? "#define FACTORS\n" : "";
   vtkPointSplatProgram& geometry = this->Geometry[factors ? 1 : 0];
-  vtkPointSplatProgram& compositing = this->Compositing[factors ? 1 : 0];
+  vtkPointSplatProgram& compositing = this->Compositing[defines + colours];
+  this->Composite = &compositing;
   const bool built =
     geometry.Build({ { GL_VERTEX_SHADER, "vtkPointSplatGroupVS" },
                      { GL_FRAGMENT_SHADER, "vtkPointSplatGroupFS" } },
       defines + "#define CLIPPING\n#define PLATEAU\n") &&
-    compositing.BuildScreen("vtkPointSplatCompositeFS", defines);
+    compositing.BuildScreen("vtkPointSplatCompositeFS", defines + colours);
   this->Error = built ? std::string() : geometry.GetLog() + compositing.GetLog();
   return built;
 }
@@ -68,8 +69,9 @@ bool vtkPointSplatDeferred::Reconstruct(
   const vtkPointSplatRequest& request, vtkPointSplatLayers& layers)
 {
   const bool factors = request.GetFactorCount() > 0;
+  const std::string colours = request.GetColourDefines(false);
   const glm::ivec2& size = request.View.Size;
-  if (!this->BuildPrograms(factors))
+  if (!this->BuildPrograms(factors, colours))
   {
     return false;
   }
@@ -118,13 +120,19 @@ bool vtkPointSplatDeferred::Reconstruct(
   this->Result.Bind(state, targets);
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDepthMask(GL_FALSE);
-  vtkPointSplatProgram& compositing = this->Compositing[factors ? 1 : 0];
+  vtkPointSplatProgram& compositing = *this->Composite;
   compositing.Use();
   vtkPointSplatUnits units(window);
   units.Bind(compositing, "Texels", GL_TEXTURE_2D_ARRAY, this->Texels.Get());
   units.Bind(compositing, "GroupDepths", GL_TEXTURE_2D_ARRAY, this->Depths.Get());
   units.Bind(
     compositing, "FactorTexels", GL_TEXTURE_2D_ARRAY, factors ? this->Factors.Get() : 0);
+  if (!colours.empty())
+  {
+    this->Items.Upload(request.Items, request.View);
+    units.Bind(compositing, "ItemTable", GL_TEXTURE_BUFFER, this->Items.GetTexture());
+    units.Bind(compositing, "ValueTables", GL_TEXTURE_BUFFER, this->Items.GetValueTables());
+  }
   compositing.Set("DepthUnit", static_cast<float>(request.GetDepthUnit()));
   compositing.Set("GroupCount", groups);
   compositing.Set("TagMask", request.GetTagMask());
@@ -142,11 +150,12 @@ vtkIdType vtkPointSplatDeferred::GetMemorySize() const
 //------------------------------------------------------------------------------
 void vtkPointSplatDeferred::Release()
 {
-  for (int factors = 0; factors < 2; ++factors)
+  for (vtkPointSplatProgram& program : this->Geometry)
   {
-    this->Geometry[factors].Release();
-    this->Compositing[factors].Release();
+    program.Release();
   }
+  this->Compositing.clear();
+  this->Items.Release();
   this->Texels.Release();
   this->Depths.Release();
   this->Factors.Release();

@@ -16,11 +16,13 @@
 #define vtkPointSplatDeferred_h
 
 #include "vtkPointSplatFramebuffer.h"
+#include "vtkPointSplatItemTable.h"
 #include "vtkPointSplatLayers.h"
 #include "vtkPointSplatProgram.h"
 #include "vtkPointSplatRequest.h"
 #include "vtkPointSplatScreen.h"
 
+#include <map>
 #include <string>
 
 class vtkPointSplatDeferred
@@ -40,11 +42,13 @@ public:
   void Release();
 
 private:
-  bool BuildPrograms(bool factors);
+  bool BuildPrograms(bool factors, const std::string& colours);
   void DrawGroup(const vtkPointSplatRequest& request, int group, vtkPointSplatProgram& geometry);
 
   vtkPointSplatProgram Geometry[2]; // the latter with factors of lights
-  vtkPointSplatProgram Compositing[2];
+  std::map<std::string, vtkPointSplatProgram> Compositing; // by defines
+  vtkPointSplatProgram* Composite = nullptr;               // that is used
+  vtkPointSplatItemTable Items;
   vtkPointSplatImage Texels{ GL_RGBA32UI };
   vtkPointSplatImage Depths{ GL_DEPTH_COMPONENT32F };
   vtkPointSplatImage Factors{ GL_R32UI };

@@ -192,8 +192,11 @@ bool vtkPointSplatFill::Reconstruct(const vtkPointSplatRequest& request,
   }
   const bool ids = request.HasIds && layer == 0;
   const bool factors = layers.GetFactorCount() > 0;
+  const std::string colours =
+    request.GetColourDefines(request.Gather && layer == request.MaximumLayers - 1);
   vtkPointSplatProgram* program = good
-    ? this->Use("vtkPointSplatSmoothFS", sums.GetDefines() + (ids ? "#define IDS\n" : ""))
+    ? this->Use("vtkPointSplatSmoothFS",
+        sums.GetDefines() + colours + (ids ? "#define IDS\n" : ""))
     : nullptr;
   if (!program)
   {
@@ -203,6 +206,10 @@ bool vtkPointSplatFill::Reconstruct(const vtkPointSplatRequest& request,
   vtkPointSplatUnits units(own);
   this->SetLevel(*program, units, 0);
   sums.Bind(units, *program);
+  if (!colours.empty())
+  {
+    units.Bind(*program, "ValueTables", GL_TEXTURE_BUFFER, items.GetValueTables());
+  }
   view.SetPixelRays(*program);
   units.Bind(*program, "Filled", GL_TEXTURE_2D, filled.Images[filled.Now].Get());
   program->Set("DepthUnit", static_cast<float>(request.GetDepthUnit()));

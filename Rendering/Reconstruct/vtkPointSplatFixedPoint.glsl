@@ -8,7 +8,7 @@
 //   word 1  normal x, normal y
 //   word 2  normal z, depth behind the nearest
 //   word 3  red, green        (words 3 and 4 only with colours)
-//   word 4  blue, opacity
+//   word 4  blue, opacity; or in their place what a value adds (vtkPointSplatValue)
 //   then    the factors of the first and the second light, of the third and the fourth
 // each times the weight. FACTORS is defined where there are such, as the number of lights: as many
 // words as they fill, from word 3 or 5 on. Each word has to itself what all of a GPU's threads may

@@ -7,7 +7,7 @@
 //   z  two halves: the weight, negative where the pixel is off the splat's disk;
 //      the least layer distance along the ray, world units, negative where the
 //      splat stands so steep that only splats of its own side belong to its layer
-//   w  colour and opacity, 8 bits a component
+//   w  colour and opacity, 8 bits a component, or a value (vtkPointSplatValue)
 // Where lights cast shadows, a second image (R32UI) has their factors, 8 bits each.
 // Halves hold up to 65504: layer distances are in units of DepthUnit.
 

@@ -3,10 +3,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Names the splat of the greatest weight at each pixel of the nearest layer, or the nearest point,
-// of equals the one of the least id; by the rasteriser: the depth test keeps it.
+// of equals the one of the least id; by the rasteriser: the depth test keeps it. Where ids are
+// colours of cells (vtkPointSplatCloud.h) also of further layers, with PEELING.
 // Reads: the coded depths. Writes: the id (R32UI).
 
 #include "vtkPointSplatFragment"
+#ifdef PEELING
+#include "vtkPointSplatPeel"
+#endif
 
 uniform usampler2D Depths;
 
@@ -20,6 +24,12 @@ void main()
   {
     discard;
   }
+#ifdef PEELING
+  if (isPeeled(f.splat, f.depth, ivec2(gl_FragCoord.xy)))
+  {
+    discard;
+  }
+#endif
   nearestId = tagAndId.y;
 #ifdef POINTS
   if (encodeDepth(f.depth, f.splat.tag) != nearest)
@@ -28,6 +38,7 @@ void main()
   }
   gl_FragDepth = float(tagAndId.y) / 4294967296.0;
 #else
-  gl_FragDepth = 1.0 - clamp(f.weight, 0.0, 1.0);
+  // A weight never vanishes inside the support.
+  gl_FragDepth = 1.0 - clamp(f.weight, 1.0 / 4096.0, 1.0);
 #endif
 }

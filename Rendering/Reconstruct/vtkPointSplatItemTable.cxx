@@ -6,7 +6,7 @@
 
 namespace
 {
-constexpr size_t Texels = 10; // as in vtkPointSplatItemTable.glsl
+constexpr size_t Texels = 11; // as in vtkPointSplatItemTable.glsl
 }
 
 //------------------------------------------------------------------------------
@@ -18,6 +18,7 @@ void vtkPointSplatItemTable::Upload(
   {
     slots = std::max(slots, static_cast<size_t>(item.Slot) + 1);
   }
+  std::vector<uint32_t> values;
   std::vector<glm::vec4> table(Texels * slots, glm::vec4(0.0f));
   for (const vtkPointSplatItem& item : items)
   {
@@ -29,6 +30,20 @@ void vtkPointSplatItemTable::Upload(
     row[3] = glm::vec4(item.IsPoints ? item.Points.Layer : item.LargestLayer,
       item.Points.LayerPixels, item.Points.Spacing, item.Points.Silhouettes ? 1.0f : 0.0f);
     std::copy(planes.begin(), planes.end(), row + 4);
+    row[10] = item.GetValueMap(values.size());
+    const std::vector<uint32_t>& own = item.Cloud->GetValueTable();
+    values.insert(values.end(), own.begin(), own.end());
   }
   this->Table.Upload(table);
+  if (!values.empty())
+  {
+    this->ValueTables.Upload(values);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatItemTable::Release()
+{
+  this->Table.Release();
+  this->ValueTables.Release();
 }

@@ -6,7 +6,7 @@
 
 uniform samplerBuffer ItemTable;
 
-const int ItemTexels = 10;
+const int ItemTexels = 11;
 
 vec4 itemTexel(uint tag, int texel)
 {
@@ -59,4 +59,10 @@ vec4 itemPoints(uint tag)
 vec4 itemClipPlane(uint tag, int plane)
 {
   return itemTexel(tag, 4 + plane);
+}
+
+// How its values are mapped, as mapValue() takes it.
+vec4 itemValueMap(uint tag)
+{
+  return itemTexel(tag, 10);
 }

@@ -8,6 +8,10 @@
 
 #include "vtkPointSplatSums"
 #include "vtkPointSplatTexel"
+#if defined(VALUES) || defined(CELL_COLOURS)
+#include "vtkPointSplatItemTable"
+#include "vtkPointSplatValue"
+#endif
 
 uniform vec2 PixelSize; // world units: at depth 0, and its growth with the depth
 
@@ -36,9 +40,17 @@ void main()
     vec2 slope = vec2(dFdx(depth), dFdy(depth)) / (PixelSize.x + PixelSize.y * depth);
     mean.xyz = normalize(vec3(slope, 1.0));
   }
-  texel = empty
-    ? uvec4(0u)
-    : packTexel(depth, mean.xyz, code & TagMask, 1.0, summed ? s.colour / s.weight : vec4(1.0));
+  vec4 colour = summed ? s.colour / s.weight : vec4(1.0);
+#if defined(VALUES) || defined(CELL_COLOURS)
+  vec4 map = itemValueMap(empty ? 0u : code & TagMask);
+#endif
+#ifdef VALUES
+  colour = summed ? colourOfSum(s.colour, s.weight, map) : colour;
+#endif
+#ifdef CELL_COLOURS
+  colour = summed && hasCellColours(map) ? unpackColour(fetchId(pixel)) : colour;
+#endif
+  texel = empty ? uvec4(0u) : packTexel(depth, mean.xyz, code & TagMask, 1.0, colour);
 #ifdef FACTORS
   factorTexel = packColour(summed ? s.factors / s.weight : vec4(1.0));
 #endif

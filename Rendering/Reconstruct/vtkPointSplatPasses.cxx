@@ -28,7 +28,7 @@ bool vtkPointSplatPasses::Reconstruct(
   this->ByCompute = request.Compute && vtkPointSplatPointSums::Fits(size) &&
     std::all_of(request.Items.begin(), request.Items.end(), isPoints);
   const vtkPointSplatSums::Content content{ size, request.HasColours() || request.Gather,
-    request.GetFactorCount(), request.HasIds };
+    request.GetFactorCount(), request.HasIds || request.HasCellColours() };
   this->ByCompute ? this->Sums.AllocateBuffers(content) : this->Sums.AllocateImages(content);
   this->Items.Upload(request.Items, request.View);
   for (vtkPointSplatImage& image : this->Codes)
@@ -49,7 +49,7 @@ bool vtkPointSplatPasses::Reconstruct(
   int count = 0;
   for (bool fits = false; !fits;)
   {
-    layers.AllocateImages(size, capacity, content.Factors, content.Ids);
+    layers.AllocateImages(size, capacity, content.Factors, request.HasIds);
     double remaining = 1.0;
     bool empty = false;
     for (count = 0; count < capacity && !empty && remaining >= request.LeastContribution; ++count)
@@ -115,9 +115,12 @@ bool vtkPointSplatPasses::Normalise(
 {
   const bool factors = layers.GetFactorCount() > 0;
   const bool ids = request.HasIds && layer == 0;
-  vtkPointSplatProgram& program = this->Normalising[(factors ? 1 : 0) + (ids ? 2 : 0)];
-  if (!program.BuildScreen("vtkPointSplatNormaliseFS",
-        std::string(factors ? "#define FACTORS\n" : "") + (ids ? "#define IDS\n" : "")))
+  const std::string colours =
+    request.GetColourDefines(request.Gather && layer == request.MaximumLayers - 1);
+  const std::string defines =
+    (factors ? "#define FACTORS\n" : "") + colours + (ids ? "#define IDS\n" : "");
+  vtkPointSplatProgram& program = this->Normalising[defines];
+  if (!program.BuildScreen("vtkPointSplatNormaliseFS", defines))
   {
     this->Error = program.GetLog();
     return false;
@@ -139,6 +142,11 @@ bool vtkPointSplatPasses::Normalise(
   vtkPointSplatUnits units(window);
   this->Sums.Bind(units, program);
   units.Bind(program, "Depths", GL_TEXTURE_2D, this->Codes[static_cast<size_t>(layer) % 4].Get());
+  if (!colours.empty())
+  {
+    units.Bind(program, "ItemTable", GL_TEXTURE_BUFFER, this->Items.GetTexture());
+    units.Bind(program, "ValueTables", GL_TEXTURE_BUFFER, this->Items.GetValueTables());
+  }
   program.Set("TagMask", request.GetTagMask());
   program.Set("DepthUnit", static_cast<float>(request.GetDepthUnit()));
   program.Set("PixelSize", request.View.GetPixelSize());
@@ -170,10 +178,7 @@ void vtkPointSplatPasses::Release()
   this->Raster.Release();
   this->PointSums.Release();
   this->Fill.Release();
-  for (vtkPointSplatProgram& program : this->Normalising)
-  {
-    program.Release();
-  }
+  this->Normalising.clear();
   this->Framebuffer.Release();
   this->Screen.Release();
 }

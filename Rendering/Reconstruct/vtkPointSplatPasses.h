@@ -21,6 +21,7 @@
 #include "vtkPointSplatRequest.h"
 
 #include <array>
+#include <map>
 #include <string>
 
 class vtkPointSplatPasses
@@ -50,7 +51,7 @@ private:
   vtkPointSplatRaster Raster;
   vtkPointSplatPointSums PointSums;
   vtkPointSplatFill Fill;
-  vtkPointSplatProgram Normalising[4]; // with factors of lights, with ids, with both
+  std::map<std::string, vtkPointSplatProgram> Normalising; // by defines
   vtkPointSplatFramebuffer Framebuffer;
   vtkPointSplatScreen Screen;
   bool ByCompute = false;

@@ -21,6 +21,11 @@ uniform usamplerBuffer Depths;  // R32UI
 uniform usamplerBuffer Colours; // R32UI, one a splat
 uniform bool HasColours;
 uniform vec4 ItemColour;        // multiplies the points' colours
+#ifdef VALUES
+#include "vtkPointSplatValue"
+
+uniform vec4 ValueMap;
+#endif
 uniform float DepthUnit;        // of depths in the sums, world units
 uniform int SumStride;          // ints a pixel
 #ifdef FACTORS
@@ -38,6 +43,13 @@ void addToSums(int at, uint index, float kernel, vec3 normal, float behind)
   {
     colour *= unpackColour(texelFetch(Colours, int(index)).r);
   }
+#ifdef VALUES
+  vec2 value = decodeValue(texelFetch(Colours, int(index)).r);
+#ifdef GATHER
+  // What is gathered is of several clouds.
+  colour = ItemColour * mapValue(value, ValueMap);
+#endif
+#endif
 #ifdef GATHER
   kernel *= colour.a;
 #endif
@@ -53,7 +65,11 @@ void addToSums(int at, uint index, float kernel, vec3 normal, float behind)
   atomicAdd(sums[at + 1], packSums(n.x, n.y));
   atomicAdd(sums[at + 2], packSums(n.z, depth));
 #ifdef COLOURS
+#if defined(VALUES) && !defined(GATHER)
+  ivec4 sum = ivec4(weightedValue(weight, value));
+#else
   ivec4 sum = ivec4(round(weight * colour));
+#endif
   atomicAdd(sums[at + 3], packSums(sum.r, sum.g));
   atomicAdd(sums[at + 4], packSums(sum.b, sum.a));
 #endif

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Names the nearest point of each pixel, for hardware selection; of equals the one with the
-// least id.
+// least id; or the colours of their cells (vtkPointSplatCloud.h).
 // Reads: Depths. Writes: Ids, one uint a pixel.
 
 #include "vtkPointSplatPointsCS"

@@ -51,6 +51,7 @@ bool vtkPointSplatPointSums::DrawAll(const vtkPointSplatRequest& request,
   const vtkPointSplatPeel& peel, const vtkPointSplatSums& sums, const std::string& file)
 {
   const bool identifies = file == IdentifyFile;
+  const bool ofCells = identifies && request.HasCellColours();
   const bool listed = peel.Peels && !identifies;
   const unsigned int tagMask = request.GetTagMask();
   const int factors = sums.GetContent().Factors;
@@ -64,11 +65,13 @@ bool vtkPointSplatPointSums::DrawAll(const vtkPointSplatRequest& request,
     const vtkPointSplatItem& item = request.Items[i];
     const vtkIdType count =
       listed ? this->ItemLists[i].Count : item.GetNumberOfInvocations();
-    if (!item.IsInView() || count == 0)
+    if (!item.IsInView() || count == 0 || (ofCells && !item.Cloud->HasCellColours()))
     {
       continue;
     }
-    const std::string defines = common + (item.ClipPlanes.empty() ? "" : "#define CLIPPING\n");
+    const std::string defines = common +
+      (file == AccumulateFile && item.Cloud->HasValues() ? "#define VALUES\n" : "") +
+      (item.ClipPlanes.empty() ? "" : "#define CLIPPING\n");
     vtkPointSplatProgram& program = this->Programs[file + defines];
     if (!program.Build({ { GL_COMPUTE_SHADER, file } }, defines))
     {
@@ -76,7 +79,7 @@ bool vtkPointSplatPointSums::DrawAll(const vtkPointSplatRequest& request,
       return false;
     }
     vtkPointSplatCloud::Buffers& buffers =
-      identifies ? item.Cloud->UploadIds(request.Ids) : item.Cloud->Upload();
+      identifies && !ofCells ? item.Cloud->UploadIds(request.Ids) : item.Cloud->Upload();
     program.Use();
     vtkPointSplatQuads::SetUniforms(program, item, request.View, tagMask);
     units.Bind(program, "Splats", GL_TEXTURE_BUFFER, buffers.Splats.GetTexture());
@@ -101,10 +104,13 @@ bool vtkPointSplatPointSums::DrawAll(const vtkPointSplatRequest& request,
     {
       units.Bind(program, "Depths", GL_TEXTURE_BUFFER, sums.DepthBuffer.GetTexture());
       units.Bind(program, "SplatIds", GL_TEXTURE_BUFFER,
-        identifies ? buffers.Ids.GetTexture() : 0);
+        ofCells ? buffers.Colours.GetTexture() : identifies ? buffers.Ids.GetTexture() : 0);
       units.Bind(program, "Colours", GL_TEXTURE_BUFFER, buffers.Colours.GetTexture());
       units.Bind(program, "Factors", GL_TEXTURE_BUFFER,
         item.Factors ? item.Factors->GetTexture() : 0);
+      units.Bind(
+        program, "ValueTables", GL_TEXTURE_BUFFER, buffers.ValueTable.GetTexture());
+      program.Set("ValueMap", item.GetValueMap());
       program.Set("ItemColour", peel.Gather ? item.Colour : glm::vec4(1.0f));
       program.Set("DepthUnit", static_cast<float>(request.GetDepthUnit()));
       program.Set("SumStride", sums.GetSumStride());

@@ -23,7 +23,9 @@ const char* const IdentifyFile = "vtkPointSplatIdentifyFS";
 vtkPointSplatProgram* vtkPointSplatRaster::Use(
   const vtkPointSplatItem& item, const std::string& file, const std::string& common)
 {
-  const std::string defines = common + (item.ClipPlanes.empty() ? "" : "#define CLIPPING\n") +
+  const std::string defines = common +
+    (file == AccumulateFile && item.Cloud->HasValues() ? "#define VALUES\n" : "") +
+    (item.ClipPlanes.empty() ? "" : "#define CLIPPING\n") +
     (item.IsPoints          ? "#define POINTS\n"
         : item.Kernel.Plateau ? "#define PLATEAU\n"
                               : "");
@@ -48,14 +50,16 @@ bool vtkPointSplatRaster::DrawAll(const vtkPointSplatRequest& request,
   const bool sees = file == VisibilityFile;
   const bool identifies = file == IdentifyFile;
   const bool factors = file == AccumulateFile && sums.GetContent().Factors > 0;
+  const bool ofCells = identifies && request.HasCellColours();
   const std::string defines =
-    (identifies ? std::string() : peel.GetDefines()) + (factors ? "#define FACTORS\n" : "");
+    (identifies && !ofCells ? std::string() : peel.GetDefines()) +
+    (factors ? "#define FACTORS\n" : "");
   const unsigned int tagMask = request.GetTagMask();
   vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
   const vtkPointSplatPointSizes sizes;
   for (const vtkPointSplatItem& item : request.Items)
   {
-    if (!item.IsInView())
+    if (!item.IsInView() || (ofCells && !item.Cloud->HasCellColours()))
     {
       continue;
     }
@@ -65,7 +69,7 @@ bool vtkPointSplatRaster::DrawAll(const vtkPointSplatRequest& request,
       return false;
     }
     vtkPointSplatCloud::Buffers& buffers =
-      identifies ? item.Cloud->UploadIds(request.Ids) : item.Cloud->Upload();
+      identifies && !ofCells ? item.Cloud->UploadIds(request.Ids) : item.Cloud->Upload();
     vtkPointSplatQuads::SetUniforms(*program, item, request.View, tagMask);
     program->Set(
       "Reach", sees ? vtkPointSplatReach::Disk : static_cast<float>(item.Kernel.Support));
@@ -74,15 +78,18 @@ bool vtkPointSplatRaster::DrawAll(const vtkPointSplatRequest& request,
            : glm::vec2(vtkPointSplatReach::Prefilter));
     program->Set("DepthUnit", static_cast<float>(request.GetDepthUnit()));
     program->Set("ItemColour", peel.Gather ? item.Colour : glm::vec4(1.0f));
-    if (!identifies)
+    program->Set("ValueMap", item.GetValueMap());
+    if (!identifies || ofCells)
     {
       peel.Bind(units, *program, request.View.PixelZ);
     }
     if (!sees)
     {
       units.Bind(*program, "Depths", GL_TEXTURE_2D, codes.Get());
+      units.Bind(*program, "ValueTables", GL_TEXTURE_BUFFER, buffers.ValueTable.GetTexture());
     }
-    vtkPointSplatQuads::Draw(item, buffers, identifies);
+    vtkPointSplatQuads::Draw(
+      item, buffers, ofCells ? &buffers.Colours : identifies ? &buffers.Ids : nullptr);
   }
   return true;
 }

@@ -30,6 +30,29 @@ bool vtkPointSplatRequest::HasColours() const
 }
 
 //------------------------------------------------------------------------------
+bool vtkPointSplatRequest::HasValues() const
+{
+  return std::any_of(this->Items.begin(), this->Items.end(),
+    [](const vtkPointSplatItem& item) { return item.Cloud->HasValues(); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatRequest::HasCellColours() const
+{
+  return !this->HasIds &&
+    std::any_of(this->Items.begin(), this->Items.end(),
+      [](const vtkPointSplatItem& item) { return item.Cloud->HasCellColours(); });
+}
+
+//------------------------------------------------------------------------------
+std::string vtkPointSplatRequest::GetColourDefines(bool gathered) const
+{
+  // What is gathered has mean colours.
+  return std::string(this->HasValues() && !gathered ? "#define VALUES\n" : "") +
+    (this->HasCellColours() && !gathered ? "#define CELL_COLOURS\n" : "");
+}
+
+//------------------------------------------------------------------------------
 int vtkPointSplatRequest::GetFactorCount() const
 {
   int count = 0;

@@ -6,6 +6,8 @@
 
 #include "vtkPointSplatItem.h"
 
+#include <string>
+
 struct vtkPointSplatRequest
 {
   vtkPointSplatView View;
@@ -36,8 +38,17 @@ struct vtkPointSplatRequest
 
   bool operator==(const vtkPointSplatRequest& other) const;
 
-  bool IsPeeled() const { return this->MaximumLayers > 1 || this->SceneDepth != 0; }
+  bool IsPeeled() const
+  {
+    return this->MaximumLayers > 1 || this->Gather || this->SceneDepth != 0;
+  }
   bool HasColours() const;
+  /// Whether clouds have values in the place of colours.
+  bool HasValues() const;
+  /// Whether colours of cells are shown, of which a pixel has that of one splat; not for ids.
+  bool HasCellColours() const;
+  /// Lines for programs that make texels of sums, of a layer that is or is not gathered.
+  std::string GetColourDefines(bool gathered) const;
   int GetFactorCount() const;
   /// The bits that tags of the items need (vtkPointSplatDepthCode.glsl).
   unsigned int GetTagMask() const;

@@ -18,6 +18,9 @@
 #include "vtkPointSplatTexel"
 #include "vtkPointSplatFilled"
 #include "vtkPointSplatMasks"
+#if defined(VALUES) || defined(CELL_COLOURS)
+#include "vtkPointSplatValue"
+#endif
 
 uniform vec2 RayOffset; // pixels
 uniform vec2 RayScale;  // from there to the ray's direction, for a step of 1 in depth
@@ -138,6 +141,18 @@ void main()
   bool empty = !(mean.weight > 0.0);
   vec4 n = empty ? vec4(0.0, 0.0, 1.0, 0.0) : mean.normalAndBehind / mean.weight;
   vec4 colour = empty ? vec4(1.0) : mean.colour / mean.weight;
+#if defined(VALUES) || defined(CELL_COLOURS)
+  vec4 map = itemValueMap(code & TagMask);
+  bool single = hasValues(map) || hasCellColours(map);
+#else
+  const bool single = false;
+#endif
+#ifdef VALUES
+  colour = empty ? colour : colourOfSum(mean.colour, mean.weight, map);
+#endif
+#ifdef CELL_COLOURS
+  colour = hasCellColours(map) ? unpackColour(fetchId(sourcePixel(filled.y))) : colour;
+#endif
 #ifdef FACTORS
   vec4 lit = empty ? vec4(1.0) : mean.factors / mean.weight;
 #endif
@@ -147,7 +162,9 @@ void main()
     vec3 both = 0.5 * FullAgreement * (seenNormal(mean, ray) + seenNormal(beyond.sum, ray));
     n.xyz = dot(n.xyz, ray) > 0.0 ? -both : both;
     float share = beyond.sum.weight > 0.0 ? 0.5 : 0.0;
-    colour = mix(colour, beyond.sum.colour / max(beyond.sum.weight, 1e-30), share);
+    // Between the colours of two surfaces a table may have others, or none.
+    colour =
+      mix(colour, beyond.sum.colour / max(beyond.sum.weight, 1e-30), single ? 0.0 : share);
 #ifdef FACTORS
     lit = mix(lit, beyond.sum.factors / max(beyond.sum.weight, 1e-30), share);
 #endif

@@ -5,11 +5,11 @@
 // Reconstructs a tile's surface layers from the lists of its splats, nearest buckets first:
 // 1. The nearest hit of each pixel, of what is behind the layers before.
 // 2. Sums over the splats that belong to its layer: weights, and weighted normals, depths, colours
-//    and factors of lights. Their means are the layer's texel.
+//    or values, and factors of lights. Their means are the layer's texel; that of values is mapped.
 // 3. With LAYERS, the next layer, until each pixel has no further hit, or so little light comes
 //    through the layers before that what is behind could not be seen.
 // Variants: LAYERS, GATHER (the last layer takes all that is left, weighted by opacity), COLOURS,
-// FACTORS, IDS (names the splat of the greatest weight), KERNELS, PLATEAU, CURVED (some splats need
+// VALUES (of some clouds in the place of colours), CELL_COLOURS (of some), FACTORS, IDS (names the splat of the greatest weight), KERNELS, PLATEAU, CURVED (some splats need
 // exact rays), CLIPPING.
 // Reads: Records, Lists, Tiles, SceneDepth. Writes: Texels, FactorTexels, IdTexels, Counts.
 
@@ -76,6 +76,18 @@ void writeLayer(ivec2 first, int layer)
     colour = colours[k] * share;
 #endif
     bool hit = tags[k] != NoTag;
+#if defined(VALUES) || defined(CELL_COLOURS)
+    vec4 map = itemValueMap(hit ? tags[k] : 0u);
+#ifdef GATHER
+    map = gathering ? vec4(0.0) : map;
+#endif
+#endif
+#ifdef VALUES
+    colour = weights[k] > 0.0 ? colourOfSum(colours[k], weights[k], map) : colour;
+#endif
+#ifdef CELL_COLOURS
+    colour = hasCellColours(map) ? unpackColour(ids[k]) : colour;
+#endif
     float depth = nearest[k] + behinds[k] * share * (DepthUnit / DepthScale);
     vec3 normal = weights[k] > 0.0 ? normals[k] * share : vec3(0.0, 0.0, 1.0);
     uvec4 texel = hit ? packTexel(depth, normal, tags[k], 1.0, colour) : uvec4(0u);

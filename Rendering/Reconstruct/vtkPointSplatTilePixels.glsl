@@ -24,6 +24,9 @@ uniform float PrefilterRadius;  // pixels
 uniform vec4 Kernel;            // of all clouds, but for KERNELS, where they differ
 uniform float DepthReach;       // from a splat's nearest depth to its farthest, at most
 uniform float DepthUnit;        // five times the largest least layer distance, world units
+#if defined(VALUES) || defined(CELL_COLOURS)
+#include "vtkPointSplatValue"
+#endif
 #ifdef COLOURS
 uniform usamplerBuffer RecordColours;
 #endif
@@ -58,8 +61,8 @@ vec4 colours[Pixels];
 #endif
 LightFactors factors[Pixels];
 #endif
-#ifdef IDS
-float greatest[Pixels]; // kernel, and who has it
+#if defined(IDS) || defined(CELL_COLOURS)
+float greatest[Pixels]; // kernel, and who has it: the id, or the colour
 uint ids[Pixels];
 #endif
 #ifdef LAYERS
@@ -194,10 +197,13 @@ struct Paint
 #ifdef COLOURS
   vec4 colour;
 #endif
+#ifdef VALUES
+  bool isValue; // which colour has, and whether it is known
+#endif
 #ifdef FACTORS
   LightFactors factors;
 #endif
-#ifdef IDS
+#if defined(IDS) || defined(CELL_COLOURS)
   uint id;
 #endif
 };
@@ -211,7 +217,22 @@ Paint paintOf(int record, uint tag)
   p.kernel = Kernel;
 #endif
 #ifdef COLOURS
-  p.colour = unpackColour(texelFetch(RecordColours, record).r);
+  uint code = texelFetch(RecordColours, record).r;
+  p.colour = unpackColour(code);
+#ifdef VALUES
+  vec4 map = itemValueMap(tag);
+  vec2 value = decodeValue(code);
+  p.isValue = hasValues(map);
+#ifdef GATHER
+  // What is gathered is of several clouds.
+  p.colour = p.isValue && gathering ? mapValue(value, map) : p.colour;
+  p.isValue = p.isValue && !gathering;
+#endif
+  p.colour = p.isValue ? vec4(value, 0.0, 0.0) : p.colour;
+#endif
+#ifdef CELL_COLOURS
+  p.id = code;
+#endif
 #ifdef GATHER
   p.colour *= gathering ? itemColour(tag) : vec4(1.0);
 #endif
@@ -253,12 +274,16 @@ void addToLayer(int k, Head h, Paint p, bool hit, float r2, float depth, vec3 no
   normals[k] += round(turned * normal);
   behinds[k] += round(weight * (mine ? behind : 0.0) * (DepthScale / DepthUnit));
 #ifdef COLOURS
+#ifdef VALUES
+  colours[k] += p.isValue ? weightedValue(weight, p.colour.xy) : round(weight * p.colour);
+#else
   colours[k] += round(weight * p.colour);
+#endif
 #endif
 #ifdef FACTORS
   factors[k] += round(weight * p.factors);
 #endif
-#ifdef IDS
+#if defined(IDS) || defined(CELL_COLOURS)
   // Of equal ones the first in the list, which is the same splat whatever kind of id is wanted: a
   // selection asks for a block and for a point in it one after the other.
   bool names = mine && kernel > greatest[k];
@@ -280,7 +305,7 @@ void clearLayer()
 #ifdef FACTORS
     factors[k] = LightFactors(0.0);
 #endif
-#ifdef IDS
+#if defined(IDS) || defined(CELL_COLOURS)
     greatest[k] = -1.0;
     ids[k] = 0xffffffffu;
 #endif

@@ -99,7 +99,8 @@ vtkPointSplatTiles::Variant vtkPointSplatTiles::VariantOf(
   const bool layers = request.IsPeeled();
   v.Project = both;
   v.Walk = std::string(clipping ? "#define CLIPPING\n" : "") + (layers ? "#define LAYERS\n" : "");
-  v.Tile = both + (layers ? "#define LAYERS\n" : "") + (request.Gather ? "#define GATHER\n" : "") +
+  v.Tile = both + request.GetColourDefines(false) + (layers ? "#define LAYERS\n" : "") +
+    (request.Gather ? "#define GATHER\n" : "") +
     (plateau ? "#define PLATEAU\n" : "") + (kernels ? "#define KERNELS\n" : "");
   if (request.OnDevice)
   {
@@ -334,6 +335,7 @@ vtkPointSplatProgram* vtkPointSplatTiles::UseTiles(const vtkPointSplatRequest& r
   units.Bind(*program, "RecordIds", GL_TEXTURE_BUFFER, this->Ids.GetTexture());
   units.Bind(*program, "Lists", GL_TEXTURE_BUFFER, this->Lists.GetTexture());
   units.Bind(*program, "ItemTable", GL_TEXTURE_BUFFER, this->Items.GetTexture());
+  units.Bind(*program, "ValueTables", GL_TEXTURE_BUFFER, this->Items.GetValueTables());
   units.Bind(*program, "SceneDepth", GL_TEXTURE_2D, request.SceneDepth);
   program->Set("HasSceneDepth", request.SceneDepth != 0);
   program->Set("BucketScale", this->BucketScale);

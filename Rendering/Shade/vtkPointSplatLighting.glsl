@@ -18,6 +18,9 @@ uniform vec4 LightAttenuation[LIGHT_COUNT]; // constant, linear, quadratic; the 
 vec4 lightFactors = vec4(1.0);
 #endif
 
+// How much of the lights' light a surface keeps whose normals contradict one another.
+float keptLight = 1.0;
+
 struct Material
 {
   vec3 ambient;
@@ -40,7 +43,7 @@ vec3 shade(Material m, vec3 positionVC, vec3 normalVC)
   float sf = df > 0.0 ? pow(df, m.power) : 0.0;
   colour += sf * m.specular;
 #endif
-  colour = m.ambient + colour * LightColour[0].rgb;
+  colour = m.ambient + keptLight * colour * LightColour[0].rgb;
 #else
   vec3 diffuse = vec3(0.0);
   vec3 specular = vec3(0.0);
@@ -79,7 +82,7 @@ vec3 shade(Material m, vec3 positionVC, vec3 normalVC)
     specular += sf * LightColour[i].rgb;
 #endif
   }
-  vec3 colour = m.ambient + diffuse * m.diffuse + specular * m.specular;
+  vec3 colour = m.ambient + keptLight * (diffuse * m.diffuse + specular * m.specular);
 #endif
 #ifdef UNLIT
   colour = m.lit ? colour : m.ambient + m.diffuse;

@@ -26,9 +26,9 @@ Shaded shadeTexel(uvec4 texel, ivec2 at, int layer)
   shaded.slot = int(s.tag >> 1);
   shaded.positionVC = pointOfPixel(at, -(NearDistance + s.depth));
   shaded.normalVC = s.normal;
+  keptLight = clamp(s.agreement / FullAgreement, 0.0, 1.0);
   shaded.colour = shadeSurface(shaded.slot, shaded.positionVC, shaded.normalVC, s.colour,
     layer == GatheredLayer, shaded.back);
-  shaded.colour.rgb *= clamp(s.agreement / FullAgreement, 0.0, 1.0);
   shaded.colour.a *= s.coverage;
   return shaded;
 }

@@ -47,6 +47,9 @@ void SetItem(vtkPointSplatProgram& program, vtkPointSplatUnits& units,
     program, "Colours", GL_TEXTURE_BUFFER, colours ? buffers.Colours.GetTexture() : 0);
   units.Bind(
     program, "Factors", GL_TEXTURE_BUFFER, item.Factors ? item.Factors->GetTexture() : 0);
+  units.Bind(program, "ValueTables", GL_TEXTURE_BUFFER,
+    item.Cloud->HasValues() ? buffers.ValueTable.GetTexture() : 0);
+  program.Set("ValueMap", item.GetValueMap());
   program.Set("HasColours", colours);
   program.Set("HasFactors", item.Factors != nullptr);
 }
@@ -120,7 +123,8 @@ bool vtkPointSplatSorted::DrawGroup(const Scene& scene, int group)
       (scene.Nearest ? "#define NEAREST\n" + scene.Nearest->GetDefines()
           : factors > 0 ? "#define FACTORS\n"
                         : "") +
-      (clips ? "#define CLIPPING\n" : "") + (scene.CountLayers ? "#define LAYER_COUNT\n" : ""));
+      (clips ? "#define CLIPPING\n" : "") + (request.HasValues() ? "#define VALUES\n" : "") +
+      (scene.CountLayers ? "#define LAYER_COUNT\n" : ""));
   if (!program)
   {
     return false;

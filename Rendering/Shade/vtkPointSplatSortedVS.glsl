@@ -14,6 +14,11 @@ uniform int FirstEntry;         // that is drawn
 uniform usamplerBuffer Splats;  // RGBA32UI, two or four a splat: see vtkPointSplatCloud.h
 uniform usamplerBuffer Colours; // R32UI, where HasColours
 uniform bool HasColours;
+#ifdef VALUES
+#include "vtkPointSplatValue"
+
+uniform vec4 ValueMap;
+#endif
 #ifdef FACTORS
 uniform usamplerBuffer Factors; // R32UI, where HasFactors
 #endif
@@ -29,7 +34,12 @@ void main()
   id = b.w;
   axis1MC = Circular ? vec3(0.0) : uintBitsToFloat(texelFetch(Splats, at + 2).xyz);
   axis2MC = Circular ? vec3(0.0) : uintBitsToFloat(texelFetch(Splats, at + 3).xyz);
-  colour = HasColours ? unpackColour(texelFetch(Colours, splat).r) : vec4(1.0);
+  uint code = HasColours ? texelFetch(Colours, splat).r : 0xffffffffu;
+  colour = unpackColour(code);
+#ifdef VALUES
+  // Splats of a layer are not blended with each other here.
+  colour = hasValues(ValueMap) ? mapValue(decodeValue(code), ValueMap) : colour;
+#endif
 #ifdef FACTORS
   factorsOfLights = HasFactors ? unpackColour(texelFetch(Factors, splat).r) : vec4(1.0);
 #endif

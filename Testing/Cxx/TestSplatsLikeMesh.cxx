@@ -81,6 +81,58 @@ void Compare(Checks& checks, const std::string& name, const Change& change, bool
   }
 }
 
+/**
+ * Colours that points have from photographs, unlit, and by ambient light alone. Normals are of no
+ * account then, not even such as contradict their neighbours: they lean to either side.
+ */
+void CompareColours(Checks& checks, bool lit)
+{
+  vtkSmartPointer<vtkPolyData> mesh = MakeSphereMesh();
+  vtkSmartPointer<vtkPolyData> cloud = Cloud(mesh);
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetNumberOfComponents(3);
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    const double* p = mesh->GetPoint(i);
+    colours->InsertNextTuple3(128 + 200 * p[0], 128 + 200 * p[1], 128 + 100 * std::sin(8 * p[2]));
+    const double lean = i % 2 ? 1.4 : -1.4;
+    normals->InsertNextTuple3(p[0] - lean * p[1], p[1] + lean * p[0], p[2]);
+  }
+  mesh->GetPointData()->SetScalars(colours);
+  cloud->GetPointData()->SetScalars(colours);
+  cloud->GetPointData()->SetNormals(normals);
+  vtkNew<vtkFloatArray> radii;
+  radii->SetName("SplatRadius");
+  radii->SetNumberOfTuples(cloud->GetNumberOfPoints());
+  radii->Fill(0.018);
+  cloud->GetPointData()->AddArray(radii);
+  // Splats lie in the surface, whatever the normals are.
+  vtkNew<vtkFloatArray> planes;
+  planes->DeepCopy(mesh->GetPointData()->GetNormals());
+  planes->SetName("SplatPlaneNormal");
+  cloud->GetPointData()->AddArray(planes);
+  Picture pictures[2];
+  for (int kind = 0; kind < 2; ++kind)
+  {
+    Window window;
+    auto mapper = kind == 0 ? vtkSmartPointer<vtkPolyDataMapper>::New()
+                            : vtkSmartPointer<vtkPolyDataMapper>(vtkNew<vtkPointSplatMapper>());
+    mapper->SetInputData(kind == 0 ? mesh : cloud);
+    vtkProperty* property = window.Add(mapper)->GetProperty();
+    property->SetLighting(lit);
+    property->SetAmbient(lit ? 1.0 : 0.0);
+    property->SetDiffuse(lit ? 0.0 : 1.0);
+    property->SetSpecular(0.0);
+    window.Renderer->ResetCamera();
+    window.Renderer->GetActiveCamera()->Zoom(3.0); // flat splats stand out at the outline
+    pictures[kind] = window.Draw();
+  }
+  checks.AtLeast(Psnr(pictures[0], pictures[1]), 38.0,
+    std::string(lit ? "ambient" : "unlit") + " colours: psnr");
+}
+
 vtkLight* AddLight(vtkRenderer* renderer)
 {
   vtkNew<vtkLight> light;
@@ -168,5 +220,7 @@ int TestSplatsLikeMesh(int, char*[])
     a->SetPosition(0.1, 0.2, -0.3);
     r->ResetCamera();
   }, false, 40.0); // its outline is some pixels off
+  CompareColours(checks, false);
+  CompareColours(checks, true);
   return checks.Result();
 }

@@ -12,10 +12,12 @@ from splatview_tools import PROGRAM, Picture, SplatviewTest, main
 
 OPTIONS = (
     "--iso --particles --spacing --magnify --array --normals --project --radius-scale --color --opacity"
-    " --background --camera --size --scalar-bar --shadows --target-error --method --transparency --layers"
-    " --projection --output --json --frames --quiet --help --version"
+    " --background --camera --size --scalar-bar --unlit --lit --shadows --target-error --method"
+    " --transparency --layers --projection --output --json --frames --quiet --help --version"
 ).split()
-FLAGS = {"--particles", "--project", "--scalar-bar", "--quiet", "--help", "--version"}
+FLAGS = {
+    "--particles", "--project", "--scalar-bar", "--unlit", "--lit", "--quiet", "--help", "--version"
+}  # fmt: skip
 
 # A tetrahedron's corners, with its outward normals.
 CLOUD = "".join(
@@ -37,7 +39,7 @@ BAD_OPTIONS = (
     "--size 99999x1", "--target-error 2", "--target-error -1", "--method best", "--transparency x", "--layers 0", "--shadows 0",
     "--projection x", "--output o.jpg", "--output .png",
     "--output no/such/folder/o.png", "--json no/such/folder/r.json", "--frames 0",
-    "--quiet=yes", "--scalar-bar", "--array nosuch", "--iso 5", "--particles=yes",
+    "--quiet=yes", "--scalar-bar", "--array nosuch", "--iso 5", "--particles=yes", "--unlit=yes",
 )  # fmt: skip
 
 TEXT_MHD = """ObjectType = Image

@@ -3,6 +3,7 @@
 """What splatview's options do to the picture and the report."""
 import json
 import math
+import os
 
 from splatview_tools import Picture, SplatviewTest, main
 
@@ -192,6 +193,37 @@ class TestSplatviewPicture(SplatviewTest):
         self.assertAlmostEqual(covered / fine, 1.0, delta=0.03)
         self.assertLess(picture.difference(again), 2.0)
         self.assertGreater(min(picture.centre()), 200)
+
+    def test_unlit(self):
+        # A red sphere, seen from the side: what is lit is darker at its rim.
+        rows = [line.split()[:3] for line in globe().splitlines()]
+        self.write("photo.xyz", "".join(" ".join(r) + " 200 100 50\n" for r in rows))
+        unlit = [(200, 100, 50)] * 2
+
+        def colours(*arguments):
+            report, picture = self.draw(*arguments)
+            half = picture.width // 2
+            rim = max(x for x in range(half, picture.width) if picture.pixel(x, half)[0] > 40)
+            return report["surfaces"][0]["lit"], [picture.centre(), picture.pixel(rim - 4, half)]
+
+        self.assertEqual(colours("photo.xyz"), (False, unlit))
+        self.assertEqual(colours("photo.xyz", "--unlit"), (False, unlit))
+        for options in (("--lit",), ("--shadows", "1"), ("--normals", "estimate")):
+            lit, (centre, rim) = colours("photo.xyz", *options)
+            self.assertTrue(lit, options)
+            self.assertLess(rim[0], centre[0] - 20, options)
+        # Where there are normals, or no colours, light shows the surface.
+        self.assertTrue(colours("globe.xyz")[0])
+        self.assertFalse(colours("globe.xyz", "--unlit")[0])
+        self.write("plain.xyz", "".join(" ".join(r) + "\n" for r in rows))
+        self.assertTrue(colours("plain.xyz")[0])
+        done = self.run_splatview("photo.xyz", "--frames", 1, "--output", "said.png")
+        self.assertRegex(done.stdout, r"photo\.xyz: has colours and no normals, and is not lit")
+        for picture in ("said.png", "o.png"):
+            os.remove(self.path(picture))
+        for other in (("--lit",), ("--shadows", "2")):
+            refusal = self.assert_refused("photo.xyz", "--unlit", *other)
+            self.assertIn("--unlit: goes without", refusal)
 
     def test_report(self):
         report, _ = self.draw("globe.xyz")
