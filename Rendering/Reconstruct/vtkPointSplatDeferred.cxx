@@ -25,19 +25,23 @@ bool vtkPointSplatDeferred::Fits(const glm::ivec2& size, int groups, vtkIdType b
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatDeferred::BuildPrograms(bool factors, const std::string& colours)
+vtkPointSplatProgram* vtkPointSplatDeferred::BuildPrograms(const vtkPointSplatRequest& request)
 {
+  const bool factors = request.GetFactorCount() > 0;
+  const bool lines = request.HasClipLines();
   const std::string defines = factors ? "#define FACTORS\n" : "";
-  vtkPointSplatProgram& geometry = this->Geometry[factors ? 1 : 0];
+  const std::string colours = request.GetColourDefines(false);
+  vtkPointSplatProgram& geometry = this->Geometry[factors ? 1 : 0][lines ? 1 : 0];
   vtkPointSplatProgram& compositing = this->Compositing[defines + colours];
   this->Composite = &compositing;
   const bool built =
     geometry.Build({ { GL_VERTEX_SHADER, "vtkPointSplatGroupVS" },
                      { GL_FRAGMENT_SHADER, "vtkPointSplatGroupFS" } },
-      defines + "#define CLIPPING\n#define PLATEAU\n") &&
+      defines + "#define CLIPPING\n#define PLATEAU\n" +
+        (lines ? "#define CLIP_LINES\n" : "")) &&
     compositing.BuildScreen("vtkPointSplatCompositeFS", defines + colours);
   this->Error = built ? std::string() : geometry.GetLog() + compositing.GetLog();
-  return built;
+  return built ? &geometry : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -71,7 +75,8 @@ bool vtkPointSplatDeferred::Reconstruct(
   const bool factors = request.GetFactorCount() > 0;
   const std::string colours = request.GetColourDefines(false);
   const glm::ivec2& size = request.View.Size;
-  if (!this->BuildPrograms(factors, colours))
+  vtkPointSplatProgram* geometry = this->BuildPrograms(request);
+  if (!geometry)
   {
     return false;
   }
@@ -97,8 +102,7 @@ bool vtkPointSplatDeferred::Reconstruct(
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LESS);
   state->vtkglDepthMask(GL_TRUE);
-  vtkPointSplatProgram& geometry = this->Geometry[factors ? 1 : 0];
-  geometry.Use();
+  geometry->Use();
   const GLfloat farthest = 1.0f;
   for (int group = 0; group < groups; ++group)
   {
@@ -109,7 +113,7 @@ bool vtkPointSplatDeferred::Reconstruct(
     }
     this->GroupFramebuffer.Bind(state, targets, { this->Depths, group });
     glClearBufferfv(GL_DEPTH, 0, &farthest);
-    this->DrawGroup(request, group, geometry);
+    this->DrawGroup(request, group, *geometry);
   }
 
   std::vector<vtkPointSplatFramebuffer::Target> targets{ layers.GetTexelImage() };
@@ -150,9 +154,10 @@ vtkIdType vtkPointSplatDeferred::GetMemorySize() const
 //------------------------------------------------------------------------------
 void vtkPointSplatDeferred::Release()
 {
-  for (vtkPointSplatProgram& program : this->Geometry)
+  for (vtkPointSplatProgram(&programs)[2] : this->Geometry)
   {
-    program.Release();
+    programs[0].Release();
+    programs[1].Release();
   }
   this->Compositing.clear();
   this->Items.Release();

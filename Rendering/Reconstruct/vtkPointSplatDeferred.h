@@ -42,10 +42,12 @@ public:
   void Release();
 
 private:
-  bool BuildPrograms(bool factors, const std::string& colours);
+  /// The geometry pass's, of the variant that a request needs, or null.
+  vtkPointSplatProgram* BuildPrograms(const vtkPointSplatRequest& request);
   void DrawGroup(const vtkPointSplatRequest& request, int group, vtkPointSplatProgram& geometry);
 
-  vtkPointSplatProgram Geometry[2]; // the latter with factors of lights
+  // The latter with factors of lights; and with clip lines.
+  vtkPointSplatProgram Geometry[2][2];
   std::map<std::string, vtkPointSplatProgram> Compositing; // by defines
   vtkPointSplatProgram* Composite = nullptr;               // that is used
   vtkPointSplatItemTable Items;

@@ -28,7 +28,8 @@ vtkPointSplatProgram* vtkPointSplatRaster::Use(
     (item.ClipPlanes.empty() ? "" : "#define CLIPPING\n") +
     (item.IsPoints          ? "#define POINTS\n"
         : item.Kernel.Plateau ? "#define PLATEAU\n"
-                              : "");
+                              : "") +
+    (item.Cloud->HasClipLines() && !item.IsPoints ? "#define CLIP_LINES\n" : "");
   vtkPointSplatProgram& program = this->Programs[file + defines];
   if (!program.Build({ { GL_VERTEX_SHADER,
                          item.IsPoints ? "vtkPointSplatPointVS" : "vtkPointSplatQuadVS" },

@@ -53,6 +53,13 @@ std::string vtkPointSplatRequest::GetColourDefines(bool gathered) const
 }
 
 //------------------------------------------------------------------------------
+bool vtkPointSplatRequest::HasClipLines() const
+{
+  return std::any_of(this->Items.begin(), this->Items.end(),
+    [](const vtkPointSplatItem& item) { return item.Cloud->HasClipLines(); });
+}
+
+//------------------------------------------------------------------------------
 int vtkPointSplatRequest::GetFactorCount() const
 {
   int count = 0;

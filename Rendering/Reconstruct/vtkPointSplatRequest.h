@@ -49,6 +49,7 @@ struct vtkPointSplatRequest
   bool HasCellColours() const;
   /// Lines for programs that make texels of sums, of a layer that is or is not gathered.
   std::string GetColourDefines(bool gathered) const;
+  bool HasClipLines() const;
   int GetFactorCount() const;
   /// The bits that tags of the items need (vtkPointSplatDepthCode.glsl).
   unsigned int GetTagMask() const;

@@ -50,6 +50,10 @@ void SetItem(vtkPointSplatProgram& program, vtkPointSplatUnits& units,
   units.Bind(program, "ValueTables", GL_TEXTURE_BUFFER,
     item.Cloud->HasValues() ? buffers.ValueTable.GetTexture() : 0);
   program.Set("ValueMap", item.GetValueMap());
+  const bool lines = item.Cloud->HasClipLines();
+  units.Bind(
+    program, "ClipLineTexels", GL_TEXTURE_BUFFER, lines ? buffers.ClipLines.GetTexture() : 0);
+  program.Set("HasClipLines", lines);
   program.Set("HasColours", colours);
   program.Set("HasFactors", item.Factors != nullptr);
 }
@@ -124,7 +128,8 @@ bool vtkPointSplatSorted::DrawGroup(const Scene& scene, int group)
           : factors > 0 ? "#define FACTORS\n"
                         : "") +
       (clips ? "#define CLIPPING\n" : "") + (request.HasValues() ? "#define VALUES\n" : "") +
-      (scene.CountLayers ? "#define LAYER_COUNT\n" : ""));
+        (request.HasClipLines() ? "#define CLIP_LINES\n" : "") +
+        (scene.CountLayers ? "#define LAYER_COUNT\n" : ""));
   if (!program)
   {
     return false;

@@ -19,6 +19,9 @@ uniform bool HasColours;
 
 uniform vec4 ValueMap;
 #endif
+#ifdef CLIP_LINES
+uniform samplerBuffer ClipLineTexels; // RGBA32F, where HasClipLines
+#endif
 #ifdef FACTORS
 uniform usamplerBuffer Factors; // R32UI, where HasFactors
 #endif
@@ -42,6 +45,9 @@ void main()
 #endif
 #ifdef FACTORS
   factorsOfLights = HasFactors ? unpackColour(texelFetch(Factors, splat).r) : vec4(1.0);
+#endif
+#ifdef CLIP_LINES
+  clipLines = HasClipLines ? texelFetch(ClipLineTexels, splat) : vec4(0.0);
 #endif
   spanQuad();
 }
