@@ -56,7 +56,9 @@
  *    many neighbours are looked at, and if the nearest lie in a row, one a leaf of the search tree,
  *    which reaches past it; what does not close the cell all around is left out then. Where the
  *    whole cloud is as regular as a mesh's vertices are, gaps much larger than usual are holes in
- *    the surface; in random samplings such are to be closed.
+ *    the surface; in random samplings such are to be closed. What holes and normals that do not fit
+ *    tell is known after all points are looked at; so those beside a hole are looked at once more
+ *    without the neighbours across it, and those beside such a normal with the plane in its place.
  *    For ellipses all this is done in the plane scaled along the principal axes of the neighbours'
  *    covariance (Confetti, section 4.2, equation 3) until it is round there.
  *    Circular disks also get the surface's *curvature*: the second fundamental form that fits
