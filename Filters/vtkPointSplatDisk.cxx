@@ -21,8 +21,9 @@ constexpr float BorderPerDistance = 0.6f;
 /// Neighbours lie in a row if their variance across it is less than this part of that along
 /// it; those of a point on a straight border have about a third.
 constexpr float RowVariance = 0.15f;
-/// How far past the last neighbour a cell may reach where all neighbours are of one sheet.
-constexpr float WholeReach = 1.5f;
+/// How far past the last neighbour, times its distance, a cell may reach where all neighbours are of
+/// one sheet: more of them would cut little off then.
+constexpr float WholeReach = 1.1f;
 /// The longest ellipse, axis to axis.
 constexpr float LargestAspect = 8.0f;
 }
@@ -60,6 +61,13 @@ void vtkPointSplatDisk::ChoosePlane(
   {
     this->Sheet.Compare(around, normals, n);
   }
+}
+
+void vtkPointSplatDisk::SelectSheet(const vtkPointSplatNeighbors::Neighborhood& around,
+  int countNear, const float* normals, float spacing)
+{
+  this->ChoosePlane(around, countNear, normals);
+  this->Sheet.Select(around, countNear, spacing);
 }
 
 void vtkPointSplatDisk::Project(const vtkPointSplatNeighbors::Neighborhood& around)
@@ -241,6 +249,22 @@ float vtkPointSplatDisk::MeanDistance(float most) const
   return weights > 0 ? sum / weights : 0;
 }
 
+float vtkPointSplatDisk::GetSquaredReach(float aa, float bb, float ab, float circumscribed2)
+{
+  if (ab >= std::min(aa, bb))
+  {
+    // Obtuse at a neighbour: the bisector of the way to it meets the far side.
+    return 0.25f * std::min(aa, bb) * aa * bb / (ab * ab);
+  }
+  if (ab < 0)
+  {
+    // Obtuse at the centre: both bisectors meet the far side, farther off the longer one.
+    const float longer = std::max(aa, bb);
+    return 0.25f * longer * longer * (aa + bb - 2 * ab) / ((longer - ab) * (longer - ab));
+  }
+  return circumscribed2;
+}
+
 /**
  * How far the centre's part of the Delaunay triangles around it reaches: to the circumcentre of an
  * acute one; of an obtuse one, whose circumcentre lies outside, to where bisectors leave it. That a
@@ -267,18 +291,11 @@ float vtkPointSplatDisk::Reach(float known, bool closed) const
       const float aa = this->U[a] * this->U[a] + this->V[a] * this->V[a];
       const float bb = this->U[b] * this->U[b] + this->V[b] * this->V[b];
       const float ab = this->U[a] * this->U[b] + this->V[a] * this->V[b];
-      if (ab >= std::min(aa, bb))
-      {
-        // Obtuse at a neighbour: the bisector of the way to it meets the far side.
-        squared = 0.25f * std::min(aa, bb) * aa * bb / (ab * ab);
-      }
-      else if (ab < 0)
-      {
-        // Obtuse at the centre: both bisectors meet the far side, farther off the longer one.
-        const float longer = std::max(aa, bb);
-        squared =
-          0.25f * longer * longer * (aa + bb - 2 * ab) / ((longer - ab) * (longer - ab));
-      }
+      squared = GetSquaredReach(aa, bb, ab, squared);
+    }
+    else
+    {
+      squared = std::min(squared, known * known);
     }
     farthest = std::max(farthest, squared);
   }
@@ -323,9 +340,7 @@ bool vtkPointSplatDisk::Estimate(const vtkPointSplatNeighbors::Neighborhood& aro
   const float* normals, bool elliptical, float usual, float holeLimit)
 {
   const float spacing = std::min(vtkPointSplatSheet::GetSpacing(around), usual);
-  const int countNear = vtkPointSplatSheet::CountNear(around, spacing);
-  this->ChoosePlane(around, countNear, normals);
-  this->Sheet.Select(around, countNear, spacing);
+  this->SelectSheet(around, vtkPointSplatSheet::CountNear(around, spacing), normals, spacing);
   this->Project(around);
   if (elliptical)
   {

@@ -38,6 +38,21 @@ public:
   bool Estimate(const vtkPointSplatNeighbors::Neighborhood& around, const float* normals,
     bool elliptical, float usual, float holeLimit);
 
+  /**
+   * Finds no more than Normal and Sheet. countNear: how many of the neighbours lie as near as they
+   * do at that spacing.
+   */
+  void SelectSheet(const vtkPointSplatNeighbors::Neighborhood& around, int countNear,
+    const float* normals, float spacing);
+
+  /**
+   * How far, squared, the part of a triangle reaches that is nearer to a corner than the rest is to
+   * the other two: to the circumcentre of an acute one; of an obtuse one, whose circumcentre lies
+   * outside, to where bisectors leave it. aa, bb, ab: products of the ways a and b to the other
+   * corners; circumscribed2: the squared radius of the circumcircle.
+   */
+  static float GetSquaredReach(float aa, float bb, float ab, float circumscribed2);
+
   /// Whether so many nearest neighbours lie in a row rather than all around or to one side.
   bool InRow(int nearest) const;
 

@@ -13,6 +13,7 @@
 #include "vtkPointSplatArrays.h"
 #include "vtkPointSplatCurvature.h"
 #include "vtkPointSplatDisk.h"
+#include "vtkPointSplatFans.h"
 #include "vtkPointSplatInput.h"
 #include "vtkPointSplatNeighbors.h"
 #include "vtkPointSplatNoise.h"
@@ -101,6 +102,18 @@ float GetUsualSpacing(vtkAlgorithm* self, const vtkPointSplatNeighbors& neighbor
     [&](Slot s) { return s / vtkPointSplatNeighbors::LeafSize % stride == 0; });
   spacings.erase(std::remove(spacings.begin(), spacings.end(), 0.0f), spacings.end());
   return spacings.empty() ? 0.0f : GetQuantile(spacings, 0.5);
+}
+
+/// Whether all points that take part have triangles and normals (3 floats a point).
+bool IsMeshAlone(
+  const vtkPointSplatFans& fans, const std::vector<unsigned char>& used, const float* normals)
+{
+  bool alone = !fans.IsEmpty();
+  for (std::size_t id = 0; id < used.size() && alone; ++id)
+  {
+    alone = !used[id] || (fans.Has(static_cast<vtkIdType>(id)) && !IsZero(normals + 3 * id));
+  }
+  return alone;
 }
 
 /// Disks as they are found, for each slot.
@@ -278,9 +291,24 @@ int vtkPointSplatEstimation::RequestData(
                             << "); they take no part and get radius 0.");
     }
 
+    // Meshes know their neighbours. Those of all other points are searched for.
+    vtkPointSplatFans fans;
+    vtkPolyData* mesh = vtkPolyData::SafeDownCast(input);
+    const vtkIdType badCells = mesh && !elliptical ? fans.Read(mesh, used.data()) : 0;
+    if (badCells > 0)
+    {
+      vtkWarningMacro(<< badCells << " polygons or strips index points that are not there; they "
+                         "take no part.");
+    }
+    std::vector<unsigned char> searched = used;
+    if (IsMeshAlone(fans, used, n))
+    {
+      std::fill(searched.begin(), searched.end(), 0);
+    }
+
     // 1. Neighbours
     vtkPointSplatNeighbors neighbors;
-    neighbors.Build(points, used.data());
+    neighbors.Build(points, searched.data());
     const Slot slots = neighbors.GetNumberOfSlots();
     const std::vector<Slot>& slotOf = neighbors.GetSlots();
 
@@ -325,9 +353,20 @@ int vtkPointSplatEstimation::RequestData(
         fitted.OrientToViewpoint(this->Viewpoint);
       }
     }
-    this->Noise = missing ? 0 : vtkPointSplatNoise::Measure(this, neighbors, slotNormals.data());
+    // A mesh is one surface, whatever its normals say.
+    this->Noise = missing || !fans.IsEmpty()
+      ? 0
+      : vtkPointSplatNoise::Measure(this, neighbors, slotNormals.data());
 
-    // 4. Disks
+    // 4. Disks, but for the corners of triangles
+    std::vector<unsigned char> wanted(slots, 0);
+    for (vtkIdType id = 0; id < numberOfPoints; ++id)
+    {
+      if (slotOf[id] != vtkPointSplatNeighbors::None && !fans.Has(id))
+      {
+        wanted[slotOf[id]] = 1;
+      }
+    }
     const float usual = GetUsualSpacing(this, neighbors);
     Disks disks(slots, elliptical);
     float holeLimit = std::numeric_limits<float>::max();
@@ -386,34 +425,36 @@ int vtkPointSplatEstimation::RequestData(
       }
       return closed;
     };
-    if (!neighbors.Visit(this, missing ? 0.5 : 0.1, 0.85, this->NumberOfNeighbors, measure))
+    if (!neighbors.Visit(this, missing ? 0.5 : 0.1, 0.85, this->NumberOfNeighbors, measure,
+          [&](Slot s) { return wanted[s] != 0; }))
     {
       return 1;
     }
     // Again where that tells more: neighbours across holes and normals that are not the surface's.
     holeLimit = disks.GetHoleLimit();
-    std::vector<unsigned char> again(slots);
     for (Slot s = 0; s < slots; ++s)
     {
-      again[s] = (misled[s] && !disks.Whole[s]) ||
-        disks.Opening[s] > holeLimit * disks.Spacing[s];
-      if (neighbors.GetId(s) >= 0)
+      if (wanted[s])
       {
+        wanted[s] = (misled[s] && !disks.Whole[s]) ||
+          disks.Opening[s] > holeLimit * disks.Spacing[s];
         std::copy_n(disks.Planes.data() + std::size_t(3) * s, 3,
           slotNormals.data() + std::size_t(3) * s);
       }
     }
     if (!neighbors.Visit(this, 0.85, 0.9, this->NumberOfNeighbors, measure,
-          [&](Slot s) { return again[s] != 0; }))
+          [&](Slot s) { return wanted[s] != 0; }))
     {
       return 1;
     }
     disks.Finish(holeLimit);
 
     // 5. Bounds, and from slots back to points
-    for (const Slot s : slotOf)
+    for (vtkIdType id = 0; id < numberOfPoints; ++id)
     {
-      this->NumberOfPointsAlone += s != vtkPointSplatNeighbors::None && disks.IsAlone(s);
+      const Slot s = slotOf[id];
+      this->NumberOfPointsAlone +=
+        s != vtkPointSplatNeighbors::None && disks.IsAlone(s) && !fans.Has(id);
     }
     const float scale = static_cast<float>(this->RadiusScale);
     vtkSMPTools::For(0, numberOfPoints, [&](vtkIdType begin, vtkIdType end) {
@@ -457,6 +498,21 @@ int vtkPointSplatEstimation::RequestData(
         }
       }
     });
+    if (!fans.IsEmpty())
+    {
+      vtkSMPTools::For(0, numberOfPoints, [&](vtkIdType begin, vtkIdType end) {
+        for (vtkIdType id = begin; id < end; ++id)
+        {
+          if (fans.Has(id) && !(ghost && (ghost[id] & vtkDataSetAttributes::DUPLICATEPOINT)))
+          {
+            const vtkPointSplatFans::Disk disk = fans.GetDisk(id, n);
+            sizes[0]->SetValue(id, scale * disk.Radius);
+            std::copy(disk.Plane, disk.Plane + 3, planes->GetPointer(3 * id));
+            std::copy(disk.Curvature, disk.Curvature + 6, curvatures->GetPointer(6 * id));
+          }
+        }
+      });
+    }
   }
 
   output->SetPoints(input->GetPoints());
