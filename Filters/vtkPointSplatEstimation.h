@@ -7,9 +7,9 @@
  * The splats are disks (circles, or ellipses) in the points' tangent planes that cover the
  * surface without holes and reach no farther than their own sheet's points say.
  *
- * Input: any vtkPointSet with points of any type; of cells only a vtkPolyData's polygons and strips are
- * used: where there are such, the points are a mesh's vertices, and their sizes come from its
- * triangles.
+ * Input: any vtkPointSet with points of any type; of cells only a vtkPolyData's polygons and
+ * strips are used: where there are such, the points are a mesh's vertices, and their sizes come
+ * from its triangles.
  * Coordinates may lie far from the origin: everything is measured from point to point.
  *
  * Output: a vtkPolyData with the same points in the same order, all of the input's point
@@ -26,9 +26,9 @@
  * A mapper's blending kernel reaches 1.5 to 2 times farther than these.
  *
  * Stages (for triangles' corners, unless Shape is Elliptical, stages 4 and 5 are those of
- * vtkPointSplatFans.h: the triangles' other corners are the neighbours, the radius follows from the edges
- * and from what covering each triangle by its three disks asks for, and nothing is searched for if
- * all points are such and have normals):
+ * vtkPointSplatFans.h: the triangles' other corners are the neighbours, the radius follows from
+ * the edges and from what covering each triangle by its three disks asks for, and nothing is
+ * searched for if all points are such and have normals):
  * 1. *Neighbours.* For each point the NumberOfNeighbors nearest ones, found for all points at
  *    once. Of points at the same position one takes part, and the others share its result.
  * 2. *Normals*, where the input has none: the axis of least variance of the neighbours.

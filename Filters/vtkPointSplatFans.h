@@ -5,14 +5,14 @@
  * @brief   the triangles around each vertex of a mesh, and the disk that does its share in covering
  * them
  *
- * An internal helper of vtkPointSplatEstimation. A mesh says what a cloud has to be searched for: which
- * points are next to each other on the surface.
+ * An internal helper of vtkPointSplatEstimation. A mesh says what a cloud has to be searched
+ * for: which points are next to each other on the surface.
  *
- * 1. Polygons (as triangles with their first corner) and strips are read; cells that index points which
- *    are not there, or that take no part, are left out.
- * 2. A vertex' neighbours are the other corners of its triangles. Its plane, and which neighbours say
- *    how the surface bends, are found as for points without a mesh (vtkPointSplatDisk,
- *    vtkPointSplatCurvature).
+ * 1. Polygons (as triangles with their first corner) and strips are read; cells that index
+ *    points which are not there, or that take no part, are left out.
+ * 2. A vertex' neighbours are the other corners of its triangles. Its plane, and which
+ *    neighbours say how the surface bends, are found as for points without a mesh
+ *    (vtkPointSplatDisk, vtkPointSplatCurvature).
  * 3. The radius is LengthPerEdge of the mean distance of these neighbours, and at least
  *    LengthPerReach of what covering each triangle by its three disks together asks for
  *    (vtkPointSplatDisk::GetSquaredReach): blending kernels reach farther than disks do.
