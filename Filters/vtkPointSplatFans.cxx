@@ -22,7 +22,10 @@ namespace
 /// disks stand out at edges.
 constexpr float LengthPerEdge = 0.62f;
 /// ... and of what the triangles ask for, which kernels need not in full.
-constexpr float LengthPerReach = 0.8f;
+constexpr float LengthPerReach = 0.9f;
+
+/// How many neighbours tell the curvature: as many as are searched for without a mesh.
+constexpr int EnoughNeighbors = 12;
 
 constexpr int MaximumNumberOfNeighbors = vtkPointSplatNeighbors::MaximumNumberOfNeighbors;
 
@@ -207,6 +210,26 @@ vtkPointSplatFans::Disk vtkPointSplatFans::GetDisk(vtkIdType id, const float* no
     sum += std::sqrt(ring.Squared[i]);
   }
   found.Radius = std::max(LengthPerEdge * sum / ring.Count, LengthPerReach * std::sqrt(reach2));
+
+  // How the surface bends the corners beyond tell, too: few normals are too noisy.
+  const int next = ring.Count;
+  Slot beside[MaximumNumberOfNeighbors];
+  std::copy(ring.Slots, ring.Slots + next, beside);
+  for (int i = 0; i < next; ++i)
+  {
+    for (vtkIdType t = this->First[beside[i]]; t < this->First[beside[i] + 1]; ++t)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const vtkIdType other = this->Corners[3 * this->Triangles[t] + k];
+        const double* x = this->Positions.data() + 3 * other;
+        const float d[3] = { static_cast<float>(x[0] - centre[0]),
+          static_cast<float>(x[1] - centre[1]), static_cast<float>(x[2] - centre[2]) };
+        ring.Add(static_cast<Slot>(other), d);
+      }
+    }
+  }
+  ring.Count = std::min(ring.Count, std::max(next, EnoughNeighbors));
 
   const vtkPointSplatNeighbors::Neighborhood around{ static_cast<Slot>(id), ring.Count, ring.Slots,
     ring.X, ring.Y, ring.Z, ring.Squared };

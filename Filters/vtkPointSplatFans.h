@@ -10,7 +10,8 @@
  *
  * 1. Polygons (as triangles with their first corner) and strips are read; cells that index
  *    points which are not there, or that take no part, are left out.
- * 2. A vertex' neighbours are the other corners of its triangles. Its plane, and which
+ * 2. A vertex' neighbours are the other corners of its triangles, and for its curvature the
+ *    nearest of those of their triangles, twelve together. Its plane, and which
  *    neighbours say how the surface bends, are found as for points without a mesh
  *    (vtkPointSplatDisk, vtkPointSplatCurvature).
  * 3. The radius is LengthPerEdge of the mean distance of these neighbours, and at least
