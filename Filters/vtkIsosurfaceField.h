@@ -229,10 +229,11 @@ public:
   }
 
   /**
-   * The Hessian in index space, XX, YY, ZZ, XY, YZ, XZ. Second derivatives along an axis are the
-   * mean of second differences one and two samples wide: the narrow ones follow thin parts, the
-   * wide ones, which are the central differences of GetGradient's, average noise. Mixed ones
-   * are central differences of central differences. Where the volume ends they are those of the
+   * The Hessian in index space, XX, YY, ZZ, XY, YZ, XZ. Second derivatives along an axis are
+   * second differences two samples wide, which are the central differences of GetGradient's and
+   * average noise, and half of what ones that are one sample wide add to them: these follow thin
+   * parts. But where they differ by more than the wide ones' own size, as in values rounded to
+   * integers, they are mostly noise, and no more than that counts. Mixed ones are central differences of central differences. Where the volume ends they are those of the
    * next sample inside, and where a sample is not to be used, the narrow ones or zero.
    */
   void GetHessian(const vtkIdType ijk[3], double hessian[6]) const
@@ -251,6 +252,13 @@ public:
   }
 
 private:
+  /// A second derivative from differences one and two samples wide.
+  static double Join(double narrow, double wide)
+  {
+    const double most = std::abs(wide);
+    return wide + 0.5 * std::clamp(narrow - wide, -most, most);
+  }
+
   /// False if it is not finite.
   bool GetInnerHessian(const vtkIdType ijk[3], double hessian[6]) const
   {
@@ -262,8 +270,8 @@ private:
     for (int c = 0; c < 3; ++c)
     {
       const vtkIdType a = stride[c], b = stride[(c + 1) % 3];
-      hessian[c] = 0.5 * (get(-a) - 2 * here + get(a)) +
-        0.125 * (get(-2 * a) - 2 * here + get(2 * a));
+      hessian[c] = Join(
+        get(-a) - 2 * here + get(a), 0.25 * (get(-2 * a) - 2 * here + get(2 * a)));
       hessian[3 + c] = 0.25 * (get(a + b) - get(a - b) - get(b - a) + get(-a - b));
       sum += hessian[c] + hessian[3 + c];
     }
@@ -294,7 +302,7 @@ private:
         };
         const double narrow = difference(1);
         const double wide = middle >= 2 && middle < n[c] - 2 ? difference(2) : narrow;
-        const double both = 0.5 * (narrow + wide);
+        const double both = Join(narrow, wide);
         hessian[c] = std::isfinite(both) ? both : std::isfinite(narrow) ? narrow : 0.0;
       }
     }

@@ -21,36 +21,56 @@ constexpr double Softening = 0.35;
 /// Keeps the equations solvable where the neighbours lie in a row.
 constexpr double Damping = 1e-4;
 
-/// Least squares for three unknowns.
+/// Least squares for B11, B12, B22 from the header's equations.
 struct Equations
 {
-  double Matrix[3][3] = {};
+  // Of the symmetric matrix: 00, 01, 02, 11, 12, 22.
+  double Matrix[6] = {};
   double Right[3] = {};
   double Total = 0; // of the squared right hand sides
 
-  void Add(double c0, double c1, double c2, double right, double weight)
+  /// The change of the normal, x along a and y along b, over the step (u, v).
+  void AddTurn(double u, double v, double x, double y, double weight)
   {
-    const double c[3] = { c0, c1, c2 };
-    for (int i = 0; i < 3; ++i)
-    {
-      for (int j = 0; j < 3; ++j)
-      {
-        this->Matrix[i][j] += weight * c[i] * c[j];
-      }
-      this->Right[i] += weight * c[i] * right;
-    }
-    this->Total += weight * right * right;
+    const double wu = weight * u, wv = weight * v;
+    const double uu = wu * u, uv = wu * v, vv = wv * v;
+    this->Matrix[0] += uu;
+    this->Matrix[1] += uv;
+    this->Matrix[3] += uu + vv;
+    this->Matrix[4] += uv;
+    this->Matrix[5] += vv;
+    this->Right[0] += wu * x;
+    this->Right[1] += wv * x + wu * y;
+    this->Right[2] += wv * y;
+    this->Total += weight * (x * x + y * y);
   }
 
-  void Solve(double x[3])
+  /// The height -h / 2 over the step (u, v).
+  void AddHeight(double u, double v, double h, double weight)
   {
-    const double trace = this->Matrix[0][0] + this->Matrix[1][1] + this->Matrix[2][2];
-    double inverse[3][3];
+    const double c[3] = { u * u, 2 * u * v, v * v };
+    const double wc[3] = { weight * c[0], weight * c[1], weight * c[2] };
+    this->Matrix[0] += wc[0] * c[0];
+    this->Matrix[1] += wc[0] * c[1];
+    this->Matrix[2] += wc[0] * c[2];
+    this->Matrix[3] += wc[1] * c[1];
+    this->Matrix[4] += wc[1] * c[2];
+    this->Matrix[5] += wc[2] * c[2];
     for (int i = 0; i < 3; ++i)
     {
-      this->Matrix[i][i] += Damping * trace;
+      this->Right[i] += wc[i] * h;
     }
-    vtkMath::Invert3x3(this->Matrix, inverse);
+    this->Total += weight * h * h;
+  }
+
+  void Solve(double x[3]) const
+  {
+    const double damp = Damping * (this->Matrix[0] + this->Matrix[3] + this->Matrix[5]);
+    const double* m = this->Matrix;
+    const double matrix[3][3] = { { m[0] + damp, m[1], m[2] }, { m[1], m[3] + damp, m[4] },
+      { m[2], m[4], m[5] + damp } };
+    double inverse[3][3];
+    vtkMath::Invert3x3(matrix, inverse);
     vtkMath::Multiply3x3(inverse, this->Right, x);
   }
 };
@@ -72,16 +92,15 @@ void vtkPointSplatCurvature::Estimate(const vtkPointSplatNeighbors::Neighborhood
   {
     const int i = sheet.Members[k];
     const float* other = normals + std::size_t(3) * around.Slots[i];
-    double m[3] = { other[0], other[1], other[2] };
+    const double m[3] = { other[0], other[1], other[2] };
     const double squared = around.SquaredDistance[i];
     const double d[3] = { around.X[i], around.Y[i], around.Z[i] };
     const double cosine = vtkMath::Dot(m, n);
     const double u = vtkMath::Dot(d, a), v = vtkMath::Dot(d, b), h = vtkMath::Dot(d, n);
     const double side = cosine * squared < 2 * h * vtkMath::Dot(d, m) ? -1 : 1;
     const double weight = 1 / (squared + softening);
-    equations.Add(u, v, 0, side * vtkMath::Dot(m, a), weight);
-    equations.Add(0, u, v, side * vtkMath::Dot(m, b), weight);
-    equations.Add(u * u, 2 * u * v, v * v, -2 * h, cosine * cosine * weight / squared);
+    equations.AddTurn(u, v, side * vtkMath::Dot(m, a), side * vtkMath::Dot(m, b), weight);
+    equations.AddHeight(u, v, -2 * h, cosine * cosine * weight / squared);
   }
   if (!(equations.Total > 0))
   {

@@ -5,6 +5,7 @@
 #include "vtkPointSplatNormals.h"
 
 #include <cmath>
+#include <limits>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -20,26 +21,11 @@ constexpr float BorderPerDistance = 0.6f;
 /// Neighbours lie in a row if their variance across it is less than this part of that along
 /// it; those of a point on a straight border have about a third.
 constexpr float RowVariance = 0.15f;
+/// How far past the last neighbour, times its distance, a cell may reach where all neighbours are of
+/// one sheet: more of them would cut little off then.
+constexpr float WholeReach = 1.1f;
 /// The longest ellipse, axis to axis.
 constexpr float LargestAspect = 8.0f;
-}
-
-namespace
-{
-/// How far surfaces with a normal through the centre and through its neighbours pass each other
-/// (vtkPointSplatSheet), squared, as a part of their squared distances.
-float Residual(const vtkPointSplatNeighbors::Neighborhood& around, const float* normals,
-  const float n[3])
-{
-  float across = 0, all = 0;
-  for (int i = 0; i < around.Count; ++i)
-  {
-    const float offset = vtkPointSplatSheet::GetArc(around, i, normals, n).Offset;
-    across += 4 * offset * offset;
-    all += around.SquaredDistance[i];
-  }
-  return all > 0 ? across / all : 0;
-}
 }
 
 /**
@@ -47,25 +33,41 @@ float Residual(const vtkPointSplatNeighbors::Neighborhood& around, const float* 
  * and point anywhere: a disk across such a normal would stand off the surface as a fin.
  */
 void vtkPointSplatDisk::ChoosePlane(
-  const vtkPointSplatNeighbors::Neighborhood& around, const float* normals)
+  const vtkPointSplatNeighbors::Neighborhood& around, int countNear, const float* normals)
 {
   const float* n = normals + std::size_t(3) * around.Center;
   std::copy(n, n + 3, this->Normal);
-  const float residual = Residual(around, normals, n);
-  if (residual <= LargestResidual || around.Count < 4)
+  this->Sheet.Compare(around, normals, n);
+  const float residual = this->Sheet.GetResidual(around, countNear);
+  if (residual <= LargestResidual || countNear < 4)
   {
     return;
   }
+  vtkPointSplatNeighbors::Neighborhood near = around;
+  near.Count = countNear;
   float fitted[3];
-  vtkPointSplatNormals::FitPlane(around, fitted);
-  if (Residual(around, normals, fitted) < ResidualRatio * residual)
+  vtkPointSplatNormals::FitPlane(near, fitted);
+  const float side = n[0] * fitted[0] + n[1] * fitted[1] + n[2] * fitted[2] < 0 ? -1.0f : 1.0f;
+  for (float& f : fitted)
   {
-    const float side = n[0] * fitted[0] + n[1] * fitted[1] + n[2] * fitted[2] < 0 ? -1.0f : 1.0f;
-    for (int i = 0; i < 3; ++i)
-    {
-      this->Normal[i] = side * fitted[i];
-    }
+    f *= side;
   }
+  this->Sheet.Compare(around, normals, fitted);
+  if (this->Sheet.GetResidual(around, countNear) < ResidualRatio * residual)
+  {
+    std::copy(fitted, fitted + 3, this->Normal);
+  }
+  else
+  {
+    this->Sheet.Compare(around, normals, n);
+  }
+}
+
+void vtkPointSplatDisk::SelectSheet(const vtkPointSplatNeighbors::Neighborhood& around,
+  int countNear, const float* normals, float spacing)
+{
+  this->ChoosePlane(around, countNear, normals);
+  this->Sheet.Select(around, countNear, spacing);
 }
 
 void vtkPointSplatDisk::Project(const vtkPointSplatNeighbors::Neighborhood& around)
@@ -139,31 +141,48 @@ void vtkPointSplatDisk::Whiten()
   }
 }
 
-/// Keeps of the (convex) cell what has nx * x + ny * y <= offset.
-void vtkPointSplatDisk::Clip(float nx, float ny, float offset, int edge)
+/**
+ * Keeps of the (convex) cell what has nx * x + ny * y <= offset. If that cuts something off,
+ * `farthest` is the squared distance of the farthest vertex that is left.
+ */
+void vtkPointSplatDisk::Clip(float nx, float ny, float offset, int edge, float& farthest)
 {
-  Vertex result[MaximumNumberOfVertices];
-  int size = 0;
-  float before = nx * this->Cell[0].X + ny * this->Cell[0].Y - offset;
+  float off[MaximumNumberOfVertices];
+  bool cuts = false;
   for (int i = 0; i < this->Size; ++i)
   {
-    const Vertex& from = this->Cell[i];
-    const Vertex& to = this->Cell[i + 1 < this->Size ? i + 1 : 0];
-    const float after = nx * to.X + ny * to.Y - offset;
-    if (before <= 0)
-    {
-      result[size++] = from;
-    }
-    if ((before <= 0) != (after <= 0) && size < MaximumNumberOfVertices - 1)
-    {
-      const float t = before / (before - after);
-      // Where the boundary leaves the half-plane the new edge begins.
-      result[size++] = { from.X + t * (to.X - from.X), from.Y + t * (to.Y - from.Y),
-        before <= 0 ? edge : from.Edge };
-    }
-    before = after;
+    off[i] = nx * this->Cell[i].X + ny * this->Cell[i].Y - offset;
+    cuts = cuts || off[i] > 0;
   }
-  std::copy(result, result + size, this->Cell);
+  if (!cuts)
+  {
+    return;
+  }
+  Vertex* result = this->Cell == this->Cells[0] ? this->Cells[1] : this->Cells[0];
+  int size = 0;
+  farthest = 0;
+  const auto add = [&](const Vertex& vertex) {
+    result[size++] = vertex;
+    farthest = std::max(farthest, vertex.X * vertex.X + vertex.Y * vertex.Y);
+  };
+  for (int i = 0; i < this->Size; ++i)
+  {
+    const int next = i + 1 < this->Size ? i + 1 : 0;
+    const Vertex& from = this->Cell[i];
+    const Vertex& to = this->Cell[next];
+    if (off[i] <= 0)
+    {
+      add(from);
+    }
+    if ((off[i] <= 0) != (off[next] <= 0) && size < MaximumNumberOfVertices - 1)
+    {
+      const float t = off[i] / (off[i] - off[next]);
+      // Where the boundary leaves the half-plane the new edge begins.
+      add({ from.X + t * (to.X - from.X), from.Y + t * (to.Y - from.Y),
+        off[i] <= 0 ? edge : from.Edge });
+    }
+  }
+  this->Cell = result;
   this->Size = size;
 }
 
@@ -176,6 +195,7 @@ bool vtkPointSplatDisk::ClipByBisectors(int count)
     reach = std::max(reach, this->U[i] * this->U[i] + this->V[i] * this->V[i]);
   }
   const float side = 2 * std::sqrt(reach);
+  this->Cell = this->Cells[0];
   this->Size = 4;
   this->Cell[0] = { -side, -side, Frame };
   this->Cell[1] = { side, -side, Frame };
@@ -190,13 +210,7 @@ bool vtkPointSplatDisk::ClipByBisectors(int count)
     {
       continue;
     }
-    this->Clip(this->U[i], this->V[i], 0.5f * squared, i);
-    farthest = 0;
-    for (int j = 0; j < this->Size; ++j)
-    {
-      farthest = std::max(
-        farthest, this->Cell[j].X * this->Cell[j].X + this->Cell[j].Y * this->Cell[j].Y);
-    }
+    this->Clip(this->U[i], this->V[i], 0.5f * squared, i, farthest);
   }
   for (int j = 0; j < this->Size; ++j)
   {
@@ -211,17 +225,19 @@ bool vtkPointSplatDisk::ClipByBisectors(int count)
 /**
  * The mean distance of the neighbours that share an edge of the cell with the centre, the Delaunay
  * neighbours, weighted by these edges: where four points lie on a circle, which of them are
- * neighbours is up to rounding, but these edges have no length then.
+ * neighbours is up to rounding, but these edges have no length then. A neighbour across a hole,
+ * both ends of whose edge are farther than `most`, is not next to the centre.
  */
-float vtkPointSplatDisk::MeanDistance() const
+float vtkPointSplatDisk::MeanDistance(float most) const
 {
+  const auto isFar = [most](const Vertex& v) { return v.X * v.X + v.Y * v.Y > most * most; };
   float sum = 0, weights = 0;
   for (int j = 0; j < this->Size; ++j)
   {
     const int i = this->Cell[j].Edge;
-    if (i != Frame)
+    const Vertex& to = this->Cell[j + 1 < this->Size ? j + 1 : 0];
+    if (i != Frame && !(isFar(this->Cell[j]) && isFar(to)))
     {
-      const Vertex& to = this->Cell[j + 1 < this->Size ? j + 1 : 0];
       const float x = to.X - this->Cell[j].X, y = to.Y - this->Cell[j].Y;
       const float distance = std::sqrt(this->U[i] * this->U[i] + this->V[i] * this->V[i]);
       // Edges of open cells have any length.
@@ -231,6 +247,22 @@ float vtkPointSplatDisk::MeanDistance() const
     }
   }
   return weights > 0 ? sum / weights : 0;
+}
+
+float vtkPointSplatDisk::GetSquaredReach(float aa, float bb, float ab, float circumscribed2)
+{
+  if (ab >= std::min(aa, bb))
+  {
+    // Obtuse at a neighbour: the bisector of the way to it meets the far side.
+    return 0.25f * std::min(aa, bb) * aa * bb / (ab * ab);
+  }
+  if (ab < 0)
+  {
+    // Obtuse at the centre: both bisectors meet the far side, farther off the longer one.
+    const float longer = std::max(aa, bb);
+    return 0.25f * longer * longer * (aa + bb - 2 * ab) / ((longer - ab) * (longer - ab));
+  }
+  return circumscribed2;
 }
 
 /**
@@ -259,31 +291,26 @@ float vtkPointSplatDisk::Reach(float known, bool closed) const
       const float aa = this->U[a] * this->U[a] + this->V[a] * this->V[a];
       const float bb = this->U[b] * this->U[b] + this->V[b] * this->V[b];
       const float ab = this->U[a] * this->U[b] + this->V[a] * this->V[b];
-      if (ab >= std::min(aa, bb))
-      {
-        // Obtuse at a neighbour: the bisector of the way to it meets the far side.
-        squared = 0.25f * std::min(aa, bb) * aa * bb / (ab * ab);
-      }
-      else if (ab < 0)
-      {
-        // Obtuse at the centre: both bisectors meet the far side, farther off the longer one.
-        const float longer = std::max(aa, bb);
-        squared =
-          0.25f * longer * longer * (aa + bb - 2 * ab) / ((longer - ab) * (longer - ab));
-      }
+      squared = GetSquaredReach(aa, bb, ab, squared);
+    }
+    else
+    {
+      squared = std::min(squared, known * known);
     }
     farthest = std::max(farthest, squared);
   }
   return std::sqrt(farthest);
 }
 
-float vtkPointSplatDisk::Farthest() const
+/// The distance of the cell's vertex that is farthest, but not past `most`.
+float vtkPointSplatDisk::Farthest(float most) const
 {
   float farthest = 0;
   for (int j = 0; j < this->Size; ++j)
   {
-    const Vertex& v = this->Cell[j];
-    farthest = std::max(farthest, v.X * v.X + v.Y * v.Y);
+    const float squared =
+      this->Cell[j].X * this->Cell[j].X + this->Cell[j].Y * this->Cell[j].Y;
+    farthest = squared <= most * most ? std::max(farthest, squared) : farthest;
   }
   return std::sqrt(farthest);
 }
@@ -310,25 +337,23 @@ bool vtkPointSplatDisk::InRow(int nearest) const
 }
 
 bool vtkPointSplatDisk::Estimate(const vtkPointSplatNeighbors::Neighborhood& around,
-  const float* normals, bool elliptical, float usual)
+  const float* normals, bool elliptical, float usual, float holeLimit)
 {
-  vtkPointSplatNeighbors::Neighborhood near = around;
   const float spacing = std::min(vtkPointSplatSheet::GetSpacing(around), usual);
-  near.Count = vtkPointSplatSheet::CountNear(around, spacing);
-  this->ChoosePlane(near, normals);
-  this->Sheet.Select(around, near.Count, normals, this->Normal, spacing);
+  this->SelectSheet(around, vtkPointSplatSheet::CountNear(around, spacing), normals, spacing);
   this->Project(around);
   if (elliptical)
   {
     this->Whiten();
   }
-  this->Spacing = this->Gap = 0;
+  this->Spacing = this->Gap = this->Opening = 0;
   int count = this->Sheet.Count;
   const auto distance = [this](int i) {
     return std::sqrt(this->U[i] * this->U[i] + this->V[i] * this->V[i]);
   };
-  const bool closed =
-    this->ClipByBisectors(count) && this->Farthest() <= distance(count - 1);
+  const float all = std::numeric_limits<float>::infinity();
+  const bool closed = this->ClipByBisectors(count) &&
+    this->Farthest(all) <= (this->Sheet.Whole ? WholeReach : 1.0f) * distance(count - 1);
   if (!closed && this->Sheet.Near < count)
   {
     // What is far counts only where it is all around.
@@ -338,10 +363,19 @@ bool vtkPointSplatDisk::Estimate(const vtkPointSplatNeighbors::Neighborhood& aro
   float radius = 0;
   if (count > 0)
   {
-    radius = closed ? std::min(this->MeanDistance(), this->Farthest())
-                    : BorderPerDistance * this->MeanDistance();
-    this->Gap = this->Reach(distance(count - 1), closed) * this->Scale1;
     this->Spacing = distance(std::min(vtkPointSplatSheet::SpacingRank, count) - 1);
+    this->Opening = closed ? this->Farthest(all) : 0.0f;
+    const float most = holeLimit * this->Spacing;
+    const float mean = this->MeanDistance(most);
+    radius = closed ? std::min(mean, this->Farthest(most)) : BorderPerDistance * mean;
+    if (!(radius > 0))
+    {
+      // There are holes all around.
+      radius = BorderPerDistance * distance(0);
+    }
+    // A disk that covers its cell covers what it has to.
+    const bool covers = closed && radius >= this->Opening;
+    this->Gap = covers ? 0.0f : this->Reach(distance(count - 1), closed) * this->Scale1;
   }
   this->Length1 = radius * this->Scale1;
   this->Length2 = radius * this->Scale2;

@@ -31,11 +31,27 @@ public:
 
   /**
    * Finds the disk of the neighbourhood's centre. normals: 3 floats a slot, unit length; usual: as
-   * in vtkPointSplatSheet. Returns whether neighbours of its sheet are all around. Lengths are 0 if
+   * in vtkPointSplatSheet; holeLimit: how many times Spacing away a vertex of the cell lies in a hole
+   * of the surface. Returns whether neighbours of its sheet are all around. Lengths are 0 if
    * there is none.
    */
   bool Estimate(const vtkPointSplatNeighbors::Neighborhood& around, const float* normals,
-    bool elliptical, float usual);
+    bool elliptical, float usual, float holeLimit);
+
+  /**
+   * Finds no more than Normal and Sheet. countNear: how many of the neighbours lie as near as they
+   * do at that spacing.
+   */
+  void SelectSheet(const vtkPointSplatNeighbors::Neighborhood& around, int countNear,
+    const float* normals, float spacing);
+
+  /**
+   * How far, squared, the part of a triangle reaches that is nearer to a corner than the rest is to
+   * the other two: to the circumcentre of an acute one; of an obtuse one, whose circumcentre lies
+   * outside, to where bisectors leave it. aa, bb, ab: products of the ways a and b to the other
+   * corners; circumscribed2: the squared radius of the circumcircle.
+   */
+  static float GetSquaredReach(float aa, float bb, float ab, float circumscribed2);
 
   /// Whether so many nearest neighbours lie in a row rather than all around or to one side.
   bool InRow(int nearest) const;
@@ -43,6 +59,8 @@ public:
   /// The distance to the sixth neighbour, or the last if there are fewer, in the plane where
   /// the disk is round.
   float Spacing = 0;
+  /// The distance, there, of the cell's farthest vertex; 0 if neighbours are not all around.
+  float Opening = 0;
 
 private:
   static constexpr int MaximumNumberOfVertices =
@@ -56,19 +74,21 @@ private:
   static constexpr int Frame = -1; // the square that the clipping starts from
 
   void ChoosePlane(
-    const vtkPointSplatNeighbors::Neighborhood& around, const float* normals);
+    const vtkPointSplatNeighbors::Neighborhood& around, int countNear, const float* normals);
   void Project(const vtkPointSplatNeighbors::Neighborhood& around);
   void Whiten();
-  void Clip(float nx, float ny, float offset, int edge);
+  void Clip(float nx, float ny, float offset, int edge, float& farthest);
   bool ClipByBisectors(int count);
-  float MeanDistance() const;
+  float MeanDistance(float most) const;
   float Reach(float known, bool closed) const;
-  float Farthest() const; // vertex of the cell, its distance
+  float Farthest(float most) const;
 
   float Scale1, Scale2; // world units of the plane's two coordinates
   float U[vtkPointSplatNeighbors::MaximumNumberOfNeighbors];
   float V[vtkPointSplatNeighbors::MaximumNumberOfNeighbors];
-  Vertex Cell[MaximumNumberOfVertices];
+  // The cell is in one of these, and clipped into the other.
+  Vertex Cells[2][MaximumNumberOfVertices];
+  Vertex* Cell;
   int Size; // of Cell
 };
 

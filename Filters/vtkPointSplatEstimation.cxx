@@ -13,6 +13,7 @@
 #include "vtkPointSplatArrays.h"
 #include "vtkPointSplatCurvature.h"
 #include "vtkPointSplatDisk.h"
+#include "vtkPointSplatFans.h"
 #include "vtkPointSplatInput.h"
 #include "vtkPointSplatNeighbors.h"
 #include "vtkPointSplatNoise.h"
@@ -20,6 +21,7 @@
 #include "vtkPointSplatSensors.h"
 #include "vtkPolyData.h"
 
+#include <atomic>
 #include <cmath>
 #include <string>
 
@@ -102,17 +104,31 @@ float GetUsualSpacing(vtkAlgorithm* self, const vtkPointSplatNeighbors& neighbor
   return spacings.empty() ? 0.0f : GetQuantile(spacings, 0.5);
 }
 
+/// Whether all points that take part have triangles and normals (3 floats a point).
+bool IsMeshAlone(
+  const vtkPointSplatFans& fans, const std::vector<unsigned char>& used, const float* normals)
+{
+  bool alone = !fans.IsEmpty();
+  for (std::size_t id = 0; id < used.size() && alone; ++id)
+  {
+    alone = !used[id] || (fans.Has(static_cast<vtkIdType>(id)) && !IsZero(normals + 3 * id));
+  }
+  return alone;
+}
+
 /// Disks as they are found, for each slot.
 struct Disks
 {
   explicit Disks(Slot slots, bool elliptical)
     : Length(slots, 0.0f)
     , Gap(slots, 0.0f)
+    , Opening(slots, 0.0f)
+    , Whole(slots, 0)
     , Spacing(slots, 0.0f)
     , Nearest(slots, 0.0f)
     , Witnesses(std::size_t(NumberOfWitnesses) * slots, vtkPointSplatNeighbors::None)
     , Axes(elliptical ? std::size_t(6) * slots : 0)
-    , Planes(elliptical ? 0 : std::size_t(3) * slots)
+    , Planes(std::size_t(3) * slots, 0.0f)
     , Curvatures(elliptical ? 0 : std::size_t(6) * slots, 0.0f)
   {
   }
@@ -120,17 +136,17 @@ struct Disks
   bool IsAlone(Slot slot) const { return !(this->Length[slot] > 0); }
 
   /**
-   * The size of a gap, in spacings, past which it is a hole in the surface.
+   * The distance of a cell's vertex, in spacings, past which it lies in a hole of the surface.
    */
   float GetHoleLimit() const
   {
     std::vector<float> sizes;
-    sizes.reserve(this->Gap.size());
-    for (std::size_t s = 0; s < this->Gap.size(); ++s)
+    sizes.reserve(this->Opening.size());
+    for (std::size_t s = 0; s < this->Opening.size(); ++s)
     {
-      if (this->Gap[s] > 0)
+      if (this->Opening[s] > 0)
       {
-        sizes.push_back(this->Gap[s] / this->Spacing[s]);
+        sizes.push_back(this->Opening[s] / this->Spacing[s]);
       }
     }
     if (sizes.size() < 100)
@@ -144,9 +160,8 @@ struct Disks
   }
 
   /// Makes disks as large as the gaps that they are to close, and gives points alone their bodies.
-  void Finish()
+  void Finish(float limit)
   {
-    const float limit = this->GetHoleLimit();
     std::vector<float> lengths;
     lengths.reserve(this->Length.size());
     for (std::size_t s = 0; s < this->Length.size(); ++s)
@@ -187,11 +202,13 @@ struct Disks
 
   std::vector<float> Length;  // of the longer axis; 0 for a point alone
   std::vector<float> Gap;     // what it must at least be to close the gaps around
+  std::vector<float> Opening; // the distance of its cell's farthest vertex, 0 for an open cell
+  std::vector<unsigned char> Whole; // whether all neighbours are of its sheet
   std::vector<float> Spacing; // of the neighbours that the disk is made of
   std::vector<float> Nearest; // the distance to any neighbour
   std::vector<Slot> Witnesses;
   std::vector<float> Axes; // both, unless circular
-  std::vector<float> Planes; // their normals, if circular
+  std::vector<float> Planes; // their normals
   std::vector<float> Curvatures; // tensors, if circular
   float Body = 0; // the largest radius of a point alone
 };
@@ -274,9 +291,24 @@ int vtkPointSplatEstimation::RequestData(
                             << "); they take no part and get radius 0.");
     }
 
+    // Meshes know their neighbours. Those of all other points are searched for.
+    vtkPointSplatFans fans;
+    vtkPolyData* mesh = vtkPolyData::SafeDownCast(input);
+    const vtkIdType badCells = mesh && !elliptical ? fans.Read(mesh, used.data()) : 0;
+    if (badCells > 0)
+    {
+      vtkWarningMacro(<< badCells << " polygons or strips index points that are not there; they "
+                         "take no part.");
+    }
+    std::vector<unsigned char> searched = used;
+    if (IsMeshAlone(fans, used, n))
+    {
+      std::fill(searched.begin(), searched.end(), 0);
+    }
+
     // 1. Neighbours
     vtkPointSplatNeighbors neighbors;
-    neighbors.Build(points, used.data());
+    neighbors.Build(points, searched.data());
     const Slot slots = neighbors.GetNumberOfSlots();
     const std::vector<Slot>& slotOf = neighbors.GetSlots();
 
@@ -321,19 +353,40 @@ int vtkPointSplatEstimation::RequestData(
         fitted.OrientToViewpoint(this->Viewpoint);
       }
     }
-    this->Noise = missing ? 0 : vtkPointSplatNoise::Measure(this, neighbors, slotNormals.data());
+    // A mesh is one surface, whatever its normals say.
+    this->Noise = missing || !fans.IsEmpty()
+      ? 0
+      : vtkPointSplatNoise::Measure(this, neighbors, slotNormals.data());
 
-    // 4. Disks
+    // 4. Disks, but for the corners of triangles
+    std::vector<unsigned char> wanted(slots, 0);
+    for (vtkIdType id = 0; id < numberOfPoints; ++id)
+    {
+      if (slotOf[id] != vtkPointSplatNeighbors::None && !fans.Has(id))
+      {
+        wanted[slotOf[id]] = 1;
+      }
+    }
     const float usual = GetUsualSpacing(this, neighbors);
     Disks disks(slots, elliptical);
+    float holeLimit = std::numeric_limits<float>::max();
+    // Slots with a neighbour whose normal is not that of the surface.
+    std::vector<std::atomic<bool>> misled(slots);
     auto measure = [&](const vtkPointSplatNeighbors::Neighborhood& around, int round) {
       const Slot s = around.Center;
       vtkPointSplatDisk disk;
-      const bool closed = disk.Estimate(around, slotNormals.data(), elliptical, usual);
+      const bool closed = disk.Estimate(around, slotNormals.data(), elliptical, usual, holeLimit);
       if (round > 0 && !closed)
       {
         // What more neighbours do not close is a border: the first round's disk stands.
         return round == 2 || !disk.InRow(this->NumberOfNeighbors);
+      }
+      std::copy(disk.Normal, disk.Normal + 3, disks.Planes.data() + std::size_t(3) * s);
+      const bool fits =
+        std::equal(disk.Normal, disk.Normal + 3, slotNormals.data() + std::size_t(3) * s);
+      for (int i = 0; i < around.Count && !fits; ++i)
+      {
+        misled[around.Slots[i]].store(true, std::memory_order_relaxed);
       }
       float largest = std::numeric_limits<float>::max();
       if (!elliptical)
@@ -341,12 +394,11 @@ int vtkPointSplatEstimation::RequestData(
         float* tensor = disks.Curvatures.data() + std::size_t(6) * s;
         vtkPointSplatCurvature curvature;
         // Normals that are not the surface's say nothing of its curvature.
-        if (std::equal(disk.Normal, disk.Normal + 3, slotNormals.data() + std::size_t(3) * s))
+        if (fits)
         {
           curvature.Estimate(around, slotNormals.data(), disk.Sheet);
         }
         std::copy_n(curvature.Tensor, 6, tensor);
-        std::copy(disk.Normal, disk.Normal + 3, disks.Planes.data() + std::size_t(3) * s);
         largest = curvature.Strongest > 0
           ? std::max(LargestBend / curvature.Strongest, LeastShare * disk.Length1)
           : largest;
@@ -362,6 +414,8 @@ int vtkPointSplatEstimation::RequestData(
       }
       disks.Length[s] = std::min(disk.Length1, largest);
       disks.Gap[s] = std::min(disk.Gap, largest);
+      disks.Opening[s] = disk.Opening;
+      disks.Whole[s] = disk.Sheet.Whole;
       disks.Spacing[s] = disk.Spacing;
       disks.Nearest[s] = around.Count > 0 ? std::sqrt(around.SquaredDistance[0]) : 0.0f;
       for (int w = 0; w < NumberOfWitnesses && around.Count >= NumberOfWitnesses; ++w)
@@ -371,16 +425,36 @@ int vtkPointSplatEstimation::RequestData(
       }
       return closed;
     };
-    if (!neighbors.Visit(this, missing ? 0.5 : 0.1, 0.9, this->NumberOfNeighbors, measure))
+    if (!neighbors.Visit(this, missing ? 0.5 : 0.1, 0.85, this->NumberOfNeighbors, measure,
+          [&](Slot s) { return wanted[s] != 0; }))
     {
       return 1;
     }
-    disks.Finish();
+    // Again where that tells more: neighbours across holes and normals that are not the surface's.
+    holeLimit = disks.GetHoleLimit();
+    for (Slot s = 0; s < slots; ++s)
+    {
+      if (wanted[s])
+      {
+        wanted[s] = (misled[s] && !disks.Whole[s]) ||
+          disks.Opening[s] > holeLimit * disks.Spacing[s];
+        std::copy_n(disks.Planes.data() + std::size_t(3) * s, 3,
+          slotNormals.data() + std::size_t(3) * s);
+      }
+    }
+    if (!neighbors.Visit(this, 0.85, 0.9, this->NumberOfNeighbors, measure,
+          [&](Slot s) { return wanted[s] != 0; }))
+    {
+      return 1;
+    }
+    disks.Finish(holeLimit);
 
     // 5. Bounds, and from slots back to points
-    for (const Slot s : slotOf)
+    for (vtkIdType id = 0; id < numberOfPoints; ++id)
     {
-      this->NumberOfPointsAlone += s != vtkPointSplatNeighbors::None && disks.IsAlone(s);
+      const Slot s = slotOf[id];
+      this->NumberOfPointsAlone +=
+        s != vtkPointSplatNeighbors::None && disks.IsAlone(s) && !fans.Has(id);
     }
     const float scale = static_cast<float>(this->RadiusScale);
     vtkSMPTools::For(0, numberOfPoints, [&](vtkIdType begin, vtkIdType end) {
@@ -424,6 +498,21 @@ int vtkPointSplatEstimation::RequestData(
         }
       }
     });
+    if (!fans.IsEmpty())
+    {
+      vtkSMPTools::For(0, numberOfPoints, [&](vtkIdType begin, vtkIdType end) {
+        for (vtkIdType id = begin; id < end; ++id)
+        {
+          if (fans.Has(id) && !(ghost && (ghost[id] & vtkDataSetAttributes::DUPLICATEPOINT)))
+          {
+            const vtkPointSplatFans::Disk disk = fans.GetDisk(id, n);
+            sizes[0]->SetValue(id, scale * disk.Radius);
+            std::copy(disk.Plane, disk.Plane + 3, planes->GetPointer(3 * id));
+            std::copy(disk.Curvature, disk.Curvature + 6, curvatures->GetPointer(6 * id));
+          }
+        }
+      });
+    }
   }
 
   output->SetPoints(input->GetPoints());

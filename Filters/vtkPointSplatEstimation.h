@@ -7,7 +7,9 @@
  * The splats are disks (circles, or ellipses) in the points' tangent planes that cover the
  * surface without holes and reach no farther than their own sheet's points say.
  *
- * Input: any vtkPointSet with points of any type; only points and point data are used.
+ * Input: any vtkPointSet with points of any type; of cells only a vtkPolyData's polygons and
+ * strips are used: where there are such, the points are a mesh's vertices, and their sizes come
+ * from its triangles.
  * Coordinates may lie far from the origin: everything is measured from point to point.
  *
  * Output: a vtkPolyData with the same points in the same order, all of the input's point
@@ -23,7 +25,10 @@
  *   perpendicular to each other and to the normal, the first the longer.
  * A mapper's blending kernel reaches 1.5 to 2 times farther than these.
  *
- * Stages:
+ * Stages (for triangles' corners, unless Shape is Elliptical, stages 4 and 5 are those of
+ * vtkPointSplatFans.h: the triangles' other corners are the neighbours, the radius follows from
+ * the edges and from what covering each triangle by its three disks asks for, and nothing is
+ * searched for if all points are such and have normals):
  * 1. *Neighbours.* For each point the NumberOfNeighbors nearest ones, found for all points at
  *    once. Of points at the same position one takes part, and the others share its result.
  * 2. *Normals*, where the input has none: the axis of least variance of the neighbours.
@@ -56,7 +61,9 @@
  *    many neighbours are looked at, and if the nearest lie in a row, one a leaf of the search tree,
  *    which reaches past it; what does not close the cell all around is left out then. Where the
  *    whole cloud is as regular as a mesh's vertices are, gaps much larger than usual are holes in
- *    the surface; in random samplings such are to be closed.
+ *    the surface; in random samplings such are to be closed. What holes and normals that do not fit
+ *    tell is known after all points are looked at; so those beside a hole are looked at once more
+ *    without the neighbours across it, and those beside such a normal with the plane in its place.
  *    For ellipses all this is done in the plane scaled along the principal axes of the neighbours'
  *    covariance (Confetti, section 4.2, equation 3) until it is round there.
  *    Circular disks also get the surface's *curvature*: the second fundamental form that fits
@@ -74,8 +81,9 @@
  * Bad input: points with a coordinate that is not finite (or beyond 1e37), and hidden ones
  * (vtkGhostType has HIDDENPOINT), take no part; they stay in the output, with radius 0, and
  * their number is reported. Duplicate ghost points (DUPLICATEPOINT, another process' points)
- * serve as neighbours, but get the radius 0, so that no splat is drawn twice. An empty input
- * gives an empty output.
+ * serve as neighbours, but get the radius 0, so that no splat is drawn twice. Polygons and
+ * strips that index points which are not there are left out, and their number is reported. An empty
+ * input gives an empty output.
  *
  * Results do not depend on the number of threads. The filter reports progress and can be
  * aborted, with an empty output then.
@@ -165,7 +173,7 @@ public:
   /**
    * The share of points, of every 32nd, whose neighbours contradict one another: with their given
    * normals they lie off one surface by more than 0.15 of their mean distance, and their positions off
-   * any plane. 0 where normals were estimated.
+   * any plane. 0 where normals were estimated, and for meshes.
    */
   vtkGetMacro(Noise, double);
 

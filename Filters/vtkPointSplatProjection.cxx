@@ -430,8 +430,8 @@ bool vtkPointSplatProjection::Run::Describe()
       squared.data() };
     const float spacing = vtkPointSplatSheet::GetSpacing(moved);
     vtkPointSplatSheet sheet;
-    sheet.Select(moved, vtkPointSplatSheet::CountNear(moved, spacing), this->Projected.data(),
-      this->Projected.data() + std::size_t(3) * s, spacing);
+    sheet.Compare(moved, this->Projected.data(), this->Projected.data() + std::size_t(3) * s);
+    sheet.Select(moved, vtkPointSplatSheet::CountNear(moved, spacing), spacing);
     curvature.Estimate(moved, this->Projected.data(), sheet);
     std::copy_n(curvature.Tensor, 6, this->Curvatures.data() + std::size_t(6) * s);
   });

@@ -44,24 +44,38 @@ int vtkPointSplatSheet::CountNear(
     std::upper_bound(squared, squared + around.Count, reach * reach) - squared);
 }
 
-vtkPointSplatSheet::Arc vtkPointSplatSheet::GetArc(
-  const vtkPointSplatNeighbors::Neighborhood& around, int i, const float* normals,
-  const float n[3])
+void vtkPointSplatSheet::Compare(const vtkPointSplatNeighbors::Neighborhood& around,
+  const float* normals, const float n[3])
 {
-  const float* m = normals + std::size_t(3) * around.Slots[i];
-  Arc arc;
-  arc.Height = n[0] * around.X[i] + n[1] * around.Y[i] + n[2] * around.Z[i];
-  arc.OtherHeight = m[0] * around.X[i] + m[1] * around.Y[i] + m[2] * around.Z[i];
-  arc.Cosine = n[0] * m[0] + n[1] * m[1] + n[2] * m[2];
-  // Which side of the neighbour's normal n's mirror image lies on.
-  const bool turned =
-    arc.Cosine * around.SquaredDistance[i] < 2 * arc.Height * arc.OtherHeight;
-  arc.Offset = 0.5f * (turned ? arc.Height - arc.OtherHeight : arc.Height + arc.OtherHeight);
-  return arc;
+  for (int i = 0; i < around.Count; ++i)
+  {
+    const float* m = normals + std::size_t(3) * around.Slots[i];
+    const float x = around.X[i], y = around.Y[i], z = around.Z[i];
+    Arc& arc = this->Arcs[i];
+    arc.Height = n[0] * x + n[1] * y + n[2] * z;
+    arc.OtherHeight = m[0] * x + m[1] * y + m[2] * z;
+    arc.Cosine = n[0] * m[0] + n[1] * m[1] + n[2] * m[2];
+    // Which side of the neighbour's normal n's mirror image lies on.
+    const bool turned =
+      arc.Cosine * around.SquaredDistance[i] < 2 * arc.Height * arc.OtherHeight;
+    arc.Offset = 0.5f * (turned ? arc.Height - arc.OtherHeight : arc.Height + arc.OtherHeight);
+  }
 }
 
-void vtkPointSplatSheet::Select(const vtkPointSplatNeighbors::Neighborhood& around, int countNear,
-  const float* normals, const float n[3], float spacing)
+float vtkPointSplatSheet::GetResidual(
+  const vtkPointSplatNeighbors::Neighborhood& around, int count) const
+{
+  float across = 0, all = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    across += 4 * this->Arcs[i].Offset * this->Arcs[i].Offset;
+    all += around.SquaredDistance[i];
+  }
+  return all > 0 ? across / all : 0;
+}
+
+void vtkPointSplatSheet::Select(
+  const vtkPointSplatNeighbors::Neighborhood& around, int countNear, float spacing)
 {
   this->Count = this->Near = 0;
   this->Spacing = spacing;
@@ -71,7 +85,7 @@ void vtkPointSplatSheet::Select(const vtkPointSplatNeighbors::Neighborhood& arou
   for (int i = 0; i < around.Count; ++i)
   {
     const float squared = around.SquaredDistance[i];
-    const Arc arc = GetArc(around, i, normals, n);
+    const Arc& arc = this->Arcs[i];
     const bool isNear = i < countNear;
     const float turn2 = (isNear ? NearTurn * NearTurn : FarTurn * FarTurn) * squared;
     const float offset2 = isNear ? near2 : FarOffset * FarOffset * squared;
@@ -93,6 +107,7 @@ void vtkPointSplatSheet::Select(const vtkPointSplatNeighbors::Neighborhood& arou
     this->Near += isNear ? 1 : 0;
     this->Members[this->Count++] = i;
   }
+  this->Whole = this->Count == around.Count;
   if (this->Count - this->Near < LeastFarShare * (around.Count - countNear))
   {
     this->Count = this->Near;

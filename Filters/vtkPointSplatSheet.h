@@ -38,22 +38,36 @@ public:
     float Cosine;              // n . m
     float Offset;              // the distance at which the surfaces through both pass each other
   };
-  static Arc GetArc(const vtkPointSplatNeighbors::Neighborhood& around, int neighbor,
-    const float* normals, const float n[3]);
 
   /**
-   * Selects of the neighbourhood, of which so many are near. normals: 3 floats a slot, unit length;
-   * n: of the centre. spacing: of the points here.
+   * Finds how all neighbours lie to the centre if n is its normal. normals: 3 floats a slot, unit
+   * length.
    */
-  void Select(const vtkPointSplatNeighbors::Neighborhood& around, int countNear,
-    const float* normals, const float n[3], float spacing);
+  void Compare(const vtkPointSplatNeighbors::Neighborhood& around, const float* normals,
+    const float n[3]);
+
+  /// How far surfaces through the centre and through its neighbours, the nearest count of them, pass
+  /// each other by the last comparison: squared, as a part of their squared distances.
+  float GetResidual(const vtkPointSplatNeighbors::Neighborhood& around, int count) const;
+
+  /**
+   * Selects of the neighbourhood, of which so many are near, by the last comparison. spacing: of the
+   * points here.
+   */
+  void Select(
+    const vtkPointSplatNeighbors::Neighborhood& around, int countNear, float spacing);
 
   /// The neighbours of the sheet, nearest first: their places in the neighbourhood.
   int Members[vtkPointSplatNeighbors::MaximumNumberOfNeighbors];
   int Count = 0;
   /// How many of these, the first ones, are near. What is farther is a neighbour only across a gap.
   int Near = 0;
+  /// Whether all neighbours are of the sheet.
+  bool Whole = false;
   float Spacing = 0; // as given
+
+private:
+  Arc Arcs[vtkPointSplatNeighbors::MaximumNumberOfNeighbors];
 };
 
 VTK_ABI_NAMESPACE_END

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatCloud.h"
 
+#include "vtkCellArray.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
@@ -13,6 +14,7 @@
 #include "vtkPointSplatPacking.h"
 #include "vtkPointSplatSpacing.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -66,6 +68,17 @@ vtkPointSplatCloud::Key vtkPointSplatCloud::SplatKey(const std::vector<Block>& b
            arrays->GetArray(vtkDataSetAttributes::GhostArrayName()) })
     {
       key.emplace_back(array, array ? array->GetMTime() : 0);
+    }
+    if (vtkPolyData* mesh = vtkPolyData::SafeDownCast(block.Data))
+    {
+      // Triangles say how large splats are.
+      for (vtkCellArray* cells : { mesh->GetPolys(), mesh->GetStrips() })
+      {
+        if (cells && cells->GetNumberOfCells() > 0)
+        {
+          key.emplace_back(cells, cells->GetMTime());
+        }
+      }
     }
   }
   return key;

@@ -84,10 +84,27 @@ void TangentsOf(uint32_t planeCode, double s[3], double t[3])
 constexpr double LargestBend = 1.0; // as in vtkPointSplatProjection.glsl
 constexpr double BendSteps = 511.0;
 
+/// Where the parabola meets the circle, in radii of the splat: at the rim of its blending kernel.
+constexpr double MeetingReach = 1.5;
+/// ... and no farther than this part of the circle's radius.
+constexpr double LargestMeeting = 0.95;
+
+/**
+ * The bend of a parabola in place of a circle's arc of radius 1 / k in splat's radii. With the
+ * same curvature the parabola leaves the circle, so that splats on thin tubes would stand off them;
+ * it meets it at the distance t / k with 2 (1 - sqrt(1 - t^2)) / t^2 times the curvature.
+ */
+double BendOfCircle(double k)
+{
+  const double t = std::min(MeetingReach * std::abs(k), LargestMeeting);
+  const double steeper = 2.0 / (1.0 + std::sqrt(1.0 - t * t));
+  return std::clamp(steeper * k, -LargestBend, LargestBend);
+}
+
 /**
  * The matrix K of vtkPointSplatProjection.glsl, the second fundamental form times
- * the radius in the basis of the splat's tangents: elements 11, 12 and 22, 10 bits
- * each. Eigenvalues are held within the largest that can be coded.
+ * the radius in the basis of the splat's tangents, for a paraboloid (BendOfCircle): elements 11,
+ * 12 and 22, 10 bits each. Eigenvalues are held within the largest that can be coded.
  * curvature: the form as a tensor XX, YY, ZZ, XY, YZ, XZ.
  */
 uint32_t CodeBend(uint32_t planeCode, const double curvature[6], double radius)
@@ -110,8 +127,8 @@ uint32_t CodeBend(uint32_t planeCode, const double curvature[6], double radius)
   {
     return 0;
   }
-  const double greater = std::clamp(mean + root, -LargestBend, LargestBend);
-  const double lesser = std::clamp(mean - root, -LargestBend, LargestBend);
+  const double greater = BendOfCircle(mean + root);
+  const double lesser = BendOfCircle(mean - root);
   const double scale = root > 0.0 ? 0.5 * (greater - lesser) / root : 0.0;
   const double middle = 0.5 * (greater + lesser);
   const auto quantise = [](double v) {
@@ -341,6 +358,11 @@ vtkPointSplatPacking vtkPointSplatPacking::Collect(
   {
     vtkNew<vtkPolyData> bare;
     bare->SetPoints(data->GetPoints());
+    if (vtkPolyData* mesh = vtkPolyData::SafeDownCast(data))
+    {
+      bare->SetPolys(mesh->GetPolys());
+      bare->SetStrips(mesh->GetStrips());
+    }
     if (a.Normals)
     {
       bare->GetPointData()->SetNormals(a.Normals);

@@ -63,10 +63,10 @@ def sphere(radius=1.0, centre=(0, 0, 0), colour=CLAY, opacity=1.0):
     return Surface(sphere_mesh(radius, centre), draw, colour, opacity)
 
 
-def torus():
+def torus(radius=0.7, tube=0.3):
     function = vtkParametricTorus()
-    function.SetRingRadius(0.7)
-    function.SetCrossSectionRadius(0.3)
+    function.SetRingRadius(radius)
+    function.SetCrossSectionRadius(tube)
     source = vtkParametricFunctionSource()
     source.SetParametricFunction(function)
     source.SetUResolution(400)
@@ -76,11 +76,11 @@ def torus():
 
     def draw(n, rng):
         v = rng.uniform(0, 2 * math.pi, 3 * n + 100)
-        keep = rng.uniform(0, 1, len(v)) < (0.7 + 0.3 * np.cos(v))
+        keep = rng.uniform(0, radius + tube, len(v)) < (radius + tube * np.cos(v))
         v = v[keep][:n]
         u = rng.uniform(0, 2 * math.pi, len(v))
-        ring = 0.7 + 0.3 * np.cos(v)
-        p = np.stack([ring * np.cos(u), ring * np.sin(u), 0.3 * np.sin(v)], 1)
+        ring = radius + tube * np.cos(v)
+        p = np.stack([ring * np.cos(u), ring * np.sin(u), tube * np.sin(v)], 1)
         m = np.stack([np.cos(v) * np.cos(u), np.cos(v) * np.sin(u), np.sin(v)], 1)
         return p, m
     return Surface(source.GetOutput(), draw)

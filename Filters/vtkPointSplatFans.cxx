@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatFans.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkCellArray.h"
+#include "vtkDataArrayRange.h"
+#include "vtkPointSplatCurvature.h"
+#include "vtkPointSplatDisk.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+/// The radius, of the mean distance of the neighbours: below 0.6 holes open, and from 0.7 on
+/// disks stand out at edges.
+constexpr float LengthPerEdge = 0.62f;
+/// ... and of what the triangles ask for, which kernels need not in full.
+constexpr float LengthPerReach = 0.9f;
+
+/// How many neighbours tell the curvature: as many as are searched for without a mesh.
+constexpr int EnoughNeighbors = 12;
+
+constexpr int MaximumNumberOfNeighbors = vtkPointSplatNeighbors::MaximumNumberOfNeighbors;
+
+struct CopyPositions
+{
+  template <typename Array>
+  void operator()(Array* points, std::vector<double>& positions) const
+  {
+    const auto range = vtk::DataArrayTupleRange<3>(points);
+    vtkSMPTools::For(0, range.size(), [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        const auto x = range[id];
+        for (int c = 0; c < 3; ++c)
+        {
+          positions[3 * id + c] = static_cast<double>(x[c]);
+        }
+      }
+    });
+  }
+};
+
+/// A vertex' neighbours, nearest first.
+struct Ring
+{
+  vtkPointSplatNeighbors::Slot Slots[MaximumNumberOfNeighbors];
+  float X[MaximumNumberOfNeighbors], Y[MaximumNumberOfNeighbors], Z[MaximumNumberOfNeighbors];
+  float Squared[MaximumNumberOfNeighbors];
+  int Count = 0;
+
+  void Add(vtkPointSplatNeighbors::Slot slot, const float d[3])
+  {
+    const float squared = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    if (!(squared > 0) || this->Count == MaximumNumberOfNeighbors ||
+      std::find(this->Slots, this->Slots + this->Count, slot) != this->Slots + this->Count)
+    {
+      return;
+    }
+    int at = this->Count++;
+    for (; at > 0 && this->Squared[at - 1] > squared; --at)
+    {
+      this->Put(at, this->Slots[at - 1], this->X[at - 1], this->Y[at - 1], this->Z[at - 1]);
+      this->Squared[at] = this->Squared[at - 1];
+    }
+    this->Put(at, slot, d[0], d[1], d[2]);
+    this->Squared[at] = squared;
+  }
+
+private:
+  void Put(int at, vtkPointSplatNeighbors::Slot slot, float x, float y, float z)
+  {
+    this->Slots[at] = slot;
+    this->X[at] = x;
+    this->Y[at] = y;
+    this->Z[at] = z;
+  }
+};
+}
+
+void vtkPointSplatFans::Add(
+  vtkIdType a, vtkIdType b, vtkIdType c, const unsigned char* used)
+{
+  if (a != b && b != c && c != a && used[a] && used[b] && used[c])
+  {
+    this->Corners.insert(this->Corners.end(), { a, b, c });
+  }
+}
+
+vtkIdType vtkPointSplatFans::Read(vtkPolyData* mesh, const unsigned char* used)
+{
+  this->Corners.clear();
+  this->First.clear();
+  const vtkIdType numberOfPoints = mesh->GetNumberOfPoints();
+  vtkIdType bad = 0;
+  for (vtkCellArray* cells : { mesh->GetPolys(), mesh->GetStrips() })
+  {
+    if (!cells || cells->GetNumberOfCells() == 0)
+    {
+      continue;
+    }
+    if (!cells->IsValid())
+    {
+      bad += cells->GetNumberOfCells();
+      continue;
+    }
+    const bool strips = cells == mesh->GetStrips();
+    for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+    {
+      vtkIdType size;
+      const vtkIdType* ids;
+      cells->GetCellAtId(cell, size, ids);
+      if (!std::all_of(
+            ids, ids + size, [&](vtkIdType id) { return id >= 0 && id < numberOfPoints; }))
+      {
+        ++bad;
+        continue;
+      }
+      for (vtkIdType i = 2; i < size; ++i)
+      {
+        this->Add(strips ? ids[i - 2] : ids[0], ids[i - 1], ids[i], used);
+      }
+    }
+  }
+  if (!this->IsEmpty())
+  {
+    this->Positions.resize(3 * static_cast<std::size_t>(numberOfPoints));
+    vtkDataArray* points = mesh->GetPoints()->GetData();
+    if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>::Execute(
+          points, CopyPositions{}, this->Positions))
+    {
+      CopyPositions{}(points, this->Positions);
+    }
+    this->Sort(numberOfPoints);
+  }
+  return bad;
+}
+
+/// Lists each point's triangles, in the order in which they were read.
+void vtkPointSplatFans::Sort(vtkIdType numberOfPoints)
+{
+  this->First.assign(numberOfPoints + 1, 0);
+  for (const vtkIdType id : this->Corners)
+  {
+    ++this->First[id + 1];
+  }
+  for (vtkIdType id = 0; id < numberOfPoints; ++id)
+  {
+    this->First[id + 1] += this->First[id];
+  }
+  std::vector<vtkIdType> next(this->First.begin(), this->First.end() - 1);
+  this->Triangles.resize(this->Corners.size());
+  for (std::size_t i = 0; i < this->Corners.size(); ++i)
+  {
+    this->Triangles[next[this->Corners[i]]++] = static_cast<vtkIdType>(i / 3);
+  }
+}
+
+vtkPointSplatFans::Disk vtkPointSplatFans::GetDisk(vtkIdType id, const float* normals) const
+{
+  using Slot = vtkPointSplatNeighbors::Slot;
+  Ring ring;
+  const double* centre = this->Positions.data() + 3 * id;
+  float reach2 = 0;
+  for (vtkIdType t = this->First[id]; t < this->First[id + 1]; ++t)
+  {
+    const vtkIdType* corner = this->Corners.data() + 3 * this->Triangles[t];
+    const vtkIdType others[2] = { corner[0] == id ? corner[1] : corner[0],
+      corner[2] == id ? corner[1] : corner[2] };
+    float d[2][3];
+    for (int k = 0; k < 2; ++k)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        d[k][c] = static_cast<float>(this->Positions[3 * others[k] + c] - centre[c]);
+      }
+      ring.Add(static_cast<Slot>(others[k]), d[k]);
+    }
+    const auto dot = [](const float a[3], const float b[3]) {
+      return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    };
+    const float aa = dot(d[0], d[0]), bb = dot(d[1], d[1]), ab = dot(d[0], d[1]);
+    if (!(aa > 0) || !(bb > 0))
+    {
+      continue;
+    }
+    const float cross2 = aa * bb - ab * ab;
+    const float circumscribed2 =
+      cross2 > 0 ? aa * bb * (aa + bb - 2 * ab) / (4 * cross2) : 0.25f * std::max(aa, bb);
+    reach2 = std::max(reach2, vtkPointSplatDisk::GetSquaredReach(aa, bb, ab, circumscribed2));
+  }
+
+  Disk found;
+  const float* n = normals + 3 * id;
+  std::copy(n, n + 3, found.Plane);
+  if (ring.Count == 0)
+  {
+    return found;
+  }
+  float sum = 0;
+  for (int i = 0; i < ring.Count; ++i)
+  {
+    sum += std::sqrt(ring.Squared[i]);
+  }
+  found.Radius = std::max(LengthPerEdge * sum / ring.Count, LengthPerReach * std::sqrt(reach2));
+
+  // How the surface bends the corners beyond tell, too: few normals are too noisy.
+  const int next = ring.Count;
+  Slot beside[MaximumNumberOfNeighbors];
+  std::copy(ring.Slots, ring.Slots + next, beside);
+  for (int i = 0; i < next; ++i)
+  {
+    for (vtkIdType t = this->First[beside[i]]; t < this->First[beside[i] + 1]; ++t)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const vtkIdType other = this->Corners[3 * this->Triangles[t] + k];
+        const double* x = this->Positions.data() + 3 * other;
+        const float d[3] = { static_cast<float>(x[0] - centre[0]),
+          static_cast<float>(x[1] - centre[1]), static_cast<float>(x[2] - centre[2]) };
+        ring.Add(static_cast<Slot>(other), d);
+      }
+    }
+  }
+  ring.Count = std::min(ring.Count, std::max(next, EnoughNeighbors));
+
+  const vtkPointSplatNeighbors::Neighborhood around{ static_cast<Slot>(id), ring.Count, ring.Slots,
+    ring.X, ring.Y, ring.Z, ring.Squared };
+  vtkPointSplatDisk disk;
+  disk.SelectSheet(around, ring.Count, normals, vtkPointSplatSheet::GetSpacing(around));
+  std::copy(disk.Normal, disk.Normal + 3, found.Plane);
+  // Normals that are not the surface's say nothing of its curvature.
+  if (std::equal(disk.Normal, disk.Normal + 3, n))
+  {
+    vtkPointSplatCurvature curvature;
+    curvature.Estimate(around, normals, disk.Sheet);
+    std::copy(curvature.Tensor, curvature.Tensor + 6, found.Curvature);
+  }
+  return found;
+}
+
+VTK_ABI_NAMESPACE_END

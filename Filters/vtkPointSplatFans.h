@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPointSplatFans
+ * @brief   the triangles around each vertex of a mesh, and the disk that does its share in covering
+ * them
+ *
+ * An internal helper of vtkPointSplatEstimation. A mesh says what a cloud has to be searched
+ * for: which points are next to each other on the surface.
+ *
+ * 1. Polygons (as triangles with their first corner) and strips are read; cells that index
+ *    points which are not there, or that take no part, are left out.
+ * 2. A vertex' neighbours are the other corners of its triangles, and for its curvature the
+ *    nearest of those of their triangles, twelve together. Its plane, and which
+ *    neighbours say how the surface bends, are found as for points without a mesh
+ *    (vtkPointSplatDisk, vtkPointSplatCurvature).
+ * 3. The radius is LengthPerEdge of the mean distance of these neighbours, and at least
+ *    LengthPerReach of what covering each triangle by its three disks together asks for
+ *    (vtkPointSplatDisk::GetSquaredReach): blending kernels reach farther than disks do.
+ */
+#ifndef vtkPointSplatFans_h
+#define vtkPointSplatFans_h
+
+#include "vtkPointSplatNeighbors.h"
+
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkPolyData;
+
+class vtkPointSplatFans
+{
+public:
+  /**
+   * Reads the mesh's triangles between points with used[id] not 0. Returns how many cells
+   * were left out since they index points that are not there.
+   */
+  vtkIdType Read(vtkPolyData* mesh, const unsigned char* used);
+
+  bool IsEmpty() const { return this->Corners.empty(); }
+  /// Whether a point is a triangle's corner.
+  bool Has(vtkIdType id) const
+  {
+    return !this->First.empty() && this->First[id] < this->First[id + 1];
+  }
+
+  struct Disk
+  {
+    float Radius = 0;                            // world units
+    float Plane[3] = { 0, 0, 0 };                // its normal, unit length
+    float Curvature[6] = { 0, 0, 0, 0, 0, 0 };   // as vtkPointSplatCurvature's
+  };
+
+  /// The disk of a triangle's corner. normals: 3 floats a point, unit length.
+  Disk GetDisk(vtkIdType id, const float* normals) const;
+
+private:
+  void Add(vtkIdType a, vtkIdType b, vtkIdType c, const unsigned char* used);
+  void Sort(vtkIdType numberOfPoints);
+
+  std::vector<double> Positions;    // 3 a point
+  std::vector<vtkIdType> Corners;   // 3 a triangle, as read
+  std::vector<vtkIdType> First;     // of a point's triangles: where they begin in Fans
+  std::vector<vtkIdType> Triangles; // by points
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// That vtkPointSplatEstimation takes sizes and curvature from a mesh's triangles where there are such,
+// whatever the cells index.
+#include "Expect.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCellArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSplatArrays.h"
+#include "vtkPointSplatEstimation.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkSphereSource.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cmath>
+#include <vector>
+
+namespace
+{
+vtkFloatArray* Array(vtkPolyData* data, const char* name)
+{
+  return vtkFloatArray::SafeDownCast(data->GetPointData()->GetArray(name));
+}
+
+/// The estimation of a data set, and how often it warned.
+struct Estimated
+{
+  vtkNew<vtkPointSplatEstimation> Filter;
+  int Warnings = 0;
+
+  explicit Estimated(vtkPolyData* data)
+  {
+    vtkNew<vtkCallbackCommand> count;
+    count->SetClientData(&this->Warnings);
+    count->SetCallback([](vtkObject*, unsigned long, void* warnings, void*) {
+      ++*static_cast<int*>(warnings);
+    });
+    this->Filter->AddObserver(vtkCommand::WarningEvent, count);
+    this->Filter->SetInputData(data);
+    this->Filter->Update();
+  }
+  float Radius(vtkIdType id)
+  {
+    return Array(this->Filter->GetOutput(), vtkPointSplatArrays::Radius)->GetValue(id);
+  }
+};
+
+vtkSmartPointer<vtkPolyData> MakeSphere(double radius)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(radius);
+  sphere->SetThetaResolution(48);
+  sphere->SetPhiResolution(32);
+  sphere->Update();
+  return sphere->GetOutput();
+}
+
+/// A square of n x n points in the plane z, its normals up or down, its triangles' edges from 1.
+void AddSquare(vtkPolyData* data, int n, double z, double side)
+{
+  const vtkIdType first = data->GetNumberOfPoints();
+  for (int j = 0; j < n; ++j)
+  {
+    for (int i = 0; i < n; ++i)
+    {
+      data->GetPoints()->InsertNextPoint(i, j, z);
+      data->GetPointData()->GetNormals()->InsertNextTuple3(0, 0, side);
+    }
+  }
+  for (int j = 0; j + 1 < n; ++j)
+  {
+    for (int i = 0; i + 1 < n; ++i)
+    {
+      const vtkIdType a = first + i + n * j;
+      const vtkIdType quad[4] = { a, a + 1, a + n + 1, a + n };
+      data->GetPolys()->InsertNextCell(4, quad);
+    }
+  }
+}
+
+vtkSmartPointer<vtkPolyData> MakeEmpty()
+{
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  vtkNew<vtkCellArray> cells;
+  data->SetPoints(points);
+  data->GetPointData()->SetNormals(normals);
+  data->SetPolys(cells);
+  return data;
+}
+
+void TestSphere()
+{
+  const double radius = 5;
+  vtkSmartPointer<vtkPolyData> sphere = MakeSphere(radius);
+  Estimated estimated(sphere);
+  Expect(estimated.Filter->GetNoise() == 0, "a mesh is not noisy");
+  vtkFloatArray* curvature =
+    Array(estimated.Filter->GetOutput(), vtkPointSplatArrays::Curvature);
+  const double around = 2 * 3.14159265 * radius;
+  // At the poles, the first points, many narrow triangles meet.
+  for (vtkIdType id = 2; id < sphere->GetNumberOfPoints(); ++id)
+  {
+    double x[3];
+    sphere->GetPoint(id, x);
+    const double across = around / 48 * std::hypot(x[0], x[1]) / radius, along = around / 62;
+    const double longest = std::hypot(across, along);
+    Expect(estimated.Radius(id) >= 0.4 * longest && estimated.Radius(id) <= 0.8 * longest,
+      "the radius of point " + std::to_string(id) + " is " + std::to_string(estimated.Radius(id)) +
+        " beside triangles of " + std::to_string(longest));
+    double tensor[6];
+    curvature->GetTuple(id, tensor);
+    AtMost(std::abs(0.5 * (tensor[0] + tensor[1] + tensor[2]) * radius - 0.9), 0.06,
+      "curvature of point " + std::to_string(id));
+  }
+}
+
+/// Sheets nearer than any search could tell apart, with normals to the same side.
+void TestNearSheets()
+{
+  vtkSmartPointer<vtkPolyData> data = MakeEmpty();
+  AddSquare(data, 20, 0, 1);
+  Estimated one(data);
+  AddSquare(data, 20, 0.01, 1);
+  Estimated two(data);
+  for (vtkIdType id = 0; id < 800; ++id)
+  {
+    Expect(two.Radius(id) == one.Radius(id % 400),
+      "the radius of point " + std::to_string(id) + " does not depend on the other sheet");
+    Expect(two.Radius(id) >= 0.55f && two.Radius(id) <= 0.75f,
+      "the radius of point " + std::to_string(id) + " fits its squares");
+  }
+}
+
+/// A cell array whose connectivity is as given.
+vtkSmartPointer<vtkCellArray> MakeCells(
+  const std::vector<vtkIdType>& offsets, const std::vector<vtkIdType>& ids)
+{
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  vtkNew<vtkIdTypeArray> first, connectivity;
+  for (const vtkIdType offset : offsets)
+  {
+    first->InsertNextValue(offset);
+  }
+  for (const vtkIdType id : ids)
+  {
+    connectivity->InsertNextValue(id);
+  }
+  cells->SetData(first, connectivity);
+  return cells;
+}
+
+void TestBadCells()
+{
+  vtkSmartPointer<vtkPolyData> data = MakeEmpty();
+  AddSquare(data, 3, 0, 1);
+  Estimated good(data);
+  Expect(good.Warnings == 0, "good cells are not warned of");
+  const vtkIdType far = vtkIdType(1) << 40;
+  for (const vtkIdType bad : { vtkIdType(-1), vtkIdType(9), far })
+  {
+    vtkNew<vtkCellArray> cells;
+    cells->DeepCopy(data->GetPolys());
+    const vtkIdType wrong[3] = { 0, bad, 1 };
+    cells->InsertNextCell(3, wrong);
+    vtkNew<vtkPolyData> other;
+    other->ShallowCopy(data);
+    other->SetPolys(cells);
+    Estimated estimated(other);
+    Expect(estimated.Warnings == 1, "a corner " + std::to_string(bad) + " is warned of once");
+    for (vtkIdType id = 0; id < 9; ++id)
+    {
+      Expect(estimated.Radius(id) == good.Radius(id), "and leaves the others as they are");
+    }
+    vtkNew<vtkPolyData> strip;
+    strip->ShallowCopy(data);
+    strip->SetStrips(cells);
+    Expect(Estimated(strip).Warnings == 1, "so it is in a strip");
+  }
+  // Offsets that leave the connectivity, cells of two corners, of the same corner, of none.
+  for (const auto& cells : { MakeCells({ 0, 3, 50 }, { 0, 1, 4 }), MakeCells({ 0, 2 }, { 0, 1 }),
+         MakeCells({ 0, 3 }, { 4, 4, 4 }), MakeCells({ 0, 0, 0 }, {}) })
+  {
+    vtkNew<vtkPolyData> other;
+    other->ShallowCopy(data);
+    other->SetPolys(cells);
+    Estimated estimated(other);
+    for (vtkIdType id = 0; id < 9; ++id)
+    {
+      Expect(estimated.Radius(id) > 0, "points without triangles are sized as a cloud's");
+    }
+  }
+}
+
+/// Points that belong to no triangle, hidden ones, and a mesh without any.
+void TestMixed()
+{
+  vtkSmartPointer<vtkPolyData> data = MakeEmpty();
+  AddSquare(data, 20, 0, 1);
+  Estimated mesh(data);
+  for (int k = 0; k < 100; ++k)
+  {
+    data->GetPoints()->InsertNextPoint(30 + k % 10, k / 10, 0);
+    data->GetPointData()->GetNormals()->InsertNextTuple3(0, 0, 1);
+  }
+  Estimated mixed(data);
+  for (vtkIdType id = 0; id < 500; ++id)
+  {
+    Expect(id < 400 ? mixed.Radius(id) == mesh.Radius(id)
+                    : mixed.Radius(id) > 0.5f && mixed.Radius(id) < 1,
+      "point " + std::to_string(id) + " of a mesh and a cloud");
+  }
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfTuples(500);
+  ghosts->FillValue(0);
+  ghosts->SetValue(0, vtkDataSetAttributes::HIDDENPOINT);
+  ghosts->SetValue(21, vtkDataSetAttributes::DUPLICATEPOINT);
+  data->GetPointData()->AddArray(ghosts);
+  Estimated hidden(data);
+  Expect(hidden.Radius(0) == 0 && hidden.Radius(21) == 0, "ghosts have no radius");
+  Expect(hidden.Radius(22) == mesh.Radius(22), "their neighbours have theirs");
+
+  vtkNew<vtkPolyData> vertices;
+  vertices->SetPoints(data->GetPoints());
+  vertices->GetPointData()->SetNormals(data->GetPointData()->GetNormals());
+  Estimated bare(vertices);
+  vtkNew<vtkCellArray> single;
+  for (vtkIdType id = 0; id < 500; ++id)
+  {
+    single->InsertNextCell(1, &id);
+  }
+  vertices->SetVerts(single);
+  Estimated same(vertices);
+  for (vtkIdType id = 0; id < 500; ++id)
+  {
+    Expect(bare.Radius(id) == same.Radius(id), "vertex cells say nothing of sizes");
+  }
+}
+}
+
+int TestSplatMeshes(int, char*[])
+{
+  TestSphere();
+  TestNearSheets();
+  TestBadCells();
+  TestMixed();
+  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
