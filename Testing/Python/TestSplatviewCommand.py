@@ -162,6 +162,14 @@ class TestSplatviewCommand(SplatviewTest):
             os.close(ours)
             self.assertEqual("isosurface" in text and "%" in text, wanted, text)
 
+    def test_says_so_where_there_is_no_driver(self):
+        self.write("cloud.xyz", CLOUD)
+        self.environment["__EGL_VENDOR_LIBRARY_FILENAMES"] = "/nosuch.json"
+        done = self.run_splatview("cloud.xyz", "--output", "o.png")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertRegex(done.stderr, r"\Asplatview: No OpenGL context [^\n]+\n\Z")
+        self.assertFalse(os.path.exists(self.path("o.png")))
+
     def test_writes_a_picture_where_there_is_no_display(self):
         self.write("cloud.xyz", CLOUD)
         for display in (None, "", ":4711"):  # of which no server is
