@@ -341,7 +341,7 @@ What comes out
   --output F.png       write a picture and end; without it a window opens where there is a
                        display, and splatview.png is written where there is none
   --json F.json        write points, method, automatic choices and frame times
-  --frames N           frames to time (5)
+  --frames N           with --json: frames to time (5)
   --quiet              no progress bars and no summary
   --help, --version
 
