@@ -127,6 +127,17 @@ class TestSplatviewCommand(SplatviewTest):
         for name, content in BROKEN_FILES.items():
             self.assertIn(name, self.assert_refused(self.write(name, content)))
 
+    def test_text_that_cannot_be_told(self):
+        for name, content, why in (
+            ("commas.csv", "1,05,2,50,3,25\n2,00,3,50,4,10\n", "semicolons"),
+            ("thousands.csv", "1.234,5;2;3\n4;5;6\n", "'1.234,5'"),
+            ("promise.pts", "1000000000000\n1 2 3\n4 5 6\n7 8 9\n", "1000000000000"),
+            ("part.pts", "2\n1 2 3\n4 5 6\n2\n7 8 9\n", "promises 2"),
+            ("wide.txt", "1 2 3\n".encode("utf-16"), "UTF-16"),
+        ):
+            line = self.assert_refused(self.write(name, content))
+            self.assertIn(why, line)
+
     def test_good_file_does_not_hide_a_bad_one(self):
         self.write("cloud.xyz", CLOUD)
         self.assert_refused("cloud.xyz", "missing.ply")
