@@ -12,6 +12,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPointSplatArrays.h"
+#include "vtkPointSplatCells.h"
 #include "vtkPointSplatEstimation.h"
 #include "vtkPointSplatProjection.h"
 #include "vtkPoints.h"
@@ -374,6 +375,12 @@ void vtkPointSplatPacking::Pack(const std::array<double, 3>& origin, bool circul
 std::vector<vtkIdType> vtkPointSplatPacking::CellsOfPoints(vtkPointSet* data)
 {
   std::vector<vtkIdType> cells(static_cast<size_t>(data->GetNumberOfPoints()), -1);
+  if (!vtkPointSplatCells::CanBeRead(data))
+  {
+    vtkErrorWithObjectMacro(data, "Cells reach beyond their own list: they are not used for "
+                                  "colours or selections. Check the offsets of its cell arrays.");
+    return cells;
+  }
   vtkNew<vtkIdList> ids;
   for (vtkIdType c = data->GetNumberOfCells() - 1; c >= 0; --c)
   {
