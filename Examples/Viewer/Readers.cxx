@@ -102,7 +102,7 @@ bool AreValid(vtkCellArray* cells, vtkIdType points)
 }
 
 /**
- * The same, or its points alone where its cells are not valid: most filters take indices as they are.
+ * The same, or its points alone where its cells are not valid: filters take indices as they are.
  */
 vtkSmartPointer<vtkDataSet> WithValidCells(const std::string& file, vtkDataSet* data)
 {
@@ -131,7 +131,8 @@ vtkSmartPointer<vtkDataSet> WithValidCells(const std::string& file, vtkDataSet* 
 }
 
 /**
- * Point arrays that are not as long as there are points, as vtkOBJReader's normals that no face names.
+ * Point arrays that are not as long as there are points, as vtkOBJReader's normals that no face
+ * names.
  */
 void RemoveBadArrays(const std::string& file, vtkDataSet* data)
 {

@@ -307,7 +307,7 @@ void RefuseFractions(const std::vector<std::string>& cells, const std::string& p
 bool BeginsLikeAName(const std::string& line)
 {
   const size_t first = line.find_first_not_of('"');
-  const unsigned char c = first == std::string::npos ? '"' : static_cast<unsigned char>(line[first]);
+  const auto c = static_cast<unsigned char>(first == std::string::npos ? '"' : line[first]);
   return std::isalpha(c) || c >= 0x80 || c == '"' || c == '(' || c == '[' || c == '_';
 }
 

@@ -17,8 +17,8 @@ class ProgressBar;
  * is NaN. A byte order mark, empty lines, comments (from # or % on, or lines that begin with //) and
  * lines of names at the top are passed over; lines end as on any system.
  *
- * A number alone in its line, before the points, is how many follow; several such parts may come one
- * after the other (.pts).
+ * A number alone in its line, before the points, is how many follow; several such parts may come
+ * one after the other (.pts).
  */
 struct TextTable
 {
@@ -31,8 +31,8 @@ struct TextTable
   const double* Row(size_t row) const { return &this->Values[row * this->Columns]; }
 
   /**
-   * At least one row of three columns. Throws UserError, which names the line, where lines differ in
-   * length or hold what is no number, where fewer points follow than are promised, and where commas
+   * At least one row of three columns. Throws UserError, which names the line, where lines differ
+   * in length or hold what is no number, where fewer points follow than are promised, and where commas
    * may mark decimals as well as columns.
    */
   static TextTable Read(const std::string& file, ProgressBar& progress);

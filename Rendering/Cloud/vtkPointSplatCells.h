@@ -14,8 +14,8 @@
 namespace vtkPointSplatCells
 {
 /**
- * Whether each cell lies within its list, so that it can be asked for its points' ids. Those may be of
- * points that are not there.
+ * Whether each cell lies within its list, so that it can be asked for its points' ids. Those may
+ * be of points that are not there.
  */
 inline bool CanBeRead(vtkCellArray* cells)
 {

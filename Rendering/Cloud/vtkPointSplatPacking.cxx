@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatPacking.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkArrayDispatch.h"
 #include "vtkCallbackCommand.h"
 #include "vtkDataArrayRange.h"
@@ -22,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <initializer_list>
 
 namespace
 {
@@ -120,16 +122,56 @@ bool Finite(const double v[3])
   return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
 }
 
-/// Lengths that floats hold: vtkPointSplatEstimation goes no farther either.
-constexpr double LargestLength = 1e37;
+constexpr double LargestLength = vtkPointSplatPacking::LargestLength;
 constexpr double SmallestLength = 1e-37;
 
-bool Holdable(const double v[3])
+bool Holdable(const double v[3], double most = LargestLength)
 {
   // NaN compares false.
-  return std::abs(v[0]) <= LargestLength && std::abs(v[1]) <= LargestLength &&
-    std::abs(v[2]) <= LargestLength;
+  return std::abs(v[0]) <= most && std::abs(v[1]) <= most && std::abs(v[2]) <= most;
 }
+
+/**
+ * Runs filters as parts of an owner, which shows their progress and may abort them.
+ */
+struct Part
+{
+  vtkAlgorithm* Owner; // or null
+  double From = 0.0;
+  double To = 1.0;
+
+  static void Follow(vtkObject* caller, unsigned long, void* part, void*)
+  {
+    const Part& self = *static_cast<Part*>(part);
+    auto filter = static_cast<vtkAlgorithm*>(caller);
+    self.Owner->UpdateProgress(self.From + (self.To - self.From) * filter->GetProgress());
+    if (self.Owner->GetAbortExecute())
+    {
+      filter->SetAbortExecute(1);
+    }
+  }
+
+  /// The part must outlive the filter's last run.
+  void Watch(vtkAlgorithm* filter)
+  {
+    if (this->Owner)
+    {
+      vtkNew<vtkCallbackCommand> command;
+      command->SetCallback(Part::Follow);
+      command->SetClientData(this);
+      filter->AddObserver(vtkCommand::ProgressEvent, command);
+    }
+  }
+
+  /// Whether it came to its end.
+  bool Run(vtkAlgorithm* filter, double from, double to)
+  {
+    this->From = from;
+    this->To = to;
+    filter->Update();
+    return !this->Owner || !this->Owner->GetAbortExecute();
+  }
+};
 
 /**
  * An array of the wanted shape, or an error that says what is wrong with it.
@@ -177,7 +219,7 @@ struct PackWorker
           a.Ghosts ? a.Ghosts->GetValue(i) & (vtkDataSetAttributes::HIDDENPOINT |
                                                vtkDataSetAttributes::DUPLICATEPOINT)
                    : 0;
-        if (ghost || !Holdable(p) || !(length > 0.0) || !std::isfinite(length))
+        if (ghost || !Holdable(p, a.Reach) || !(length > 0.0) || !std::isfinite(length))
         {
           continue;
         }
@@ -276,6 +318,7 @@ vtkPointSplatPacking vtkPointSplatPacking::Collect(
 {
   vtkPointSplatPacking a;
   a.Points = data->GetPoints()->GetData();
+  a.Reach = LargestLength;
   a.Ghosts = vtkArrayDownCast<vtkUnsignedCharArray>(
     data->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
   if (a.Ghosts &&
@@ -287,6 +330,7 @@ vtkPointSplatPacking vtkPointSplatPacking::Collect(
   vtkPointData* given = data->GetPointData();
   a.Normals = Wanted(owner, data, given->GetNormals(), 3);
   a.Radius = Wanted(owner, data, given->GetArray(vtkPointSplatArrays::Radius), 1);
+  a.HasGivenRadii = a.Radius != nullptr;
   a.Plane = Wanted(owner, data, given->GetArray(vtkPointSplatArrays::PlaneNormal), 3);
   // It says how these normals change, and nothing of others.
   a.Curvature = a.Normals
@@ -320,32 +364,47 @@ vtkPointSplatPacking vtkPointSplatPacking::Collect(
       }
     }
     bare->GetFieldData()->PassData(data->GetFieldData());
-    a.Estimate(bare, projectNoise);
+    a.Estimate(owner, bare, projectNoise);
   }
   return a;
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatPacking::Estimate(vtkPolyData* bare, bool projectNoise)
+void vtkPointSplatPacking::Estimate(vtkObject* owner, vtkPolyData* bare, bool projectNoise)
 {
-  vtkNew<vtkPointSplatEstimation> estimation;
-  // What it leaves out the mapper leaves out too, and reports: once is enough.
-  vtkNew<vtkCallbackCommand> silence;
-  estimation->AddObserver(vtkCommand::WarningEvent, silence);
-  estimation->SetInputData(bare);
-  estimation->Update();
   const bool sized = this->Radius || this->Axis1;
-  if (projectNoise && !sized && estimation->IsNoisy())
+  const bool mayProject = projectNoise && !sized;
+  Part part{ vtkAlgorithm::SafeDownCast(owner) };
+  vtkNew<vtkPointSplatEstimation> estimation;
+  vtkNew<vtkPointSplatProjection> projection;
+  // What they leave out the mapper leaves out too, and reports: once is enough.
+  vtkNew<vtkCallbackCommand> silence;
+  for (vtkAlgorithm* filter :
+    std::initializer_list<vtkAlgorithm*>{ estimation.Get(), projection.Get() })
   {
-    vtkNew<vtkPointSplatProjection> projection;
-    projection->AddObserver(vtkCommand::WarningEvent, silence);
+    filter->AddObserver(vtkCommand::WarningEvent, silence);
+    part.Watch(filter);
+  }
+  estimation->SetInputData(bare);
+  bool good = part.Run(estimation, 0.0, mayProject ? 0.4 : 1.0);
+  if (good && mayProject && estimation->IsNoisy())
+  {
     // Colours and ids go by the points' numbers.
     projection->SetOutliersToKeep();
     projection->SetInputData(bare);
+    good = part.Run(projection, 0.4, 0.6);
     estimation->SetInputConnection(projection->GetOutputPort());
-    estimation->Update();
+    good = good && part.Run(estimation, 0.6, 1.0);
+    this->Projected = good;
+  }
+  this->Aborted = !good;
+  if (this->Aborted)
+  {
+    return;
+  }
+  if (this->Projected)
+  {
     this->Points = estimation->GetOutput()->GetPoints()->GetData();
-    this->Projected = true;
   }
   vtkPointData* estimated = estimation->GetOutput()->GetPointData();
   this->Normals = estimated->GetNormals();

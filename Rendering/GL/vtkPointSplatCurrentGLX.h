@@ -17,7 +17,7 @@ public:
   /// Leaves the thread without one.
   static void Release();
 
-  /// Whether a window of this program may want to make one current: GLX is loaded and a server named.
+  /// Whether a window of this program may want one: GLX is loaded and a server named.
   static bool MayCome();
 
   explicit operator bool() const { return this->Context != nullptr; }

@@ -31,7 +31,7 @@ VOLUME = (
 BAD_OPTIONS = (
     "--nonsense", "-x", "--iso", "--iso abc", "--iso 1,,2", "--iso 1,", "--iso inf", "--iso=",
     "--spacing 0", "--spacing -1", "--magnify 0", "--magnify 1.5", "--normals both",
-    "--radius-scale 0", "--color nosuch", "--color 1,2,3", "--color 1,1", "--color #12345g",
+    "--radius-scale 0", "--radius-scale 30", "--color nosuch", "--color 1,2,3", "--color 1,1", "--color #12345g",
     "--color red;", "--opacity 1.1", "--opacity -1", "--background x", "--camera 1",
     "--camera 0,0,0", "--camera 0,0,0,0,0,0,0,0,1", "--camera 0,0,0,0,0,1,0,0,2",
     "--camera 0,0,0,0,0,1,0,1,0,180", "--size 10", "--size 0x10", "--size 10x10x10",
