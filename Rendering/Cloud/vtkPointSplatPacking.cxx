@@ -139,12 +139,15 @@ struct Part
   vtkAlgorithm* Owner; // or null
   double From = 0.0;
   double To = 1.0;
+  double Done = 0.0; // stages of a filter may begin where others before have ended
 
   static void Follow(vtkObject* caller, unsigned long, void* part, void*)
   {
-    const Part& self = *static_cast<Part*>(part);
+    Part& self = *static_cast<Part*>(part);
     auto filter = static_cast<vtkAlgorithm*>(caller);
-    self.Owner->UpdateProgress(self.From + (self.To - self.From) * filter->GetProgress());
+    self.Done =
+      std::max(self.Done, self.From + (self.To - self.From) * filter->GetProgress());
+    self.Owner->UpdateProgress(self.Done);
     if (self.Owner->GetAbortExecute())
     {
       filter->SetAbortExecute(1);

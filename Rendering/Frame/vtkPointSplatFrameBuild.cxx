@@ -14,7 +14,6 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
-#include <sstream>
 
 namespace
 {
@@ -24,15 +23,6 @@ bool AnyOf(const vtkPointSplatCollection::Entries& entries, bool (*test)(const S
 {
   return std::any_of(entries.begin(), entries.end(),
     [test](const vtkPointSplatEntry& entry) { return test(entry.Settings); });
-}
-
-/// Whether the images of a layer are not too large to try. They take up to 28 bytes a pixel of the
-/// window by tiles, and 76 else.
-bool Fits(const vtkPointSplatRequest& request)
-{
-  constexpr vtkIdType most = vtkIdType(1) << 32;
-  const vtkIdType pixels = static_cast<vtkIdType>(request.View.Size.x) * request.View.Size.y;
-  return pixels * (vtkPointSplatReconstruction::UsesTiles(request) ? 28 : 76) <= most;
 }
 
 /// Ids that a selection's pass wants, if any.
@@ -224,17 +214,7 @@ bool vtkPointSplatFrame::Build(Pass& pass)
   {
     return false;
   }
-  const vtkPointSplatRequest request = this->MakeRequest(pass, sceneDepth);
-  if (!Fits(request))
-  {
-    std::ostringstream text;
-    text << "A window of " << pass.View.Size.x << " x " << pass.View.Size.y
-         << " pixels takes more than 4 GiB of images for splats. Draw a smaller one; "
-            "vtkWindowToImageFilter::SetScale() makes large pictures of several.";
-    this->Error = text.str();
-    return false;
-  }
-  if (!pass.Surfaces->Build(request, this->Reconstruction))
+  if (!pass.Surfaces->Build(this->MakeRequest(pass, sceneDepth), this->Reconstruction))
   {
     this->Error = pass.Surfaces->GetError();
     return false;
