@@ -47,7 +47,8 @@
  * are left out; their number is reported once, and by GetNumberOfSkippedPoints(). Arrays of a wrong
  * shape are refused with an error that names them. Cells may name points that are not there.
  * Given radii that do not belong to points as far apart as these (the median radius less than a
- * quarter of the spacing, or more than four times that) are drawn as they are, with a warning: no
+ * quarter of the spacing, or more than four times that, and as little in keeping with the distance
+ * of nearest points) are drawn as they are, with a warning: no
  * filter of VTK's scales `SplatRadius` and `SplatCurvature` with the points, so that after a
  * vtkTransformFilter that scales they must be estimated anew. An actor's scale acts on all alike.
  * NaN is refused by all setters. In a window without an OpenGL context nothing is drawn. Windows

@@ -5,9 +5,11 @@
 #include "vtkPointSplatPacking.h"
 
 #include "vtkDataArray.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace
 {
@@ -16,6 +18,39 @@ namespace
 // grid that is twenty times finer one way than the other 3.
 constexpr double LeastRadius = 0.25;
 constexpr double LargestRadius = 4.0;
+// The same to the distance of nearest points: a disk reaches these, however the sampling changes.
+constexpr double LeastReach = 0.6;
+
+/// The median distance of some splats to their nearest others that lie elsewhere.
+double GetNearestDistance(const std::vector<uint32_t>& splats, size_t words)
+{
+  constexpr size_t samples = 64;
+  const size_t count = splats.size() / words;
+  const size_t step = std::max<size_t>(1, count / samples);
+  const auto at = [&](size_t i) {
+    std::array<float, 3> p;
+    std::memcpy(p.data(), splats.data() + words * i, sizeof(p));
+    return p;
+  };
+  std::vector<float> nearest((count + step - 1) / step, VTK_FLOAT_MAX);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(nearest.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType k = begin; k < end; ++k)
+    {
+      const std::array<float, 3> p = at(static_cast<size_t>(k) * step);
+      for (size_t i = 0; i < count; ++i)
+      {
+        const std::array<float, 3> q = at(i);
+        const float d[3] = { q[0] - p[0], q[1] - p[1], q[2] - p[2] };
+        const float squared = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+        float& least = nearest[static_cast<size_t>(k)];
+        least = squared > 0.0f ? std::min(least, squared) : least;
+      }
+    }
+  });
+  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
+  std::nth_element(nearest.begin(), middle, nearest.end());
+  return std::sqrt(*middle);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -28,7 +63,14 @@ void vtkPointSplatCloud::CheckRadii(vtkObject* owner) const
     return;
   }
   const double ratio = this->MedianRadius / spacing;
-  if (ratio < LeastRadius || ratio > LargestRadius)
+  if (ratio >= LeastRadius && ratio <= LargestRadius)
+  {
+    return;
+  }
+  // Points that are much denser here than there are told by their neighbours.
+  const double reach =
+    this->MedianRadius / GetNearestDistance(this->Splats, this->GetWordsPerSplat());
+  if (reach < LeastReach || reach > LargestRadius)
   {
     vtkWarningWithObjectMacro(owner, << "The median SplatRadius is " << this->MedianRadius
                                      << ", and the points lie some " << spacing
