@@ -103,6 +103,7 @@
 #define vtkIsosurfacePoints_h
 
 #include "vtkFiltersPointSplattingModule.h" // For export macro
+#include "vtkPointSplatSetMacros.h"
 #include "vtkPointSplattingABI.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // For arguments of private functions
@@ -147,7 +148,7 @@ public:
    * The wanted distance between neighbouring points in world units; 0, the default, gives one
    * point for each grid edge that is crossed, or points about as dense as the scattered samples.
    */
-  vtkSetClampMacro(PointSpacing, double, 0.0, VTK_DOUBLE_MAX);
+  vtkPointSplatSetClampMacro(PointSpacing, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(PointSpacing, double);
   ///@}
 
@@ -185,7 +186,7 @@ public:
    * instead, of more than 128 the nearest: isosurfaces then do not bridge wider gaps between
    * samples. For particles, the radius of their smoothing kernel.
    */
-  vtkSetClampMacro(NeighborRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkPointSplatSetClampMacro(NeighborRadius, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(NeighborRadius, double);
   ///@}
 

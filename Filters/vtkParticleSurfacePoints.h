@@ -88,6 +88,7 @@
 #define vtkParticleSurfacePoints_h
 
 #include "vtkFiltersPointSplattingModule.h" // For export macro
+#include "vtkPointSplatSetMacros.h"
 #include "vtkPointSplattingABI.h"
 #include "vtkPolyDataAlgorithm.h"
 
@@ -118,7 +119,7 @@ public:
    * bends strongly. It is kept between a fiftieth of
    * their spacing and eight times it.
    */
-  vtkSetClampMacro(PointSpacing, double, 0.0, VTK_DOUBLE_MAX);
+  vtkPointSplatSetClampMacro(PointSpacing, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(PointSpacing, double);
   ///@}
 
@@ -127,7 +128,7 @@ public:
    * The edge of the cube of fluid that is one particle of median size, in world units; 0, the
    * default, is measured (stage 1). Twice the radius with which particles were put on a lattice.
    */
-  vtkSetClampMacro(ParticleSpacing, double, 0.0, VTK_DOUBLE_MAX);
+  vtkPointSplatSetClampMacro(ParticleSpacing, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ParticleSpacing, double);
   ///@}
 
@@ -136,7 +137,7 @@ public:
    * How far a particle's kernel reaches inside the fluid, in its spacings; 1.5 to 3, 2.5 by
    * default. A longer reach makes smoother surfaces that keep fewer details.
    */
-  vtkSetClampMacro(KernelReach, double, 1.5, 3.0);
+  vtkPointSplatSetClampMacro(KernelReach, 1.5, 3.0);
   vtkGetMacro(KernelReach, double);
   ///@}
 
@@ -145,7 +146,7 @@ public:
    * How far kernels' centres are moved to the mean of the particles around: 0, not at all, to 1;
    * 0.9 by default.
    */
-  vtkSetClampMacro(Smoothing, double, 0.0, 1.0);
+  vtkPointSplatSetClampMacro(Smoothing, 0.0, 1.0);
   vtkGetMacro(Smoothing, double);
   ///@}
 
@@ -154,7 +155,7 @@ public:
    * The largest ratio of a kernel's axes; 1, which makes them all balls, to 16. By default
    * 3: a sheet of one layer of particles is then about as thick as its particles are apart.
    */
-  vtkSetClampMacro(LargestStretch, double, 1.0, 16.0);
+  vtkPointSplatSetClampMacro(LargestStretch, 1.0, 16.0);
   vtkGetMacro(LargestStretch, double);
   ///@}
 

@@ -21,6 +21,7 @@
 #include "vtkPointSplatSensors.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <string>
@@ -540,6 +541,24 @@ int vtkPointSplatEstimation::RequestData(
   return 1;
 }
 
+//------------------------------------------------------------------------------
+void vtkPointSplatEstimation::SetViewpoint(double x, double y, double z)
+{
+  const double wanted[3] = { x, y, z };
+  if (!std::all_of(wanted, wanted + 3, [](double v) { return std::isfinite(v); }))
+  {
+    vtkErrorMacro("SetViewpoint(): " << x << ", " << y << ", " << z
+                                     << " is no place. It stays where it is.");
+    return;
+  }
+  if (!std::equal(wanted, wanted + 3, this->Viewpoint))
+  {
+    std::copy_n(wanted, 3, this->Viewpoint);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkPointSplatEstimation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

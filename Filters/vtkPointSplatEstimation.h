@@ -92,6 +92,7 @@
 #define vtkPointSplatEstimation_h
 
 #include "vtkFiltersPointSplattingModule.h" // For export macro
+#include "vtkPointSplatSetMacros.h"
 #include "vtkPointSplattingABI.h"
 #include "vtkPolyDataAlgorithm.h"
 
@@ -152,7 +153,11 @@ public:
    * The point, in world coordinates, that estimated normals face if Orientation is
    * TowardsViewpoint; (0, 0, 0) by default.
    */
-  vtkSetVector3Macro(Viewpoint, double);
+  virtual void SetViewpoint(double x, double y, double z);
+  virtual void SetViewpoint(const double point[3])
+  {
+    this->SetViewpoint(point[0], point[1], point[2]);
+  }
   vtkGetVector3Macro(Viewpoint, double);
   ///@}
 
@@ -160,7 +165,7 @@ public:
   /**
    * What radii and axes are multiplied with at the end; 1 by default, at least 0.
    */
-  vtkSetClampMacro(RadiusScale, double, 0.0, 1e9);
+  vtkPointSplatSetClampMacro(RadiusScale, 0.0, 1e9);
   vtkGetMacro(RadiusScale, double);
   ///@}
 

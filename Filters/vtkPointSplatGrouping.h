@@ -59,6 +59,7 @@
 #define vtkPointSplatGrouping_h
 
 #include "vtkFiltersPointSplattingModule.h" // For export macro
+#include "vtkPointSplatSetMacros.h"
 #include "vtkPointSplattingABI.h"
 #include "vtkPolyDataAlgorithm.h"
 
@@ -100,7 +101,7 @@ public:
    * The factor c on the distance at which splats count as overlapping; 1, the default, leaves
    * no overlap, smaller ones give fewer groups. 0.01 to 1.
    */
-  vtkSetClampMacro(OverlapFactor, double, 0.01, 1.0);
+  vtkPointSplatSetClampMacro(OverlapFactor, 0.01, 1.0);
   vtkGetMacro(OverlapFactor, double);
   ///@}
 
@@ -109,7 +110,7 @@ public:
    * How many radii splats are drawn with; 1.5 by default, as vtkPointSplatMapper's
    * KernelSupport. 1 takes SplatRadius for the disk's edge.
    */
-  vtkSetClampMacro(Reach, double, 0.1, 10.0);
+  vtkPointSplatSetClampMacro(Reach, 0.1, 10.0);
   vtkGetMacro(Reach, double);
   ///@}
 
@@ -129,7 +130,7 @@ public:
    * each other's plane, seen from the centre, and whose colours differ by no more than
    * ColorTolerance (of 255, in any component) may share a group. 0, the default: none may.
    */
-  vtkSetClampMacro(CoplanarAngle, double, 0.0, 90.0);
+  vtkPointSplatSetClampMacro(CoplanarAngle, 0.0, 90.0);
   vtkGetMacro(CoplanarAngle, double);
   vtkSetClampMacro(ColorTolerance, int, 0, 255);
   vtkGetMacro(ColorTolerance, int);
@@ -150,7 +151,7 @@ public:
    * all splats' area;
    * 0.05 by default.
    */
-  vtkSetClampMacro(MaximumOverlap, double, 0.0, 1.0);
+  vtkPointSplatSetClampMacro(MaximumOverlap, 0.0, 1.0);
   vtkGetMacro(MaximumOverlap, double);
   ///@}
 
@@ -170,7 +171,7 @@ public:
    * The share of a splat's disk that a group may clip for the splat to be added to it; 0.3 by
    * default.
    */
-  vtkSetClampMacro(MaximumClipped, double, 0.0, 1.0);
+  vtkPointSplatSetClampMacro(MaximumClipped, 0.0, 1.0);
   vtkGetMacro(MaximumClipped, double);
   ///@}
 

@@ -82,6 +82,7 @@
 #define vtkPointSplatProjection_h
 
 #include "vtkFiltersPointSplattingModule.h" // For export macro
+#include "vtkPointSplatSetMacros.h"
 #include "vtkPointSplattingABI.h"
 #include "vtkPolyDataAlgorithm.h"
 
@@ -116,7 +117,7 @@ public:
    * same face; 0.1 to 10, 0.5 by default: creases of 60 degrees and more are sharp. The paper
    * takes 0.5 (sharp) to 1.5 (smooth).
    */
-  vtkSetClampMacro(NormalBandwidth, double, 0.1, 10.0);
+  vtkPointSplatSetClampMacro(NormalBandwidth, 0.1, 10.0);
   vtkGetMacro(NormalBandwidth, double);
   ///@}
 
@@ -125,7 +126,7 @@ public:
    * sigma_r, in supports h: how far off the surface a neighbour may lie to count; 0.05 to 10, 0.5
    * by default, as in the paper.
    */
-  vtkSetClampMacro(ResidualBandwidth, double, 0.05, 10.0);
+  vtkPointSplatSetClampMacro(ResidualBandwidth, 0.05, 10.0);
   vtkGetMacro(ResidualBandwidth, double);
   ///@}
 
@@ -145,7 +146,7 @@ public:
   /**
    * What makes an outlier: see stage 7. 1 to 1000, 4 by default.
    */
-  vtkSetClampMacro(OutlierFactor, double, 1.0, 1000.0);
+  vtkPointSplatSetClampMacro(OutlierFactor, 1.0, 1000.0);
   vtkGetMacro(OutlierFactor, double);
   ///@}
 

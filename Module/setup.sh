@@ -12,6 +12,7 @@ packages=(
 test_packages=(
   python3-numpy                         # the accuracy tests' reference, and splatbench
   libembree3-3                          # the same for triangle meshes; without it they are skipped
+  xvfb xdotool                          # windows on a display of the tests' own, and a user's hands
 )
 
 # Installs what is missing from Debian, saying what; names it where it cannot.

@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkEGLHeadlessRenderWindow.h"
 
+#include "vtkCommand.h"
+#include "vtkHardwareSelector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointSplatCurrentGLX.h"
 #include "vtkPointSplattingConfigure.h"
 #include "vtkPointSplattingOpenGL.h"
 #include "vtkRenderer.h"
 #include "vtkRendererCollection.h"
+#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <string>
@@ -45,6 +49,10 @@ struct vtkEGLHeadlessRenderWindow::vtkInternals
   std::string Platform;
   std::string Capabilities;
   bool Failed = false;
+  int Visits = 0;
+  vtkPointSplatCurrentGLX Before;                 // the outermost visit
+  vtkWeakPointer<vtkHardwareSelector> Selection; // that Leave() waits for
+  std::vector<bool> Pushed; // whether the context was current before
 
 #if PointSplatting_HAVE_EGL
   EGLDisplay Display = EGL_NO_DISPLAY;
@@ -155,10 +163,7 @@ struct vtkEGLHeadlessRenderWindow::vtkInternals
     {
       return;
     }
-    if (eglGetCurrentContext() == this->Context)
-    {
-      eglMakeCurrent(this->Display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    }
+    this->ReleaseCurrent();
     if (this->Surface != EGL_NO_SURFACE)
     {
       eglDestroySurface(this->Display, this->Surface);
@@ -171,6 +176,13 @@ struct vtkEGLHeadlessRenderWindow::vtkInternals
 
   bool IsOpen() const { return this->Context != EGL_NO_CONTEXT; }
   bool IsCurrent() const { return this->IsOpen() && eglGetCurrentContext() == this->Context; }
+  void ReleaseCurrent()
+  {
+    if (this->IsCurrent())
+    {
+      eglMakeCurrent(this->Display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    }
+  }
   bool MakeCurrent()
   {
     return eglMakeCurrent(this->Display, this->Surface, this->Surface, this->Context);
@@ -181,6 +193,7 @@ struct vtkEGLHeadlessRenderWindow::vtkInternals
   void Close() {}
   bool IsOpen() const { return false; }
   bool IsCurrent() const { return false; }
+  void ReleaseCurrent() {}
   bool MakeCurrent() { return false; }
   void* GetContext() const { return nullptr; }
 #endif
@@ -217,8 +230,70 @@ const char* vtkEGLHeadlessRenderWindow::GetPlatform()
 }
 
 //------------------------------------------------------------------------------
+vtkEGLHeadlessRenderWindow::Visit::Visit(vtkEGLHeadlessRenderWindow* window)
+  : Window(window)
+  , Open(window->Internals->IsOpen())
+{
+  const vtkPointSplatCurrentGLX current = vtkPointSplatCurrentGLX::Get();
+  if (window->Internals->Visits++ == 0 && current)
+  {
+    window->Internals->Before = current;
+  }
+  window->MakeCurrent();
+}
+
+//------------------------------------------------------------------------------
+vtkEGLHeadlessRenderWindow::Visit::~Visit()
+{
+  vtkInternals& internals = *this->Window->Internals;
+  if (--internals.Visits > 0)
+  {
+    return;
+  }
+  // A selection is many frames, and sets state of OpenGL's between them.
+  vtkHardwareSelector* selection = nullptr;
+  vtkCollectionSimpleIterator it;
+  this->Window->Renderers->InitTraversal(it);
+  while (vtkRenderer* renderer = this->Window->Renderers->GetNextRenderer(it))
+  {
+    selection = renderer->GetSelector() ? renderer->GetSelector() : selection;
+  }
+  if (!selection)
+  {
+    this->Window->Leave();
+  }
+  else if (internals.Selection != selection)
+  {
+    internals.Selection = selection;
+    selection->AddObserver(
+      vtkCommand::EndEvent, this->Window, &vtkEGLHeadlessRenderWindow::Leave);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkEGLHeadlessRenderWindow::Leave()
+{
+  vtkInternals& internals = *this->Internals;
+  if (internals.Before || vtkPointSplatCurrentGLX::MayCome())
+  {
+    internals.ReleaseCurrent();
+    internals.Before.MakeCurrent();
+  }
+  internals.Before = vtkPointSplatCurrentGLX();
+}
+
+//------------------------------------------------------------------------------
+vtkOpenGLState* vtkEGLHeadlessRenderWindow::GetState()
+{
+  // Who asks for it changes it, and OpenGL's with it.
+  this->MakeCurrent();
+  return this->Superclass::GetState();
+}
+
+//------------------------------------------------------------------------------
 void vtkEGLHeadlessRenderWindow::Initialize()
 {
+  const Visit visit(this);
   if (!this->Internals->IsOpen() && !this->Internals->Failed)
   {
     this->CreateAWindow();
@@ -228,6 +303,7 @@ void vtkEGLHeadlessRenderWindow::Initialize()
 //------------------------------------------------------------------------------
 void vtkEGLHeadlessRenderWindow::CreateAWindow()
 {
+  vtkPointSplatCurrentGLX::Release();
   if (!this->Internals->OpenAny())
   {
     this->Internals->Failed = true;
@@ -294,7 +370,7 @@ void vtkEGLHeadlessRenderWindow::DestroyWindow()
   {
     return;
   }
-  this->MakeCurrent();
+  const Visit visit(this);
   this->ReleaseGraphicsResources(this);
   this->Internals->Close();
   this->Initialized = false;
@@ -310,10 +386,41 @@ void vtkEGLHeadlessRenderWindow::Finalize()
 //------------------------------------------------------------------------------
 void vtkEGLHeadlessRenderWindow::MakeCurrent()
 {
-  if (this->Internals->IsOpen() && !this->Internals->IsCurrent() &&
-    !this->Internals->MakeCurrent())
+  if (!this->Internals->IsOpen() || this->Internals->IsCurrent())
+  {
+    return;
+  }
+  vtkPointSplatCurrentGLX::Release();
+  if (!this->Internals->MakeCurrent())
   {
     vtkErrorMacro("The EGL context cannot be made current; is it current in another thread?");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkEGLHeadlessRenderWindow::ReleaseCurrent()
+{
+  this->Internals->ReleaseCurrent();
+}
+
+//------------------------------------------------------------------------------
+void vtkEGLHeadlessRenderWindow::PushContext()
+{
+  this->Internals->Pushed.push_back(this->Internals->IsCurrent());
+  this->MakeCurrent();
+}
+
+//------------------------------------------------------------------------------
+void vtkEGLHeadlessRenderWindow::PopContext()
+{
+  std::vector<bool>& pushed = this->Internals->Pushed;
+  if (!pushed.empty() && !pushed.back() && vtkPointSplatCurrentGLX::MayCome())
+  {
+    this->ReleaseCurrent();
+  }
+  if (!pushed.empty())
+  {
+    pushed.pop_back();
   }
 }
 
@@ -357,9 +464,9 @@ const char* vtkEGLHeadlessRenderWindow::ReportCapabilities()
   this->Initialize();
   std::string& text = this->Internals->Capabilities;
   text = "EGL platform:  " + this->Internals->Platform + "\n";
+  const Visit visit(this);
   if (this->Initialized)
   {
-    this->MakeCurrent();
     const GLenum names[] = { GL_VENDOR, GL_RENDERER, GL_VERSION };
     const char* labels[] = { "OpenGL vendor string:  ", "OpenGL renderer string:  ",
       "OpenGL version string:  " };

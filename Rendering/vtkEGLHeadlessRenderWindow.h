@@ -18,10 +18,22 @@
  * 3. the default display with a pbuffer of one pixel.
  * In each, core profiles from 4.6 down to 3.2 are tried. GetPlatform() tells
  * what was found. Where there is no EGL, or no context, one error is given and
- * the window stays uninitialised: Render() then draws nothing.
+ * the window stays uninitialised: Render() then draws nothing, and pictures that
+ * are read are black.
+ *
+ * Beside windows of an X server, in any order: a thread has one current context,
+ * and the dispatch libraries refuse an EGL context while one of GLX is current and
+ * the other way round, the latter by an X error that ends the process. So
+ * 1. to become current, this window first releases a context of GLX,
+ * 2. where DISPLAY is set, or GLX had the thread, it releases its own context after
+ *    Render(), a selection, reading or writing pixels, and in PopContext(); GLX then
+ *    has back what it had.
+ * A program that calls MakeCurrent() or GetState() itself there calls ReleaseCurrent()
+ * when it is done. Where DISPLAY is not set the context stays current, as any window's does.
  *
  * Where VTK has an EGL window of its own (vtkEGLRenderWindow, every build from
- * VTK 9.4 on), this class is nothing but that window, made off-screen.
+ * VTK 9.4 on), this class is nothing but that window, made off-screen, and shares a
+ * thread with other windows as VTK's does.
  */
 
 #ifndef vtkEGLHeadlessRenderWindow_h
@@ -67,7 +79,10 @@ public:
   void Initialize() override;
   void Finalize() override;
   void MakeCurrent() override;
+  void ReleaseCurrent() override;
   bool IsCurrent() override;
+  void PushContext() override;
+  void PopContext() override;
   void SetSize(int width, int height) override;
   void SetSize(int size[2]) override { this->SetSize(size[0], size[1]); }
   int* GetScreenSize() VTK_SIZEHINT(2) override;
@@ -89,8 +104,44 @@ public:
   void SetParentInfo(const char*) override {}
   int GetColorBufferSizes(int* rgba) override;
   const char* ReportCapabilities() override;
+  void WaitForCompletion() override;
   int IsDirect() override { return 1; }
+  vtkOpenGLState* GetState() override;
   vtkTypeBool GetEventPending() override { return 0; }
+  ///@}
+
+  ///@{
+  /**
+   * As every window's, and nothing where there is no context.
+   */
+  void Render() override;
+  unsigned char* GetPixelData(int x, int y, int x2, int y2, int front, int right) override;
+  int GetPixelData(
+    int x, int y, int x2, int y2, int front, vtkUnsignedCharArray* data, int right) override;
+  int SetPixelData(
+    int x, int y, int x2, int y2, unsigned char* data, int front, int right) override;
+  int SetPixelData(
+    int x, int y, int x2, int y2, vtkUnsignedCharArray* data, int front, int right) override;
+  float* GetRGBAPixelData(int x, int y, int x2, int y2, int front, int right = 0) override;
+  int GetRGBAPixelData(
+    int x, int y, int x2, int y2, int front, vtkFloatArray* data, int right = 0) override;
+  int SetRGBAPixelData(int x, int y, int x2, int y2, float* data, int front, int blend = 0,
+    int right = 0) override;
+  int SetRGBAPixelData(int x, int y, int x2, int y2, vtkFloatArray* data, int front,
+    int blend = 0, int right = 0) override;
+  unsigned char* GetRGBACharPixelData(
+    int x, int y, int x2, int y2, int front, int right = 0) override;
+  int GetRGBACharPixelData(int x, int y, int x2, int y2, int front, vtkUnsignedCharArray* data,
+    int right = 0) override;
+  int SetRGBACharPixelData(int x, int y, int x2, int y2, unsigned char* data, int front,
+    int blend = 0, int right = 0) override;
+  int SetRGBACharPixelData(int x, int y, int x2, int y2, vtkUnsignedCharArray* data, int front,
+    int blend = 0, int right = 0) override;
+  float* GetZbufferData(int x, int y, int x2, int y2) override;
+  int GetZbufferData(int x, int y, int x2, int y2, float* z) override;
+  int GetZbufferData(int x, int y, int x2, int y2, vtkFloatArray* z) override;
+  int SetZbufferData(int x, int y, int x2, int y2, float* z) override;
+  int SetZbufferData(int x, int y, int x2, int y2, vtkFloatArray* z) override;
   ///@}
 #endif
 
@@ -107,6 +158,32 @@ protected:
 private:
   vtkEGLHeadlessRenderWindow(const vtkEGLHeadlessRenderWindow&) = delete;
   void operator=(const vtkEGLHeadlessRenderWindow&) = delete;
+
+#if !PointSplatting_VTK_HAS_EGL_WINDOW
+  /**
+   * While one lives, the context is current, if there is one; what follows the outermost one is
+   * Leave(), after a selection that is under way.
+   */
+  class Visit
+  {
+  public:
+    explicit Visit(vtkEGLHeadlessRenderWindow* window);
+    ~Visit();
+    Visit(const Visit&) = delete;
+    void operator=(const Visit&) = delete;
+    /// Whether there is a context.
+    explicit operator bool() const { return this->Open; }
+
+  private:
+    vtkEGLHeadlessRenderWindow* Window;
+    bool Open;
+  };
+
+  /**
+   * Gives the thread back to who had it; see the class.
+   */
+  void Leave();
+#endif
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

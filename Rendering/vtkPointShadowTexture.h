@@ -51,6 +51,7 @@
 #include "vtkRenderingPointSplattingModule.h" // For export macro
 #include "vtkSmartPointer.h"                  // For the lights
 
+#include "vtkPointSplatSetMacros.h"
 #include "vtkPointSplattingABI.h"
 
 #include <memory> // For std::unique_ptr
@@ -108,7 +109,7 @@ public:
    * for positional lights; for directional ones the tangent of the angle at which the radius is
    * seen (0.0047 for the sun). 0, the default: hard shadows, by one sample.
    */
-  vtkSetClampMacro(LightRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkPointSplatSetClampMacro(LightRadius, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(LightRadius, double);
   ///@}
 
@@ -118,7 +119,7 @@ public:
    * surface casts no shadow on it. 0, the default, is automatic: a splat radius of median size, or
    * 1.5 pixels of the shadow map if these are larger.
    */
-  vtkSetClampMacro(LayerDistance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkPointSplatSetClampMacro(LayerDistance, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(LayerDistance, double);
   ///@}
 

@@ -63,9 +63,23 @@
  * - Cell normals are not used; a warning says so where there are no others.
  *
  * Bad input: points that are ghosts, or whose coordinates, normal or size are not finite or not
- * positive, are left out; their number is reported once, and by GetNumberOfSkippedPoints(). Arrays
- * of a wrong shape are refused with an error that names them. Clip lines that are not finite cut
- * nothing, and those nearer to a splat's centre than a millionth of its size are taken for so near.
+ * positive, or that lie farther off than a million times what the middle half of all points spans,
+ * are left out; their number is reported once, and by GetNumberOfSkippedPoints(). Arrays of a wrong
+ * shape are refused with an error that names them. Cells may name points that are not there. Clip
+ * lines that are not finite cut nothing, and those nearer to a splat's centre than a millionth of its
+ * size are taken for so near.
+ * Given radii that do not belong to points as far apart as these (the median radius less than a
+ * quarter of the spacing, or more than four times that, and as little in keeping with the distance
+ * of nearest points) are drawn as they are, with a warning: no
+ * filter of VTK's scales `SplatRadius` and `SplatCurvature` with the points, so that after a
+ * vtkTransformFilter that scales they must be estimated anew. An actor's scale acts on all alike.
+ * NaN is refused by all setters. In a window without an OpenGL context nothing is drawn. Windows
+ * of more than 11,500 x 11,500 pixels, of 7,500 x 7,500 where splats are not drawn by tiles, are
+ * refused with an error, since their images would take more than 4 GiB:
+ * vtkWindowToImageFilter::SetScale() draws larger pictures part by part.
+ *
+ * Progress: while sizes and normals are estimated, ProgressEvent tells how much is done, and
+ * AbortExecuteOn() ends it; nothing is drawn then, and the next Render() begins anew.
  *
  * @sa vtkPointSplatPass vtkPointSplatEstimation vtkIsosurfacePoints
  */
@@ -76,6 +90,7 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderingPointSplattingModule.h" // For export macro
 
+#include "vtkPointSplatSetMacros.h"
 #include "vtkPointSplattingABI.h"
 
 #include <memory> // For std::unique_ptr
@@ -133,7 +148,7 @@ public:
    * drawn in full quality. GetChoices() tells what the last frame chose and why, a line each:
    * `method: two-pass, ...`.
    */
-  vtkSetClampMacro(TargetError, double, 0.0, 1.0);
+  vtkPointSplatSetClampMacro(TargetError, 0.0, 1.0);
   vtkGetMacro(TargetError, double);
   const char* GetChoices();
   ///@}
@@ -204,7 +219,7 @@ public:
    * Hardware selection looks through actors of less opacity than this. 0, the default: it picks
    * the nearest layer, however faint.
    */
-  vtkSetClampMacro(PickOpacityThreshold, double, 0.0, 1.0);
+  vtkPointSplatSetClampMacro(PickOpacityThreshold, 0.0, 1.0);
   vtkGetMacro(PickOpacityThreshold, double);
   ///@}
 
@@ -229,7 +244,7 @@ public:
    * Of refraction: the index of refraction of the body against the air around, 1 to 4. Default:
    * 1.5, as glass has it. With 1 nothing is bent or reflected.
    */
-  vtkSetClampMacro(RefractiveIndex, double, 1.0, 4.0);
+  vtkPointSplatSetClampMacro(RefractiveIndex, 1.0, 4.0);
   vtkGetMacro(RefractiveIndex, double);
   ///@}
 
@@ -239,7 +254,7 @@ public:
    * RefractiveIndex, which is green's: n (1 - Dispersion / 2), n, n (1 + Dispersion / 2), not less
    * than 1. 0 to 1; glass has 0.01 to 0.04. Default: 0.
    */
-  vtkSetClampMacro(Dispersion, double, 0.0, 1.0);
+  vtkPointSplatSetClampMacro(Dispersion, 0.0, 1.0);
   vtkGetMacro(Dispersion, double);
   ///@}
 
@@ -264,7 +279,7 @@ public:
    * which splats count as overlapping when they are grouped (vtkPointSplatGrouping). 1 gives the
    * picture of two passes; less gives fewer groups and small faults. Default: 0.8.
    */
-  vtkSetClampMacro(OverlapFactor, double, 0.01, 1.0);
+  vtkPointSplatSetClampMacro(OverlapFactor, 0.01, 1.0);
   vtkGetMacro(OverlapFactor, double);
   ///@}
 
@@ -388,11 +403,11 @@ public:
    * As vtkPointShadowTexture's LightRadius, Seed, LayerDistance and Resolution. The first mapper's
    * of a renderer that has Shadows on hold for all.
    */
-  vtkSetClampMacro(ShadowLightRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkPointSplatSetClampMacro(ShadowLightRadius, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ShadowLightRadius, double);
   vtkSetMacro(ShadowSeed, int);
   vtkGetMacro(ShadowSeed, int);
-  vtkSetClampMacro(ShadowLayerDistance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkPointSplatSetClampMacro(ShadowLayerDistance, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ShadowLayerDistance, double);
   vtkSetClampMacro(ShadowResolution, int, 0, 16384);
   vtkGetMacro(ShadowResolution, int);
@@ -439,7 +454,7 @@ public:
   /**
    * The Gaussian's sigma, as a fraction of the splat's radius. Default: 0.6.
    */
-  vtkSetClampMacro(KernelSigma, double, 0.05, 10.0);
+  vtkPointSplatSetClampMacro(KernelSigma, 0.05, 10.0);
   vtkGetMacro(KernelSigma, double);
   ///@}
 
@@ -448,9 +463,9 @@ public:
    * The plateau kernel's a and n: a larger a makes it narrower, a larger n
    * flatter in the middle and steeper at the rim. Defaults: 4 and 5.
    */
-  vtkSetClampMacro(PlateauFalloff, double, 0.01, 1000.0);
+  vtkPointSplatSetClampMacro(PlateauFalloff, 0.01, 1000.0);
   vtkGetMacro(PlateauFalloff, double);
-  vtkSetClampMacro(PlateauExponent, double, 1.0, 100.0);
+  vtkPointSplatSetClampMacro(PlateauExponent, 1.0, 100.0);
   vtkGetMacro(PlateauExponent, double);
   ///@}
 
@@ -458,15 +473,16 @@ public:
   /**
    * Where kernels end, in radii: b of the plateau kernels. Default: 1.5.
    */
-  vtkSetClampMacro(KernelSupport, double, 1.0, 4.0);
+  vtkPointSplatSetClampMacro(KernelSupport, 1.0, 4.0);
   vtkGetMacro(KernelSupport, double);
   ///@}
 
   ///@{
   /**
-   * Multiplies all radii and axes. Default: 1.
+   * Multiplies all radii and axes. Default: 1. At most 8: at each pixel some 2 RadiusScale^2 splats
+   * overlap, and frames take as many times longer, while the picture is but blurred.
    */
-  vtkSetClampMacro(RadiusScale, double, 1e-6, 1e6);
+  vtkPointSplatSetClampMacro(RadiusScale, 1e-6, 8.0);
   vtkGetMacro(RadiusScale, double);
   ///@}
 
@@ -477,7 +493,7 @@ public:
    * automatic: a fraction of each splat's own radius. GetLayerDistanceUsed() gives
    * the distance for a splat of median size.
    */
-  vtkSetClampMacro(LayerDistance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkPointSplatSetClampMacro(LayerDistance, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(LayerDistance, double);
   double GetLayerDistanceUsed();
   ///@}

@@ -29,6 +29,7 @@
 #include "vtkRenderPass.h"
 #include "vtkRenderingPointSplattingModule.h" // For export macro
 
+#include "vtkPointSplatSetMacros.h"
 #include "vtkPointSplattingABI.h"
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -59,9 +60,9 @@ public:
   void SetTransparencyToNearestExact() { this->SetTransparency(3); }
   vtkSetClampMacro(MaximumNumberOfLayers, int, -1, 256);
   vtkGetMacro(MaximumNumberOfLayers, int);
-  vtkSetClampMacro(LayerDistance, double, -1.0, VTK_DOUBLE_MAX);
+  vtkPointSplatSetClampMacro(LayerDistance, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(LayerDistance, double);
-  vtkSetClampMacro(TargetError, double, -1.0, 1.0);
+  vtkPointSplatSetClampMacro(TargetError, -1.0, 1.0);
   vtkGetMacro(TargetError, double);
   ///@}
 

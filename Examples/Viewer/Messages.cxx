@@ -31,11 +31,7 @@ public:
   }
   void DisplayWarningText(const char* text) override
   {
-    warnings.push_back(Stripped(text));
-    if (showWarnings)
-    {
-      MessageKeeper::ShowWarnings();
-    }
+    MessageKeeper::AddWarning(Stripped(text));
   }
   // By these some readers tell that a file is broken off, and go on with what was in memory.
   void DisplayGenericWarningText(const char* text) override
@@ -136,6 +132,16 @@ std::string MessageKeeper::TakeError()
   std::string error;
   std::swap(error, firstError);
   return error;
+}
+
+//------------------------------------------------------------------------------
+void MessageKeeper::AddWarning(const std::string& text)
+{
+  warnings.push_back(OneLine(text));
+  if (showWarnings)
+  {
+    MessageKeeper::ShowWarnings();
+  }
 }
 
 //------------------------------------------------------------------------------

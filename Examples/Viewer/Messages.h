@@ -34,6 +34,11 @@ public:
   static std::string TakeError();
 
   /**
+   * As a warning of VTK's.
+   */
+  static void AddWarning(const std::string& text);
+
+  /**
    * Prints the warnings kept so far; later ones are printed as they come.
    */
   static void ShowWarnings();

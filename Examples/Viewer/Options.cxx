@@ -60,6 +60,18 @@ double Positive(const std::string& option, const std::string& text)
   return value;
 }
 
+double PositiveAtMost(const std::string& option, const std::string& text, double most)
+{
+  const double value = Positive(option, text);
+  if (value > most)
+  {
+    std::ostringstream error;
+    error << option << ": '" << text << "' is greater than " << most;
+    throw UserError(error.str());
+  }
+  return value;
+}
+
 /**
  * Appends, so that a repeated option goes on with the next surface.
  */
@@ -217,7 +229,7 @@ Options Options::Parse(int argc, char* argv[])
         o.Projection = OneOf(n, v, { "automatic", "compute", "quads" });
       } },
     { "--normals", [&o](auto& n, auto& v) { o.Normals = OneOf(n, v, { "keep", "estimate" }); } },
-    { "--radius-scale", [&o](auto& n, auto& v) { o.RadiusScale = Positive(n, v); } },
+    { "--radius-scale", [&o](auto& n, auto& v) { o.RadiusScale = PositiveAtMost(n, v, 8.0); } },
     { "--frames", [&o](auto& n, auto& v) { o.Frames = Whole(n, v, 1, 10000); } },
     { "--output",
       [&o](auto& n, auto& v) {
@@ -319,7 +331,7 @@ What is drawn
   --normals WHICH      keep (default) or estimate
   --project            move noisy points onto one smooth surface with sharp edges first, and leave
                        outliers out
-  --radius-scale F     multiplies all splats' radii
+  --radius-scale F     multiplies all splats' radii, by 8 at most
 
 How it looks
   --color C[;C...]     a colour for each surface: r,g,b (0 to 1), #rrggbb, or a name as in
@@ -349,7 +361,7 @@ What comes out
   --output F.png       write a picture and end; without it a window opens where there is a
                        display, and splatview.png is written where there is none
   --json F.json        write points, method, automatic choices and frame times
-  --frames N           frames to time (5)
+  --frames N           with --json: frames to time (5)
   --quiet              no progress bars and no summary
   --help, --version
 

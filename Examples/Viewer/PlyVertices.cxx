@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlyVertices.h"
 
+#include "Messages.h"
 #include "Options.h"
 #include "PointColors.h"
 #include "Progress.h"
 
+#include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
@@ -126,15 +128,23 @@ public:
    */
   bool Next(const Property& property, double& value)
   {
-    if (!property.IsList)
+    return property.IsList ? this->NextList(property, value, [](double) {})
+                           : this->Next(property.ValueType, value);
+  }
+
+  /**
+   * How many a list has, and each of them to a function. Nothing is made as long as a file says,
+   * which may end before.
+   */
+  template <typename Take>
+  bool NextList(const Property& property, double& count, const Take& take)
+  {
+    bool good = this->Next(property.CountType, count) && count >= 0.0;
+    double value = 0.0;
+    for (double i = 0.0; good && i < count; ++i)
     {
-      return this->Next(property.ValueType, value);
-    }
-    bool good = this->Next(property.CountType, value);
-    double ignored = 0.0;
-    for (double i = 0.0; good && i < value; ++i)
-    {
-      good = this->Next(property.ValueType, ignored);
+      good = this->Next(property.ValueType, value);
+      take(value);
     }
     return good;
   }
@@ -347,11 +357,92 @@ vtkSmartPointer<vtkPolyData> ReadVertices(
   }
   return data;
 }
+
+UserError Ended(const std::string& file, const Element& element)
+{
+  return UserError(file + ": ends, or has no number, in its list of " + element.Name);
+}
+
+void SkipElement(ValueReader& reader, const Element& element, const std::string& file)
+{
+  double ignored = 0.0;
+  for (long long i = 0; i < element.Count; ++i)
+  {
+    for (const Property& property : element.Properties)
+    {
+      if (!reader.Next(property, ignored))
+      {
+        throw Ended(file, element);
+      }
+    }
+  }
+}
+
+/**
+ * Polygons of "face", or strips of "tristrips" that -1 separates.
+ */
+struct Faces
+{
+  vtkNew<vtkCellArray> Polygons;
+  vtkNew<vtkCellArray> Strips;
+  /// Those that name vertices which are not there: left out.
+  long long Bad = 0;
+
+  void Add(const std::vector<double>& corners, bool strip, vtkIdType vertices)
+  {
+    std::vector<vtkIdType> ids;
+    for (const double corner : corners)
+    {
+      // NaN compares false.
+      if (!(corner >= 0.0 && corner < static_cast<double>(vertices)))
+      {
+        ++this->Bad;
+        return;
+      }
+      ids.push_back(static_cast<vtkIdType>(corner));
+    }
+    if (ids.size() >= 3)
+    {
+      vtkCellArray* cells = strip ? this->Strips : this->Polygons;
+      cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+    }
+  }
+};
+
+void ReadFaces(ValueReader& reader, const Element& element, const std::string& file,
+  vtkIdType vertices, Faces& faces)
+{
+  const bool strips = element.Name == "tristrips";
+  std::vector<double> corners;
+  double ignored = 0.0;
+  for (long long i = 0; i < element.Count; ++i)
+  {
+    corners.clear();
+    for (const Property& property : element.Properties)
+    {
+      const bool isFace =
+        property.IsList && (property.Name == "vertex_indices" || property.Name == "vertex_index");
+      const auto take = [&](double corner) {
+        if (strips && corner == -1.0)
+        {
+          faces.Add(corners, strips, vertices);
+          corners.clear();
+          return;
+        }
+        corners.push_back(corner);
+      };
+      if (!(isFace ? reader.NextList(property, ignored, take) : reader.Next(property, ignored)))
+      {
+        throw Ended(file, element);
+      }
+    }
+    faces.Add(corners, strips, vertices);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> ReadPlyVertices(
-  const std::string& file, bool& hasFaces, ProgressBar& progress)
+vtkSmartPointer<vtkPolyData> ReadPly(const std::string& file, ProgressBar& progress)
 {
   std::ifstream in(file, std::ios::binary);
   if (!in)
@@ -360,27 +451,38 @@ vtkSmartPointer<vtkPolyData> ReadPlyVertices(
   }
   std::string format;
   const std::vector<Element> elements = ReadHeader(in, file, format);
-  hasFaces = std::any_of(elements.begin(), elements.end(), [](const Element& element) {
-    return (element.Name == "face" || element.Name == "tristrips") && element.Count > 0;
-  });
   ValueReader reader(in, format);
+  vtkSmartPointer<vtkPolyData> vertices;
+  Faces faces;
   for (const Element& element : elements)
   {
-    if (element.Name == "vertex")
+    if (element.Name == "vertex" && !vertices)
     {
-      return ReadVertices(reader, element, file, progress);
-    }
-    for (long long i = 0; i < element.Count; ++i)
-    {
-      double ignored = 0.0;
-      for (const Property& property : element.Properties)
+      vertices = ReadVertices(reader, element, file, progress);
+      if (vertices->GetPointData()->GetNormals())
       {
-        if (!reader.Next(property, ignored))
-        {
-          throw UserError(file + ": ends in its list of " + element.Name);
-        }
+        return vertices;
       }
     }
+    else if (vertices && (element.Name == "face" || element.Name == "tristrips"))
+    {
+      ReadFaces(reader, element, file, vertices->GetNumberOfPoints(), faces);
+    }
+    else
+    {
+      SkipElement(reader, element, file);
+    }
   }
-  throw UserError(file + ": has no vertices");
+  if (!vertices)
+  {
+    throw UserError(file + ": has no vertices");
+  }
+  if (faces.Bad > 0)
+  {
+    MessageKeeper::AddWarning(file + ": " + std::to_string(faces.Bad) +
+      " faces name vertices that are not there; they are left out");
+  }
+  vertices->SetPolys(faces.Polygons);
+  vertices->SetStrips(faces.Strips);
+  return vertices;
 }

@@ -3,15 +3,18 @@
 #include "Readers.h"
 
 #include "Messages.h"
+#include "ObjIndices.h"
 #include "Options.h"
 #include "PlyVertices.h"
 #include "Progress.h"
 #include "TextPoints.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
+#include "vtkFieldData.h"
 #include "vtkGenericDataObjectReader.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -19,11 +22,11 @@
 #include "vtkNew.h"
 #include "vtkNrrdReader.h"
 #include "vtkOBJReader.h"
-#include "vtkPLYReader.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkSTLReader.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLMultiBlockDataReader.h"
 #include "vtkXMLPolyDataReader.h"
@@ -64,26 +67,88 @@ vtkSmartPointer<vtkDataObject> ReadText(const std::string& file, bool quiet)
   return ReadTextPoints(file, progress);
 }
 
-vtkSmartPointer<vtkDataObject> ReadPly(const std::string& file, bool quiet)
+vtkSmartPointer<vtkDataObject> ReadPlyFile(const std::string& file, bool quiet)
 {
-  bool hasFaces = false;
-  vtkSmartPointer<vtkPolyData> vertices;
+  ProgressBar progress("reading", quiet);
+  return ReadPly(file, progress);
+}
+
+/**
+ * vtkOBJReader takes indices as they are.
+ */
+vtkSmartPointer<vtkDataObject> ReadObj(const std::string& file, bool quiet)
+{
+  CheckObjIndices(file);
+  return Read<vtkOBJReader>(file, quiet);
+}
+
+/**
+ * Whether cells lie within their own list and name only points that are there.
+ */
+bool AreValid(vtkCellArray* cells, vtkIdType points)
+{
+  if (!cells || cells->GetNumberOfCells() == 0)
   {
-    ProgressBar progress("reading", quiet);
-    vertices = ReadPlyVertices(file, hasFaces, progress);
+    return true;
   }
-  if (hasFaces && !vertices->GetPointData()->GetNormals())
+  if (!cells->IsValid())
   {
-    // For normals from the triangles. Textured ones may come with more points.
-    vtkSmartPointer<vtkDataObject> object = Read<vtkPLYReader>(file, quiet);
-    vtkPolyData* mesh = vtkPolyData::SafeDownCast(object);
-    if (mesh && mesh->GetNumberOfPoints() == vertices->GetNumberOfPoints())
+    return false;
+  }
+  double range[2];
+  cells->GetConnectivityArray()->GetRange(range);
+  return cells->GetNumberOfConnectivityIds() == 0 ||
+    (range[0] >= 0.0 && range[1] < static_cast<double>(points));
+}
+
+/**
+ * The same, or its points alone where its cells are not valid: filters take indices as they are.
+ */
+vtkSmartPointer<vtkDataSet> WithValidCells(const std::string& file, vtkDataSet* data)
+{
+  const vtkIdType points = data->GetNumberOfPoints();
+  bool valid = true;
+  if (vtkPolyData* mesh = vtkPolyData::SafeDownCast(data))
+  {
+    valid = AreValid(mesh->GetVerts(), points) && AreValid(mesh->GetLines(), points) &&
+      AreValid(mesh->GetPolys(), points) && AreValid(mesh->GetStrips(), points);
+  }
+  else if (vtkUnstructuredGrid* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    valid = AreValid(grid->GetCells(), points);
+  }
+  if (valid)
+  {
+    return data;
+  }
+  MessageKeeper::AddWarning(
+    file + ": its cells name points that are not there; the points alone are taken");
+  auto bare = vtkSmartPointer<vtkPolyData>::New();
+  bare->SetPoints(vtkPointSet::SafeDownCast(data)->GetPoints());
+  bare->GetPointData()->ShallowCopy(data->GetPointData());
+  bare->GetFieldData()->ShallowCopy(data->GetFieldData());
+  return bare;
+}
+
+/**
+ * Point arrays that are not as long as there are points, as vtkOBJReader's normals that no face
+ * names.
+ */
+void RemoveBadArrays(const std::string& file, vtkDataSet* data)
+{
+  vtkPointData* arrays = data->GetPointData();
+  for (int i = arrays->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    vtkAbstractArray* array = arrays->GetAbstractArray(i);
+    if (array->GetNumberOfTuples() != data->GetNumberOfPoints())
     {
-      vertices->SetPolys(mesh->GetPolys());
-      vertices->SetStrips(mesh->GetStrips());
+      MessageKeeper::AddWarning(file + ": its point array " +
+        (array->GetName() ? array->GetName() : "without a name") + " has " +
+        std::to_string(array->GetNumberOfTuples()) + " tuples for " +
+        std::to_string(data->GetNumberOfPoints()) + " points; it is left out");
+      arrays->RemoveArray(i);
     }
   }
-  return vertices;
 }
 
 /**
@@ -112,7 +177,7 @@ const std::map<std::string, ReadFunction>& GetReaders()
   static const std::map<std::string, ReadFunction> readers = { { "csv", ReadText },
     { "mha", Read<vtkMetaImageReader> }, { "mhd", Read<vtkMetaImageReader> },
     { "nhdr", ReadNrrd }, { "nrrd", ReadNrrd },
-    { "obj", Read<vtkOBJReader> }, { "ply", ReadPly }, { "pts", ReadText },
+    { "obj", ReadObj }, { "ply", ReadPlyFile }, { "pts", ReadText },
     { "stl", Read<vtkSTLReader> }, { "txt", ReadText }, { "vti", Read<vtkXMLImageDataReader> },
     { "vtk", Read<vtkGenericDataObjectReader> }, { "vtm", Read<vtkXMLMultiBlockDataReader> },
     { "vtp", Read<vtkXMLPolyDataReader> }, { "vts", Read<vtkXMLStructuredGridReader> },
@@ -156,7 +221,8 @@ std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> ReadFile(
       throw UserError(
         file + ": holds a " + data->GetClassName() + "; points or image data are wanted");
     }
-    found.emplace_back(leafName, data);
+    RemoveBadArrays(file, data);
+    found.emplace_back(leafName, WithValidCells(file, data));
   };
   if (vtkCompositeDataSet* blocks = vtkCompositeDataSet::SafeDownCast(object))
   {

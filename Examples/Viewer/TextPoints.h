@@ -17,9 +17,7 @@ class vtkPolyData;
  * vectors within 1 % (or zero), else colours, from 0 to 1 or from 0 to 255. The
  * scalar becomes the array "Intensity".
  *
- * Separators are blanks, tabs, commas and semicolons. Empty lines, lines that begin
- * with # or //, a first line of names, and one with the count are passed over.
- * Throws UserError.
+ * How the numbers may be written, TextTable tells. Throws UserError.
  */
 vtkSmartPointer<vtkPolyData> ReadTextPoints(const std::string& file, ProgressBar& progress);
 

@@ -90,6 +90,29 @@ int ShowMessages()
   return 0;
 }
 
+/**
+ * In one line: what was drawn, how, how long frames took if that was measured, and the file if one
+ * is written.
+ */
+void PrintSummary(
+  const Scene& scene, const std::vector<double>& milliseconds, const std::string& output)
+{
+  vtkIdType points = 0;
+  for (const Surface& surface : scene.Surfaces)
+  {
+    points += surface.Mapper->GetNumberOfSplats();
+  }
+  std::printf("%lld points in %zu surface%s, %s by %s", static_cast<long long>(points),
+    scene.Surfaces.size(), scene.Surfaces.size() == 1 ? "" : "s",
+    scene.Surfaces[0].Mapper->GetMethodUsed(), scene.Surfaces[0].Mapper->GetProjectionUsed());
+  if (!milliseconds.empty())
+  {
+    std::printf(", %.1f ms a frame", Median(milliseconds));
+  }
+  std::printf("%s%s\n", output.empty() ? "" : ", written to ", output.c_str());
+  std::fflush(stdout);
+}
+
 int Run(const Options& options)
 {
   const bool interactive = options.Output.empty() && !options.Files.empty() && HasDisplay();
@@ -119,43 +142,37 @@ int Run(const Options& options)
   window->SetSize(options.Size[0], options.Size[1]);
   window->SetWindowName("splatview");
   window->AddRenderer(scene.Renderer);
+  // Before the first Render(): VTK 9.1 crashes at the session's end where the window has opened the
+  // X server's connection, and closes it, while the interactor still reads from it.
+  vtkNew<vtkInteractorStyleTrackballCamera> style;
+  vtkNew<vtkRenderWindowInteractor> interactor;
+  if (interactive)
+  {
+    interactor->SetRenderWindow(window);
+    interactor->SetInteractorStyle(style);
+  }
   window->Render();
   if (ShowMessages() != 0)
   {
     return 1;
   }
 
-  if (!options.Json.empty() || !options.Quiet)
+  // Only for a report, since the user would have to watch and wait.
+  std::vector<double> times;
+  if (!options.Json.empty())
   {
-    const std::vector<double> times = TimeFrames(window, scene.Renderer, options.Frames);
-    if (!options.Json.empty())
-    {
-      WriteReport(options.Json, scene, window, times);
-    }
-    if (!options.Quiet)
-    {
-      vtkIdType points = 0;
-      for (const Surface& surface : scene.Surfaces)
-      {
-        points += surface.Mapper->GetNumberOfSplats();
-      }
-      std::printf("%lld points in %zu surface%s, %s by %s, %.1f ms a frame%s%s\n",
-        static_cast<long long>(points), scene.Surfaces.size(),
-        scene.Surfaces.size() == 1 ? "" : "s",
-        scene.Surfaces[0].Mapper->GetMethodUsed(), scene.Surfaces[0].Mapper->GetProjectionUsed(),
-        Median(times), interactive ? "" : ", written to ", interactive ? "" : output.c_str());
-      std::fflush(stdout);
-    }
+    times = TimeFrames(window, scene.Renderer, options.Frames);
+    WriteReport(options.Json, scene, window, times);
+  }
+  if (!options.Quiet)
+  {
+    PrintSummary(scene, times, interactive ? "" : output);
   }
   if (!interactive)
   {
     WritePicture(window, output);
     return ShowMessages();
   }
-  vtkNew<vtkRenderWindowInteractor> interactor;
-  vtkNew<vtkInteractorStyleTrackballCamera> style;
-  interactor->SetRenderWindow(window);
-  interactor->SetInteractorStyle(style);
   interactor->Start();
   return 0;
 }

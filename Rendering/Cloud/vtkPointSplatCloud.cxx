@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatCloud.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -93,9 +94,10 @@ void vtkPointSplatCloud::Update(const vtkPointSplatCloudInput& input)
   if (this->SplatTime == 0 || splatKey != this->SplatsMadeFrom ||
     (input.NeedSizes && !this->Sized) || input.ProjectNoise != this->MayProject)
   {
-    this->BuildSplats(input, blocks);
+    const bool whole = this->BuildSplats(input, blocks);
     this->Blocks = std::move(blocks);
-    this->SplatsMadeFrom = std::move(splatKey);
+    // What was aborted is made the next time.
+    this->SplatsMadeFrom = whole ? std::move(splatKey) : Key();
     this->SplatTime.Modified();
   }
   else
@@ -178,9 +180,13 @@ vtkIdType vtkPointSplatCloud::BuildBlock(
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatCloud::BuildSplats(
+bool vtkPointSplatCloud::BuildSplats(
   const vtkPointSplatCloudInput& input, std::vector<Block>& blocks)
 {
+  if (vtkAlgorithm* algorithm = vtkAlgorithm::SafeDownCast(input.Owner))
+  {
+    algorithm->SetAbortExecute(0); // of a time before, as executives do
+  }
   this->Splats.clear();
   this->ClipLines.clear();
   this->Count = this->Points = this->Skipped = 0;
@@ -191,10 +197,18 @@ void vtkPointSplatCloud::BuildSplats(
   this->Low = { { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, VTK_DOUBLE_MAX } };
   this->High = { { -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } };
   std::vector<vtkPointSplatPacking> packings;
+  bool given = !blocks.empty();
   for (const Block& block : blocks)
   {
     packings.push_back(vtkPointSplatPacking::Collect(
       input.Owner, block.Data, input.NeedSizes, input.ProjectNoise));
+    if (packings.back().Aborted)
+    {
+      blocks.clear();
+      this->Measure();
+      return false;
+    }
+    given = given && packings.back().HasGivenRadii;
     this->Projected = this->Projected || packings.back().Projected;
     this->Circular = this->Circular && !packings.back().Axis1;
     this->Sized = this->Sized && (packings.back().Radius || packings.back().Axis1);
@@ -216,6 +230,7 @@ void vtkPointSplatCloud::BuildSplats(
     this->Origin[k] =
       this->Low[k] <= this->High[k] ? 0.5 * this->Low[k] + 0.5 * this->High[k] : 0.0;
   }
+  this->LeaveOutFar(packings);
   this->Splats.resize(this->GetWordsPerSplat() * static_cast<size_t>(this->Points));
   for (size_t b = 0; b < blocks.size(); ++b)
   {
@@ -236,8 +251,14 @@ void vtkPointSplatCloud::BuildSplats(
     vtkWarningWithObjectMacro(input.Owner, << this->Skipped << " of " << this->Points
                                            << " points are not drawn: ghosts, or coordinates, "
                                               "normals or splat sizes that are not finite and "
-                                              "not zero.");
+                                              "not zero, or points farther off than a million "
+                                              "times what the middle half of all spans.");
   }
+  if (given && this->Circular)
+  {
+    this->CheckRadii(input.Owner);
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -429,19 +450,25 @@ double vtkPointSplatCloud::GetSpacing()
 {
   if (this->SplatTime > this->SpacingTime)
   {
-    double size = 0.0;
-    std::array<double, 3> low;
-    for (size_t k = 0; k < 3; ++k)
-    {
-      low[k] = this->Bounds[2 * k] - this->Origin[k];
-      size = std::max(size, this->Bounds[2 * k + 1] - this->Bounds[2 * k]);
-    }
-    this->Spacing = this->Count > 0
-      ? vtkPointSplatSpacing::Estimate(this->Splats, this->GetWordsPerSplat(), low, size)
-      : 0.0;
+    this->Spacing = this->MeasureSpacing();
     this->SpacingTime.Modified();
   }
   return this->Spacing;
+}
+
+//------------------------------------------------------------------------------
+double vtkPointSplatCloud::MeasureSpacing() const
+{
+  double size = 0.0;
+  std::array<double, 3> low;
+  for (size_t k = 0; k < 3; ++k)
+  {
+    low[k] = this->Bounds[2 * k] - this->Origin[k];
+    size = std::max(size, this->Bounds[2 * k + 1] - this->Bounds[2 * k]);
+  }
+  return this->Count > 0
+    ? vtkPointSplatSpacing::Estimate(this->Splats, this->GetWordsPerSplat(), low, size)
+    : 0.0;
 }
 
 //------------------------------------------------------------------------------

@@ -52,6 +52,8 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkPointSet;
 VTK_ABI_NAMESPACE_END
 
+class vtkPointSplatPacking;
+
 class vtkPointSplatCloud
 {
 public:
@@ -171,10 +173,19 @@ private:
 
   static std::vector<Block> Gather(vtkDataObject* input);
   static Key SplatKey(const std::vector<Block>& blocks);
-  void BuildSplats(const vtkPointSplatCloudInput& input, std::vector<Block>& blocks);
+  /// False where the estimation of what is missing was aborted: then there are no splats.
+  bool BuildSplats(const vtkPointSplatCloudInput& input, std::vector<Block>& blocks);
   vtkIdType BuildBlock(const vtkPointSplatCloudInput& input, Block& block,
-    const class vtkPointSplatPacking& packing);
-  void BuildClipLines(const Block& block, const class vtkPointSplatPacking& packing);
+    const vtkPointSplatPacking& packing);
+  void BuildClipLines(const Block& block, const vtkPointSplatPacking& packing);
+  /**
+   * Where some points are so far off that floats about the middle of the bounding box hold no
+   * detail of the others: an origin among these, and points beyond the others' reach left out.
+   */
+  void LeaveOutFar(std::vector<vtkPointSplatPacking>& packings);
+  /// Warns where given radii cannot be those of points with this spacing.
+  void CheckRadii(vtkObject* owner) const;
+  double MeasureSpacing() const;
   void Measure();
   void BuildColours(const vtkPointSplatCloudInput& input);
   bool BuildValues(const vtkPointSplatCloudInput& input);

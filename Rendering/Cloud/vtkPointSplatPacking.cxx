@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatPacking.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkArrayDispatch.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
@@ -13,6 +14,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPointSplatArrays.h"
+#include "vtkPointSplatCells.h"
 #include "vtkPointSplatEstimation.h"
 #include "vtkPointSplatProjection.h"
 #include "vtkPoints.h"
@@ -22,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <initializer_list>
 
 namespace
 {
@@ -143,8 +146,7 @@ bool Finite(const double v[3])
   return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
 }
 
-/// Lengths that floats hold: vtkPointSplatEstimation goes no farther either.
-constexpr double LargestLength = 1e37;
+constexpr double LargestLength = vtkPointSplatPacking::LargestLength;
 constexpr double SmallestLength = 1e-37;
 
 /// Lines nearer to a splat's centre than a millionth of its axes count as so near.
@@ -171,12 +173,56 @@ void CodeLine(const double c[3], const double s[3], const double t[3], uint32_t 
   line[1] = Bits(v);
 }
 
-bool Holdable(const double v[3])
+bool Holdable(const double v[3], double most = LargestLength)
 {
   // NaN compares false.
-  return std::abs(v[0]) <= LargestLength && std::abs(v[1]) <= LargestLength &&
-    std::abs(v[2]) <= LargestLength;
+  return std::abs(v[0]) <= most && std::abs(v[1]) <= most && std::abs(v[2]) <= most;
 }
+
+/**
+ * Runs filters as parts of an owner, which shows their progress and may abort them.
+ */
+struct Part
+{
+  vtkAlgorithm* Owner; // or null
+  double From = 0.0;
+  double To = 1.0;
+  double Done = 0.0; // stages of a filter may begin where others before have ended
+
+  static void Follow(vtkObject* caller, unsigned long, void* part, void*)
+  {
+    Part& self = *static_cast<Part*>(part);
+    auto filter = static_cast<vtkAlgorithm*>(caller);
+    self.Done =
+      std::max(self.Done, self.From + (self.To - self.From) * filter->GetProgress());
+    self.Owner->UpdateProgress(self.Done);
+    if (self.Owner->GetAbortExecute())
+    {
+      filter->SetAbortExecute(1);
+    }
+  }
+
+  /// The part must outlive the filter's last run.
+  void Watch(vtkAlgorithm* filter)
+  {
+    if (this->Owner)
+    {
+      vtkNew<vtkCallbackCommand> command;
+      command->SetCallback(Part::Follow);
+      command->SetClientData(this);
+      filter->AddObserver(vtkCommand::ProgressEvent, command);
+    }
+  }
+
+  /// Whether it came to its end.
+  bool Run(vtkAlgorithm* filter, double from, double to)
+  {
+    this->From = from;
+    this->To = to;
+    filter->Update();
+    return !this->Owner || !this->Owner->GetAbortExecute();
+  }
+};
 
 /**
  * An array of the wanted shape, or an error that says what is wrong with it.
@@ -224,7 +270,7 @@ struct PackWorker
           a.Ghosts ? a.Ghosts->GetValue(i) & (vtkDataSetAttributes::HIDDENPOINT |
                                                vtkDataSetAttributes::DUPLICATEPOINT)
                    : 0;
-        if (ghost || !Holdable(p) || !(length > 0.0) || !std::isfinite(length))
+        if (ghost || !Holdable(p, a.Reach) || !(length > 0.0) || !std::isfinite(length))
         {
           continue;
         }
@@ -323,6 +369,7 @@ vtkPointSplatPacking vtkPointSplatPacking::Collect(
 {
   vtkPointSplatPacking a;
   a.Points = data->GetPoints()->GetData();
+  a.Reach = LargestLength;
   a.Ghosts = vtkArrayDownCast<vtkUnsignedCharArray>(
     data->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
   if (a.Ghosts &&
@@ -334,6 +381,7 @@ vtkPointSplatPacking vtkPointSplatPacking::Collect(
   vtkPointData* given = data->GetPointData();
   a.Normals = Wanted(owner, data, given->GetNormals(), 3);
   a.Radius = Wanted(owner, data, given->GetArray(vtkPointSplatArrays::Radius), 1);
+  a.HasGivenRadii = a.Radius != nullptr;
   a.Plane = Wanted(owner, data, given->GetArray(vtkPointSplatArrays::PlaneNormal), 3);
   // It says how these normals change, and nothing of others.
   a.Curvature = a.Normals
@@ -381,32 +429,47 @@ vtkPointSplatPacking vtkPointSplatPacking::Collect(
       }
     }
     bare->GetFieldData()->PassData(data->GetFieldData());
-    a.Estimate(bare, projectNoise);
+    a.Estimate(owner, bare, projectNoise);
   }
   return a;
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatPacking::Estimate(vtkPolyData* bare, bool projectNoise)
+void vtkPointSplatPacking::Estimate(vtkObject* owner, vtkPolyData* bare, bool projectNoise)
 {
-  vtkNew<vtkPointSplatEstimation> estimation;
-  // What it leaves out the mapper leaves out too, and reports: once is enough.
-  vtkNew<vtkCallbackCommand> silence;
-  estimation->AddObserver(vtkCommand::WarningEvent, silence);
-  estimation->SetInputData(bare);
-  estimation->Update();
   const bool sized = this->Radius || this->Axis1;
-  if (projectNoise && !sized && estimation->IsNoisy())
+  const bool mayProject = projectNoise && !sized;
+  Part part{ vtkAlgorithm::SafeDownCast(owner) };
+  vtkNew<vtkPointSplatEstimation> estimation;
+  vtkNew<vtkPointSplatProjection> projection;
+  // What they leave out the mapper leaves out too, and reports: once is enough.
+  vtkNew<vtkCallbackCommand> silence;
+  for (vtkAlgorithm* filter :
+    std::initializer_list<vtkAlgorithm*>{ estimation.Get(), projection.Get() })
   {
-    vtkNew<vtkPointSplatProjection> projection;
-    projection->AddObserver(vtkCommand::WarningEvent, silence);
+    filter->AddObserver(vtkCommand::WarningEvent, silence);
+    part.Watch(filter);
+  }
+  estimation->SetInputData(bare);
+  bool good = part.Run(estimation, 0.0, mayProject ? 0.4 : 1.0);
+  if (good && mayProject && estimation->IsNoisy())
+  {
     // Colours and ids go by the points' numbers.
     projection->SetOutliersToKeep();
     projection->SetInputData(bare);
+    good = part.Run(projection, 0.4, 0.6);
     estimation->SetInputConnection(projection->GetOutputPort());
-    estimation->Update();
+    good = good && part.Run(estimation, 0.6, 1.0);
+    this->Projected = good;
+  }
+  this->Aborted = !good;
+  if (this->Aborted)
+  {
+    return;
+  }
+  if (this->Projected)
+  {
     this->Points = estimation->GetOutput()->GetPoints()->GetData();
-    this->Projected = true;
   }
   vtkPointData* estimated = estimation->GetOutput()->GetPointData();
   this->Normals = estimated->GetNormals();
@@ -493,6 +556,12 @@ void vtkPointSplatPacking::PackClipLines(
 std::vector<vtkIdType> vtkPointSplatPacking::CellsOfPoints(vtkPointSet* data)
 {
   std::vector<vtkIdType> cells(static_cast<size_t>(data->GetNumberOfPoints()), -1);
+  if (!vtkPointSplatCells::CanBeRead(data))
+  {
+    vtkErrorWithObjectMacro(data, "Cells reach beyond their own list: they are not used for "
+                                  "colours or selections. Check the offsets of its cell arrays.");
+    return cells;
+  }
   vtkNew<vtkIdList> ids;
   for (vtkIdType c = data->GetNumberOfCells() - 1; c >= 0; --c)
   {

@@ -33,11 +33,17 @@ public:
   vtkSmartPointer<vtkDataArray> Clip; // or none
   vtkUnsignedCharArray* Ghosts = nullptr;
   bool Projected = false; // points and normals are not the block's own, but on one surface
+  bool Aborted = false;   // the estimation was, by the owner's AbortExecute
+  bool HasGivenRadii = false;
+  double Reach = 0.0; // points farther from the origin are not drawn; set by the caller
+
+  /// Lengths that floats hold: vtkPointSplatEstimation goes no farther either.
+  static constexpr double LargestLength = 1e37;
 
   /**
    * The arrays of a block, what is missing estimated; sizes only if they are needed, and points
    * with given normals, whose sizes are not, projected where they are noise, if that is asked for.
-   * owner: whose errors they are.
+   * owner: whose errors they are; an algorithm's progress and AbortExecute are the estimation's.
    */
   static vtkPointSplatPacking Collect(
     vtkObject* owner, vtkPointSet* data, bool needSizes, bool projectNoise);
@@ -65,7 +71,7 @@ public:
 
 private:
   /// Takes what is missing from an estimation of points with what there is of normals.
-  void Estimate(vtkPolyData* bare, bool projectNoise);
+  void Estimate(vtkObject* owner, vtkPolyData* bare, bool projectNoise);
 };
 
 #endif

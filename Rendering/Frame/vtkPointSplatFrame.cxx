@@ -149,6 +149,11 @@ bool vtkPointSplatFrame::Present(
     this->Error = "The renderer has no OpenGL window.";
     return false;
   }
+  if (window->GetContextCreationTime() == 0)
+  {
+    this->Error = "The window has no OpenGL context.";
+    return false;
+  }
   const vtkPointSplatContextScope scope(window);
   this->Users.insert(&source);
   const bool translucent = actor->IsRenderingTranslucentPolygonalGeometry() != 0;

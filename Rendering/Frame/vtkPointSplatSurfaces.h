@@ -26,7 +26,11 @@ public:
   unsigned long GetGeneration() const { return this->Generation; }
   int GetNumberOfFillSteps() const { return this->FillSteps; }
   /// Splats of a slot's item that were projected: of the blocks in view, in each part of the window.
-  vtkIdType GetNumberOfProjected(size_t slot) const { return this->Projected[slot]; }
+  vtkIdType GetNumberOfProjected(size_t slot) const
+  {
+    // None before the first Build(), as where a frame failed before.
+    return slot < this->Projected.size() ? this->Projected[slot] : 0;
+  }
 
   vtkPointSplatBudget Budget;
   vtkPointSplatFlatImages Flat;

@@ -6,6 +6,7 @@
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
+#include "vtkPointSplatCells.h"
 #include "vtkPolyData.h"
 #include "vtkPolygon.h"
 
@@ -27,9 +28,20 @@ std::vector<GLuint> Triangles(vtkPolyData* data)
   vtkNew<vtkPoints> corners;
   vtkIdType count = 0;
   const vtkIdType* ids = nullptr;
+  if (!vtkPointSplatCells::CanBeRead(data))
+  {
+    vtkErrorWithObjectMacro(data, "Cells reach beyond their own list: its faces cast no shadow. "
+                                  "Check the offsets of its cell arrays.");
+    return triangles;
+  }
+  const vtkIdType points = data->GetNumberOfPoints();
   vtkCellArray* faces = data->GetPolys();
   for (faces->InitTraversal(); faces->GetNextCell(count, ids);)
   {
+    if (!vtkPointSplatCells::ArePoints(ids, count, points))
+    {
+      continue;
+    }
     if (count <= 4)
     {
       for (vtkIdType k = 2; k < count; ++k)
@@ -48,6 +60,10 @@ std::vector<GLuint> Triangles(vtkPolyData* data)
   vtkCellArray* strips = data->GetStrips();
   for (strips->InitTraversal(); strips->GetNextCell(count, ids);)
   {
+    if (!vtkPointSplatCells::ArePoints(ids, count, points))
+    {
+      continue;
+    }
     for (vtkIdType k = 2; k < count; ++k)
     {
       add(ids[k - 2], ids[k - 1], ids[k]);

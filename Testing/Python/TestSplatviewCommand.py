@@ -5,6 +5,7 @@ import os
 import pty
 import re
 import shutil
+import struct
 import subprocess
 import time
 
@@ -32,7 +33,7 @@ VOLUME = (
 BAD_OPTIONS = (
     "--nonsense", "-x", "--iso", "--iso abc", "--iso 1,,2", "--iso 1,", "--iso inf", "--iso=",
     "--spacing 0", "--spacing -1", "--magnify 0", "--magnify 1.5", "--normals both",
-    "--radius-scale 0", "--color nosuch", "--color 1,2,3", "--color 1,1", "--color #12345g",
+    "--radius-scale 0", "--radius-scale 30", "--color nosuch", "--color 1,2,3", "--color 1,1", "--color #12345g",
     "--color red;", "--opacity 1.1", "--opacity -1", "--background x", "--camera 1",
     "--camera 0,0,0", "--camera 0,0,0,0,0,0,0,0,1", "--camera 0,0,0,0,0,1,0,0,2",
     "--camera 0,0,0,0,0,1,0,1,0,180", "--size 10", "--size 0x10", "--size 10x10x10",
@@ -129,6 +130,91 @@ class TestSplatviewCommand(SplatviewTest):
         for name, content in BROKEN_FILES.items():
             self.assertIn(name, self.assert_refused(self.write(name, content)))
 
+    def test_text_that_cannot_be_told(self):
+        for name, content, why in (
+            ("commas.csv", "1,05,2,50,3,25\n2,00,3,50,4,10\n", "semicolons"),
+            ("thousands.csv", "1.234,5;2;3\n4;5;6\n", "'1.234,5'"),
+            ("promise.pts", "1000000000000\n1 2 3\n4 5 6\n7 8 9\n", "1000000000000"),
+            ("part.pts", "2\n1 2 3\n4 5 6\n2\n7 8 9\n", "promises 2"),
+            ("wide.txt", "1 2 3\n".encode("utf-16"), "UTF-16"),
+        ):
+            line = self.assert_refused(self.write(name, content))
+            self.assertIn(why, line)
+
+    def test_faces_of_points_that_are_not_there(self):
+        side = 6
+        points = [(x, y, 0.1 * x * y) for x in range(side) for y in range(side)]
+        cells = [
+            (side * i + j, side * i + j + side, side * i + j + side + 1)
+            for i in range(side - 1) for j in range(side - 1)
+        ]  # fmt: skip
+        xyz = "".join(f"{x} {y} {z}\n" for x, y, z in points)
+
+        def ply(bad, count="uchar"):
+            lists = "".join(f"{len(c)} {' '.join(map(str, c))}\n" for c in [*cells, *bad])
+            return (
+                f"ply\nformat ascii 1.0\nelement vertex {len(points)}\nproperty float x\n"
+                f"property float y\nproperty float z\nelement face {len(cells) + len(bad)}\n"
+                f"property list {count} int vertex_indices\nend_header\n{xyz}{lists}"
+            )
+
+        def binary(count):
+            head, _ = ply([], "uint").replace("ascii", "binary_little_endian").split("end_header")
+            return (
+                f"{head}end_header\n".encode()
+                + b"".join(struct.pack("<3f", *p) for p in points)
+                + struct.pack("<I3i", count, 0, 1, 2)
+            )
+
+        def obj(corners, before="vn 0 0 1\nvt 0 0\n"):
+            given = "".join(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in cells)
+            return "v " + "\nv ".join(xyz.split("\n")[:-1]) + f"\n{before}{given}f {corners}\n"
+
+        def legacy(kind):
+            kinds = "CELL_TYPES 1\n5\n" if kind == "CELLS" else ""
+            grid = "UNSTRUCTURED_GRID" if kind == "CELLS" else "POLYDATA"
+            return (
+                f"# vtk DataFile Version 3.0\nx\nASCII\nDATASET {grid}\nPOINTS {len(points)} float\n"
+                f"{xyz}{kind} 1 4\n3 1 2 999999\n{kinds}"
+            )
+
+        for name, content in {
+            "far.ply": ply([(1, 2, 99999999)]),
+            "negative.ply": ply([(1, 2, -7), (0, 1)]),
+            "all.ply": ply([(100, 200, 300)] * 9),
+            "far.vtk": legacy("POLYGONS"),
+            "grid.vtk": legacy("CELLS"),
+        }.items():
+            done = self.run_splatview(self.write(name, content), "--output", "o.png")
+            self.assertEqual(done.returncode, 0, (name, done))
+            self.assertIn(f"{len(points)} points", done.stdout)
+            self.assertRegex(done.stderr, r"\Asplatview: warning: [^\n]* not there[^\n]*\n\Z", name)
+            os.remove(self.path("o.png"))
+        for name, content in {
+            "count.ply": ply([], "uint").replace("\n3 0 6 7", "\n4000000000 0 6 7"),
+            "binary.ply": binary(4294967295),
+            "negative.ply": binary(3).replace(b"uint int", b"int int").replace(
+                struct.pack("<I3i", 3, 0, 1, 2), struct.pack("<i3i", -3, 0, 1, 2)),
+            "far.obj": obj("1 2 999"),
+            "zero.obj": obj("0 1 2"),
+            "negative.obj": obj("-1 -2 -99"),
+            "normal.obj": obj("1//1 2//1 3//7"),
+            "texture.obj": obj("1/1 2/1 3/5"),
+            "overflow.obj": obj("1 2 99999999999999999999"),
+            "slash.obj": obj("1/ 2/ 3/"),
+            "word.obj": obj("1 2 x"),
+            "continued.obj": obj("1 2 \\\n 999"),
+        }.items():  # fmt: skip
+            self.assertIn(name, self.assert_refused(self.write(name, content)))
+        for corners in ("-1 -2 -3", "1 2 \\\n 3"):
+            self.write("good.obj", obj(corners, ""))
+            done = self.run_splatview("good.obj", "--output", "o.png")
+            self.assertEqual((done.returncode, done.stderr), (0, ""), corners)
+        # With a normal that no face names.
+        done = self.run_splatview(self.write("more.obj", obj("1 2 3")), "--output", "o.png")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("point array Normals has 1 tuples", done.stderr)
+
     def test_good_file_does_not_hide_a_bad_one(self):
         self.write("cloud.xyz", CLOUD)
         self.assert_refused("cloud.xyz", "missing.ply")
@@ -163,6 +249,14 @@ class TestSplatviewCommand(SplatviewTest):
             text = os.read(ours, 65536).decode()
             os.close(ours)
             self.assertEqual("isosurface" in text and "%" in text, wanted, text)
+
+    def test_says_so_where_there_is_no_driver(self):
+        self.write("cloud.xyz", CLOUD)
+        self.environment["__EGL_VENDOR_LIBRARY_FILENAMES"] = "/nosuch.json"
+        done = self.run_splatview("cloud.xyz", "--output", "o.png")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertRegex(done.stderr, r"\Asplatview: No OpenGL context [^\n]+\n\Z")
+        self.assertFalse(os.path.exists(self.path("o.png")))
 
     def test_writes_a_picture_where_there_is_no_display(self):
         self.write("cloud.xyz", CLOUD)

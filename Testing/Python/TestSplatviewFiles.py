@@ -195,6 +195,46 @@ class TestPoints(SplatviewTest):
             self.assertIn(f"{len(POINTS) - 2} points", done.stdout)
             self.assertRegex(done.stderr, r"\A(splatview: warning: [^\n]+\n)+\Z")
 
+    def text_rows(self, separator, decimal=".", quote=""):
+        """The cloud with normals, a line each."""
+        return [
+            separator.join(quote + repr(v).replace(".", decimal) + quote for v in p + n)
+            for p, n in zip(POINTS, NORMALS)
+        ]
+
+    def test_text_of_spreadsheets(self):
+        names = "X;Y;Z;Nx;Ny;Nz"
+        for name, (lines, start, end) in {
+            "semicolons.csv": (self.text_rows(";", ","), names + "\n", "\n"),
+            "excel.csv": (self.text_rows(";", ","), "\ufeff" + names + "\r\n", "\r\n"),
+            "quoted.csv": (self.text_rows(",", ".", '"'), '"x","y","z","a","b","c"\n', "\n"),
+            "quoted_commas.csv": (self.text_rows(",", ",", '"'), "", "\n"),
+            "quoted_mark.csv": (self.text_rows(";", ",", '"'), "\ufeff", "\r\n"),
+            "tabs.txt": (self.text_rows("\t", ","), "", "\n"),
+            "blanks.xyz": (self.text_rows("  ", ","), "", "\n"),
+            "commas_blanks.txt": (self.text_rows(", ", ","), "", "\n"),
+            "points_commas_blanks.txt": (self.text_rows(", ", "."), "", "\n"),
+            "loose.csv": (self.text_rows(" ; "), "", " ;\n"),
+            "trailing.csv": (self.text_rows(","), "Scan 7\nLänge [m],,,,,\n", ",\n"),
+            "macintosh.txt": (self.text_rows(" "), "# of old\r\r", "\r"),
+            "comments.txt": (self.text_rows(" "), "% of a program\n", " # and more\n\n"),
+            "parts.pts": (
+                [f"{len(POINTS) - 9}"] + self.text_rows(" ")[9:] + ["9"] + self.text_rows(" ")[:9],
+                "", "\n",
+            ),
+        }.items():  # fmt: skip
+            self.write(name, (start + "".join(line + end for line in lines)).encode())
+            self.assert_same(name)
+
+    def test_text_with_empty_cells(self):
+        lines = self.text_rows(";", ",")
+        lines[7] = ";;;0;0;1"
+        self.write("cells.csv", "\n".join(lines))
+        done = self.run_splatview("cells.csv", "--output", "o.png")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn(f"{len(POINTS) - 1} points", done.stdout)
+        self.assertIn("1 of", done.stderr)
+
     def test_text(self):
         def lines(*columns, separator=" "):
             rows = (sum(map(tuple, row), ()) for row in zip(*columns))

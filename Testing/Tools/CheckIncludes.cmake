@@ -30,7 +30,8 @@ set(without_opengl Filters Choice)
 # Public headers are installed, and the private ones are not.
 set(public_headers)
 # Names that are made when the project is configured, or that all may use.
-set(everywhere "^(vtkPointSplattingABI|vtkPointSplattingConfigure|vtkPointSplattingFeatures)\\.h$")
+set(everywhere
+  "^vtkPointSplat(SetMacros|tingABI|tingConfigure|tingFeatures)\\.h$")
 set(opengl "^(vtk_gl|vtkgl|vtk_glew|vtk_glad|vtkOpenGL.*|GL/.*|GLES.*|EGL/.*|glm/.*)")
 
 set(folders GL Cloud Project Select Reconstruct Shade Shadow Choice Frame)

@@ -1,0 +1,140 @@
+# SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""splatview as a user drives it: a window, mouse and keys, and an end without a crash."""
+import contextlib
+import math
+import re
+import shutil
+import subprocess
+import time
+import unittest
+
+from splatview_tools import PROGRAM, SplatviewTest, main
+from virtual_display import VirtualDisplay, is_available
+
+GROUND = (102, 51, 26)  # blue, green, red: of splatview's background
+
+
+def globe(turns=60, points=40):
+    """A ball with a dent, so that it looks different when it is turned."""
+    lines = []
+    for i in range(turns):
+        for j in range(2 * points):
+            b, a = math.pi * (i + 0.5) / turns, math.pi * j / points
+            r = 1.0 - 0.5 * math.exp(-8.0 * ((b - 1.2) ** 2 + (a - 1.0) ** 2))
+            lines.append(
+                f"{r * math.sin(b) * math.cos(a)} {r * math.sin(b) * math.sin(a)} {r * math.cos(b)}\n"
+            )
+    return "".join(lines)
+
+
+@unittest.skipUnless(is_available() and shutil.which("xdotool"), "no Xvfb or no xdotool here")
+class TestSession(SplatviewTest):
+    @contextlib.contextmanager
+    def session(self, *options):
+        self.write("globe.xyz", globe())
+        with VirtualDisplay() as display:
+            viewer = subprocess.Popen(
+                [PROGRAM, "globe.xyz", "--size", "200x200", *options], cwd=self.folder,
+                env=display.environment(), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+            )  # fmt: skip
+            try:
+                self.display = display
+                self.first_line = viewer.stdout.readline()
+                self.window = display.find_window("splatview")
+                display.hands("windowfocus", self.window)
+                yield viewer
+            finally:
+                if viewer.poll() is None:
+                    viewer.kill()
+                viewer.communicate()
+
+    def assert_ends_well(self, viewer):
+        out, err = viewer.communicate(timeout=60)
+        self.assertEqual((viewer.returncode, out, err), (0, "", ""))
+
+    def covered(self, screen):
+        """How many pixels of the window, at most 400 x 400, are the ball's."""
+        count = 0
+        for y in range(400):
+            row = screen[4 * y * self.display.width :][: 4 * 400]
+            for x in range(0, len(row), 4):
+                b, g, r = row[x : x + 3]
+                count += (b, g, r) != (0, 0, 0) and max(
+                    abs(c - d) for c, d in zip((b, g, r), GROUND)
+                ) > 8
+        return count
+
+    def wait_for(self, condition, what):
+        end = time.monotonic() + 60
+        while time.monotonic() < end:
+            screen = self.display.screen()
+            if condition(screen):
+                return screen
+            time.sleep(0.1)
+        raise AssertionError("in vain: " + what)
+
+    def settled(self):
+        """The screen when it has stood still."""
+        last, since = self.display.screen(), time.monotonic()
+        while time.monotonic() - since < 1.0:
+            time.sleep(0.1)
+            now = self.display.screen()
+            if now != last:
+                last, since = now, time.monotonic()
+        return last
+
+    def test_it_ends_by_key_and_by_its_button(self):
+        for how in ("q", "e", "button"):
+            with self.session() as viewer:
+                self.assertIn("4800 points", self.first_line)
+                if how == "button":
+                    self.display.close_window(self.window)
+                else:
+                    self.display.hands("key", how)
+                self.assert_ends_well(viewer)
+
+    def test_an_hour_of_it(self):
+        with self.session() as viewer:
+            hands = self.display.hands
+            before = self.wait_for(lambda s: 5000 < self.covered(s) < 39000, "a ball in the window")
+            before = self.settled()
+
+            hands("mousemove", "--window", self.window, 100, 100, "mousedown", 1)
+            for step in range(1, 6):
+                hands("mousemove", "--window", self.window, 100 + 12 * step, 100 + 4 * step)
+            hands("mouseup", 1)
+            turned = self.wait_for(lambda s: s != before, "another picture after a drag")
+            turned = self.settled()
+            self.assertLess(abs(self.covered(turned) / self.covered(before) - 1.0), 0.3)
+
+            for _ in range(3):
+                hands("click", 5)  # the wheel, away
+            self.wait_for(lambda s: self.covered(s) < 0.8 * self.covered(turned), "smaller by wheel")
+            hands("key", "r")
+            self.wait_for(lambda s: self.covered(s) > 0.9 * self.covered(turned), "seen whole by r")
+
+            for key in ("w", "s", "p", "p", "3", "3", "j", "t", "h", "F1", "Escape"):
+                hands("key", key)
+                self.settled()
+                self.assertIsNone(viewer.poll(), key)
+
+            small = self.covered(self.settled())
+            hands("windowsize", "--sync", self.window, 400, 400)
+            self.wait_for(lambda s: self.covered(s) > 3 * small, "larger with its window")
+            hands("windowsize", "--sync", self.window, 60, 40)
+            self.settled()
+            hands("windowsize", "--sync", self.window, 200, 200)
+            self.settled()
+            hands("key", "q")
+            self.assert_ends_well(viewer)
+
+    def test_frames_are_timed_for_a_report_only(self):
+        with self.session():
+            self.assertNotIn("ms a frame", self.first_line)
+        with self.session("--json", "r.json", "--frames", "2"):
+            self.assertRegex(self.first_line, re.compile(r"\d ms a frame$", re.MULTILINE))
+
+
+if __name__ == "__main__":
+    main()
