@@ -11,6 +11,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPointSplatArrays.h"
+#include "vtkPointSplatCreases.h"
 #include "vtkPointSplatCurvature.h"
 #include "vtkPointSplatDisk.h"
 #include "vtkPointSplatInput.h"
@@ -49,6 +50,9 @@ constexpr int NumberOfWitnesses = 4;
 constexpr float LargestBend = 0.6f;
 /// What is left of a disk at least, however much the surface bends: noise may look like it.
 constexpr float LeastShare = 0.75f;
+/// Points at the same position whose normals part by more than this cosine (15 degrees) are of two
+/// faces.
+constexpr float TwinCosine = 0.966f;
 /// The radius of a body alone, of the distance to what is nearest.
 constexpr float BodyRadius = 0.5f;
 /// The sixth neighbour's distance, of the third one's, for points at random in a plane (1.43) and a
@@ -60,6 +64,13 @@ constexpr Slot UsualLeaves = 512;
 bool IsZero(const float n[3])
 {
   return n[0] == 0 && n[1] == 0 && n[2] == 0;
+}
+
+/// The radius at which a disk bends as much as it may.
+float GetLargest(float curvature, float radius)
+{
+  return curvature > 0 ? std::max(LargestBend / curvature, LeastShare * radius)
+                       : std::numeric_limits<float>::max();
 }
 
 /// The second fundamental form of a ball.
@@ -100,6 +111,32 @@ float GetUsualSpacing(vtkAlgorithm* self, const vtkPointSplatNeighbors& neighbor
     [&](Slot s) { return s / vtkPointSplatNeighbors::LeafSize % stride == 0; });
   spacings.erase(std::remove(spacings.begin(), spacings.end(), 0.0f), spacings.end());
   return spacings.empty() ? 0.0f : GetQuantile(spacings, 0.5);
+}
+
+using Twins = std::vector<vtkPointSplatCreases::Twin>;
+
+/// Points that share a slot with one whose normal is another; normals: of points, as given.
+Twins FindTwins(
+  const float* normals, const std::vector<float>& slotNormals, const vtkPointSplatNeighbors& neighbors)
+{
+  Twins twins;
+  const std::vector<Slot>& slotOf = neighbors.GetSlots();
+  for (std::size_t id = 0; id < slotOf.size(); ++id)
+  {
+    const Slot s = slotOf[id];
+    const float* n = normals + 3 * id;
+    if (s == vtkPointSplatNeighbors::None || neighbors.GetId(s) == static_cast<vtkIdType>(id) ||
+      IsZero(n))
+    {
+      continue;
+    }
+    const float* m = slotNormals.data() + std::size_t(3) * s;
+    if (std::abs(n[0] * m[0] + n[1] * m[1] + n[2] * m[2]) < TwinCosine)
+    {
+      twins.push_back({ static_cast<vtkIdType>(id), s, { n[0], n[1], n[2] } });
+    }
+  }
+  return twins;
 }
 
 /// Disks as they are found, for each slot.
@@ -143,18 +180,49 @@ struct Disks
     return large * (HoleFactor + t * (GapFactor - HoleFactor));
   }
 
+  /// Takes over what was found at creases.
+  void Set(const vtkPointSplatCreases::Splat& splat)
+  {
+    const std::size_t s = splat.At;
+    float largest = std::numeric_limits<float>::max();
+    if (this->Axes.empty())
+    {
+      largest = GetLargest(splat.Strongest, splat.Length1);
+      std::copy_n(splat.Normal, 3, this->Planes.data() + 3 * s);
+      std::copy_n(splat.Tensor, 6, this->Curvatures.data() + 6 * s);
+    }
+    else
+    {
+      const float ratio = splat.Length1 > 0 ? splat.Length2 / splat.Length1 : 1.0f;
+      for (int c = 0; c < 3; ++c)
+      {
+        this->Axes[6 * s + c] = splat.Axis1[c];
+        this->Axes[6 * s + 3 + c] = ratio * splat.Axis2[c];
+      }
+    }
+    this->Length[s] = std::min(splat.Length1, largest);
+    this->Gap[s] = std::min(splat.Gap, largest);
+    this->Spacing[s] = splat.Spacing;
+  }
+
+  /// Makes a disk as large as the gap that it is to close.
+  void Close(Slot s)
+  {
+    if (this->Gap[s] <= this->HoleLimit * this->Spacing[s])
+    {
+      this->Length[s] = std::max(this->Length[s], this->Gap[s]);
+    }
+  }
+
   /// Makes disks as large as the gaps that they are to close, and gives points alone their bodies.
   void Finish()
   {
-    const float limit = this->GetHoleLimit();
+    this->HoleLimit = this->GetHoleLimit();
     std::vector<float> lengths;
     lengths.reserve(this->Length.size());
     for (std::size_t s = 0; s < this->Length.size(); ++s)
     {
-      if (this->Gap[s] <= limit * this->Spacing[s])
-      {
-        this->Length[s] = std::max(this->Length[s], this->Gap[s]);
-      }
+      this->Close(static_cast<Slot>(s));
       if (this->Length[s] > 0)
       {
         lengths.push_back(this->Length[s]);
@@ -163,7 +231,6 @@ struct Disks
     this->Body = lengths.empty() ? std::numeric_limits<float>::max() : GetQuantile(lengths, 0.5);
   }
 
-  /// At most LargestRatio times the second smallest of some neighbours' lengths.
   float GetBounded(Slot slot) const
   {
     if (this->IsAlone(slot))
@@ -171,6 +238,12 @@ struct Disks
       return this->Nearest[slot] > 0 ? std::min(BodyRadius * this->Nearest[slot], this->Body)
                                      : LoneRadius;
     }
+    return std::min(this->Length[slot], this->GetBound(slot));
+  }
+
+  /// LargestRatio times the second smallest of some neighbours' lengths.
+  float GetBound(Slot slot) const
+  {
     float smallest = std::numeric_limits<float>::max(), second = smallest;
     for (int w = 0; w < NumberOfWitnesses; ++w)
     {
@@ -182,7 +255,7 @@ struct Disks
         smallest = std::min(smallest, length);
       }
     }
-    return std::min(this->Length[slot], LargestRatio * second);
+    return LargestRatio * second;
   }
 
   std::vector<float> Length;  // of the longer axis; 0 for a point alone
@@ -193,7 +266,8 @@ struct Disks
   std::vector<float> Axes; // both, unless circular
   std::vector<float> Planes; // their normals, if circular
   std::vector<float> Curvatures; // tensors, if circular
-  float Body = 0; // the largest radius of a point alone
+  float HoleLimit = 0; // once finished
+  float Body = 0;      // the largest radius of a point alone
 };
 }
 
@@ -248,6 +322,10 @@ int vtkPointSplatEstimation::RequestData(
   curvatures->SetName(vtkPointSplatArrays::Curvature);
   curvatures->SetNumberOfComponents(6);
   curvatures->SetNumberOfTuples(elliptical ? 0 : numberOfPoints);
+
+  vtkNew<vtkFloatArray> clips; // stays empty without creases
+  clips->SetName(vtkPointSplatArrays::Clip);
+  clips->SetNumberOfComponents(6);
 
   if (numberOfPoints > 0)
   {
@@ -326,10 +404,12 @@ int vtkPointSplatEstimation::RequestData(
     // 4. Disks
     const float usual = GetUsualSpacing(this, neighbors);
     Disks disks(slots, elliptical);
+    std::vector<unsigned char> uneven(slots, 0);
     auto measure = [&](const vtkPointSplatNeighbors::Neighborhood& around, int round) {
       const Slot s = around.Center;
       vtkPointSplatDisk disk;
       const bool closed = disk.Estimate(around, slotNormals.data(), elliptical, usual);
+      uneven[s] = uneven[s] || disk.Sheet.Uneven;
       if (round > 0 && !closed)
       {
         // What more neighbours do not close is a border: the first round's disk stands.
@@ -343,13 +423,11 @@ int vtkPointSplatEstimation::RequestData(
         // Normals that are not the surface's say nothing of its curvature.
         if (std::equal(disk.Normal, disk.Normal + 3, slotNormals.data() + std::size_t(3) * s))
         {
-          curvature.Estimate(around, slotNormals.data(), disk.Sheet);
+          curvature.Estimate(around, slotNormals.data(), disk.Normal, disk.Sheet);
         }
         std::copy_n(curvature.Tensor, 6, tensor);
         std::copy(disk.Normal, disk.Normal + 3, disks.Planes.data() + std::size_t(3) * s);
-        largest = curvature.Strongest > 0
-          ? std::max(LargestBend / curvature.Strongest, LeastShare * disk.Length1)
-          : largest;
+        largest = GetLargest(curvature.Strongest, disk.Length1);
       }
       else
       {
@@ -371,13 +449,28 @@ int vtkPointSplatEstimation::RequestData(
       }
       return closed;
     };
-    if (!neighbors.Visit(this, missing ? 0.5 : 0.1, 0.9, this->NumberOfNeighbors, measure))
+    if (!neighbors.Visit(this, missing ? 0.5 : 0.1, 0.8, this->NumberOfNeighbors, measure))
     {
       return 1;
     }
+
+    // 5. Creases
+    vtkPointSplatCreases creases(neighbors, slotNormals.data(),
+      elliptical ? nullptr : disks.Curvatures.data(), usual, elliptical);
+    if (!creases.Find(this, 0.8, 0.9, uneven, given ? FindTwins(n, slotNormals, neighbors) : Twins()))
+    {
+      return 1;
+    }
+    for (const vtkPointSplatCreases::Splat& splat : creases.Splats)
+    {
+      if (splat.Id < 0)
+      {
+        disks.Set(splat);
+      }
+    }
     disks.Finish();
 
-    // 5. Bounds, and from slots back to points
+    // 6. Bounds, and from slots back to points
     for (const Slot s : slotOf)
     {
       this->NumberOfPointsAlone += s != vtkPointSplatNeighbors::None && disks.IsAlone(s);
@@ -424,6 +517,53 @@ int vtkPointSplatEstimation::RequestData(
         }
       }
     });
+
+    if (!creases.Splats.empty())
+    {
+      clips->SetNumberOfTuples(numberOfPoints);
+      std::fill_n(clips->GetPointer(0), 6 * numberOfPoints, 0.0f);
+      std::vector<const vtkPointSplatCreases::Splat*> splatOf(slots, nullptr);
+      for (const vtkPointSplatCreases::Splat& splat : creases.Splats)
+      {
+        if (splat.Id < 0)
+        {
+          splatOf[splat.At] = &splat;
+        }
+      }
+      vtkSMPTools::For(0, numberOfPoints, [&](vtkIdType begin, vtkIdType end) {
+        for (vtkIdType id = begin; id < end; ++id)
+        {
+          const Slot s = slotOf[id];
+          if (s != vtkPointSplatNeighbors::None && splatOf[s])
+          {
+            std::copy_n(splatOf[s]->Clip, 6, clips->GetPointer(6 * id));
+          }
+        }
+      });
+      for (const vtkPointSplatCreases::Splat& splat : creases.Splats)
+      {
+        if (splat.Id < 0 || (ghost && (ghost[splat.Id] & vtkDataSetAttributes::DUPLICATEPOINT)))
+        {
+          continue;
+        }
+        // A twin takes its slot for the time of its own output.
+        disks.Set(splat);
+        disks.Close(splat.At);
+        const float length = scale * disks.GetBounded(splat.At);
+        for (int c = 0; c < 6 && elliptical; ++c)
+        {
+          sizes[c / 3]->SetValue(
+            3 * splat.Id + c % 3, length * disks.Axes[std::size_t(6) * splat.At + c]);
+        }
+        if (!elliptical)
+        {
+          sizes[0]->SetValue(splat.Id, length);
+          std::copy_n(splat.Normal, 3, planes->GetPointer(3 * splat.Id));
+          std::copy_n(splat.Tensor, 6, curvatures->GetPointer(6 * splat.Id));
+        }
+        std::copy_n(splat.Clip, 6, clips->GetPointer(6 * splat.Id));
+      }
+    }
   }
 
   output->SetPoints(input->GetPoints());
@@ -431,7 +571,7 @@ int vtkPointSplatEstimation::RequestData(
   output->GetFieldData()->PassData(input->GetFieldData());
   for (const char* name : { vtkPointSplatArrays::Radius, vtkPointSplatArrays::Axis1,
          vtkPointSplatArrays::Axis2, vtkPointSplatArrays::PlaneNormal,
-         vtkPointSplatArrays::Curvature })
+         vtkPointSplatArrays::Curvature, vtkPointSplatArrays::Clip })
   {
     // Of an earlier estimation, possibly of the other shape.
     output->GetPointData()->RemoveArray(name);
@@ -446,6 +586,10 @@ int vtkPointSplatEstimation::RequestData(
   {
     output->GetPointData()->AddArray(planes);
     output->GetPointData()->AddArray(curvatures);
+  }
+  if (clips->GetNumberOfTuples() > 0)
+  {
+    output->GetPointData()->AddArray(clips);
   }
   this->UpdateProgress(1.0);
   return 1;

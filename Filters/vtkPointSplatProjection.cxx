@@ -432,7 +432,8 @@ bool vtkPointSplatProjection::Run::Describe()
     vtkPointSplatSheet sheet;
     sheet.Select(moved, vtkPointSplatSheet::CountNear(moved, spacing), this->Projected.data(),
       this->Projected.data() + std::size_t(3) * s, spacing);
-    curvature.Estimate(moved, this->Projected.data(), sheet);
+    curvature.Estimate(
+      moved, this->Projected.data(), this->Projected.data() + std::size_t(3) * moved.Center, sheet);
     std::copy_n(curvature.Tensor, 6, this->Curvatures.data() + std::size_t(6) * s);
   });
 }

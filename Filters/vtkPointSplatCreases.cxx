@@ -1,0 +1,302 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatCreases.h"
+
+#include "vtkSMPThreadLocal.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <tuple>
+#include <cstdlib>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+using Slot = vtkPointSplatNeighbors::Slot;
+using Neighborhood = vtkPointSplatNeighbors::Neighborhood;
+
+/// Twice as far as the neighbours that disks are made of reach, and some.
+constexpr int NumberOfNeighbors = 32;
+/// How far splats reach, of their disks' radius: the kernels' rim.
+constexpr float KernelReach = 2.0f;
+
+float Dot(const float a[3], const float b[3])
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// The members of a point's face and what they look like in mirrors at its lines.
+struct Mirrored
+{
+  static constexpr int Capacity = vtkPointSplatNeighbors::MaximumNumberOfNeighbors;
+
+  struct Point
+  {
+    float X[3], Normal[3];
+    float Squared;
+  };
+  Point Points[Capacity];
+  int Count = 0;
+
+  Slot Slots[Capacity];
+  float X[Capacity], Y[Capacity], Z[Capacity], Squared[Capacity];
+  float Normals[3 * (Capacity + 1)];
+
+  void Add(const float x[3], const float n[3])
+  {
+    const float squared = Dot(x, x);
+    if (this->Count < Capacity && squared > 0)
+    {
+      this->Points[this->Count++] = { { x[0], x[1], x[2] }, { n[0], n[1], n[2] }, squared };
+    }
+  }
+
+  void AddImage(const float x[3], const float n[3], const vtkPointSplatCrease& crease, int line)
+  {
+    const vtkPointSplatCrease::Line& at = crease.Lines[line];
+    const float far = Dot(at.Direction, x) - at.Distance, part = Dot(at.Direction, n);
+    float y[3], m[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      y[c] = x[c] - 2 * far * at.Direction[c];
+      m[c] = n[c] - 2 * part * at.Direction[c];
+    }
+    // What is behind a line, where a face goes on past a corner, has its image before it.
+    for (int k = 0; k < crease.Count; ++k)
+    {
+      if (Dot(crease.Lines[k].Direction, y) > crease.Lines[k].Distance)
+      {
+        this->Add(y, m);
+        return;
+      }
+    }
+  }
+
+  Neighborhood Fill(const Neighborhood& around, const float* normals, const float n[3],
+    const vtkPointSplatFace& face, const vtkPointSplatCrease& crease)
+  {
+    const float zero[3] = { 0, 0, 0 };
+    for (int l = 0; l < crease.Count; ++l)
+    {
+      this->AddImage(zero, n, crease, l);
+    }
+    for (int k = 0; k < face.Members.Count; ++k)
+    {
+      const int i = face.Members.Members[k];
+      const float x[3] = { around.X[i], around.Y[i], around.Z[i] };
+      const float* m = normals + std::size_t(3) * around.Slots[i];
+      this->Add(x, m);
+      for (int l = 0; l < crease.Count; ++l)
+      {
+        this->AddImage(x, m, crease, l);
+      }
+    }
+    std::stable_sort(this->Points, this->Points + this->Count,
+      [](const Point& a, const Point& b) { return a.Squared < b.Squared; });
+    std::copy(n, n + 3, this->Normals);
+    for (int i = 0; i < this->Count; ++i)
+    {
+      const Point& point = this->Points[i];
+      this->Slots[i] = i + 1;
+      this->X[i] = point.X[0];
+      this->Y[i] = point.X[1];
+      this->Z[i] = point.X[2];
+      this->Squared[i] = point.Squared;
+      std::copy(point.Normal, point.Normal + 3, this->Normals + 3 * (i + 1));
+    }
+    return { 0, this->Count, this->Slots, this->X, this->Y, this->Z, this->Squared };
+  }
+};
+}
+
+vtkPointSplatCreases::vtkPointSplatCreases(const vtkPointSplatNeighbors& neighbors,
+  const float* normals, const float* tensors, float usual, bool elliptical)
+  : Neighbors(neighbors)
+  , Usual(usual)
+  , Elliptical(elliptical)
+{
+  this->Faces.Normals = normals;
+  this->Faces.Tensors = tensors;
+}
+
+float vtkPointSplatCreases::GetSpacing(const Neighborhood& around) const
+{
+  return std::min(vtkPointSplatSheet::GetSpacing(around), this->Usual);
+}
+
+void vtkPointSplatCreases::FitFaces(const Neighborhood& around)
+{
+  const Slot number = this->Faces.Numbers[around.Center];
+  vtkPointSplatFace face;
+  face.Fit(around, this->Faces.Normals, this->Faces.Normals + std::size_t(3) * around.Center,
+    this->GetSpacing(around));
+  std::copy_n(face.Tensor, 6, this->Faces.Fitted.data() + std::size_t(6) * number);
+  this->Faces.Sound[number] = face.Sound;
+}
+
+bool vtkPointSplatCreases::FindSplat(
+  const Neighborhood& around, const float n[3], Splat& splat) const
+{
+  vtkPointSplatFace face;
+  vtkPointSplatCrease crease;
+  const float spacing = this->GetSpacing(around);
+  face.Fit(around, this->Faces.Normals, n, spacing);
+  float plane[3] = { n[0], n[1], n[2] };
+  if (!face.Sound)
+  {
+    static const int mode = std::getenv("MIXED") ? std::atoi(std::getenv("MIXED")) : 2;
+    if (mode == 0 || !crease.FindMeeting(around, n, spacing, this->Faces))
+    {
+      return false;
+    }
+    int best = 0;
+    for (int f = 1; f < crease.NumberOfMeeting; ++f)
+    {
+      best = Dot(crease.Meeting[f], n) > Dot(crease.Meeting[best], n) ? f : best;
+    }
+    std::copy_n(crease.Meeting[best], 3, plane);
+    face.Fit(around, this->Faces.Normals, plane, spacing);
+    if (!face.Sound)
+    {
+      return false;
+    }
+  }
+  crease.Find(around, face, plane, this->Faces);
+  if (crease.Count == 0)
+  {
+    return false;
+  }
+  Mirrored mirrored;
+  const Neighborhood whole = mirrored.Fill(around, this->Faces.Normals, plane, face, crease);
+  vtkPointSplatDisk disk;
+  disk.Estimate(whole, mirrored.Normals, this->Elliptical, this->Usual);
+  std::copy_n(disk.Axis1, 3, splat.Axis1);
+  std::copy_n(disk.Axis2, 3, splat.Axis2);
+  std::copy_n(disk.Normal, 3, splat.Normal);
+  splat.Length1 = disk.Length1;
+  splat.Length2 = disk.Length2;
+  splat.Gap = disk.Gap;
+  splat.Spacing = disk.Spacing;
+  splat.Strongest = face.Strongest;
+  std::copy_n(face.Tensor, 6, splat.Tensor);
+  std::fill_n(splat.Clip, 6, 0.0f);
+  int lines = 0;
+  for (int l = 0; l < crease.Count; ++l)
+  {
+    const vtkPointSplatCrease::Line& line = crease.Lines[l];
+    if (line.Distance <= KernelReach * std::max(disk.Length1, disk.Gap))
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        splat.Clip[3 * lines + c] = line.Direction[c] / line.Distance;
+      }
+      ++lines;
+    }
+  }
+  return lines > 0;
+}
+
+bool vtkPointSplatCreases::Find(vtkAlgorithm* self, double from, double to,
+  const std::vector<unsigned char>& candidates, std::vector<Twin> twins)
+{
+  const Slot slots = this->Neighbors.GetNumberOfSlots();
+  this->Splats.clear();
+  this->Twins = std::move(twins);
+  std::sort(this->Twins.begin(), this->Twins.end(),
+    [](const Twin& a, const Twin& b) { return std::tie(a.At, a.Id) < std::tie(b.At, b.Id); });
+
+  std::vector<std::atomic<unsigned char>> wanted(slots);
+  bool any = false;
+  for (Slot s = 0; s < slots; ++s)
+  {
+    wanted[s] = candidates[s];
+    any = any || candidates[s];
+  }
+  for (const Twin& twin : this->Twins)
+  {
+    wanted[twin.At] = any = true;
+  }
+  if (!any)
+  {
+    return true;
+  }
+  this->Faces.Numbers.assign(slots, vtkPointSplatNeighbors::None);
+  Slot number = 0;
+  for (Slot s = 0; s < slots; ++s)
+  {
+    if (wanted[s])
+    {
+      this->Faces.Numbers[s] = number++;
+    }
+  }
+  this->Faces.Fitted.assign(std::size_t(6) * number, 0.0f);
+  this->Faces.Sound.assign(number, 0);
+
+  // 1. Faces
+  const double third = (to - from) / 3;
+  auto fit = [this](const Neighborhood& around, int) {
+    this->FitFaces(around);
+    return true;
+  };
+  auto isWanted = [&](Slot s) { return wanted[s].load(std::memory_order_relaxed) == 1; };
+  if (!this->Neighbors.Visit(self, from, from + third, NumberOfNeighbors, fit, isWanted))
+  {
+    return false;
+  }
+
+  // 2. and 3. Lines, and disks
+  constexpr unsigned char Next = 2, Done = 3;
+  vtkSMPThreadLocal<std::vector<Splat>> found;
+  auto find = [&](const Neighborhood& around, int) {
+    const Slot s = around.Center;
+    std::vector<Splat>& local = found.Local();
+    const std::size_t before = local.size();
+    Splat splat;
+    splat.At = s;
+    splat.Id = -1;
+    if (this->FindSplat(around, this->Faces.Normals + std::size_t(3) * s, splat))
+    {
+      local.push_back(splat);
+    }
+    for (auto twin = std::lower_bound(this->Twins.begin(), this->Twins.end(), s,
+           [](const Twin& a, Slot b) { return a.At < b; });
+         twin != this->Twins.end() && twin->At == s; ++twin)
+    {
+      splat.Id = twin->Id;
+      if (this->FindSplat(around, twin->Normal, splat))
+      {
+        local.push_back(splat);
+      }
+    }
+    for (int i = 0; i < around.Count && local.size() > before; ++i)
+    {
+      unsigned char untouched = 0;
+      wanted[around.Slots[i]].compare_exchange_strong(untouched, Next);
+    }
+    return true;
+  };
+  if (!this->Neighbors.Visit(
+        self, from + third, from + 2 * third, NumberOfNeighbors, find, isWanted))
+  {
+    return false;
+  }
+  for (Slot s = 0; s < slots; ++s)
+  {
+    wanted[s] = wanted[s] == Next ? 1 : Done;
+  }
+  if (!this->Neighbors.Visit(self, from + 2 * third, to, NumberOfNeighbors, find, isWanted))
+  {
+    return false;
+  }
+  for (const std::vector<Splat>& local : found)
+  {
+    this->Splats.insert(this->Splats.end(), local.begin(), local.end());
+  }
+  std::sort(this->Splats.begin(), this->Splats.end(),
+    [](const Splat& a, const Splat& b) { return std::tie(a.At, a.Id) < std::tie(b.At, b.Id); });
+  return true;
+}
+
+VTK_ABI_NAMESPACE_END
