@@ -100,6 +100,8 @@ private:
   float Side[3]; // the mean offset of the face's members
   Vote Votes[vtkPointSplatNeighbors::MaximumNumberOfNeighbors];
   int NumberOfVotes = 0;
+  int Unsound[vtkPointSplatNeighbors::MaximumNumberOfNeighbors];
+  int NumberOfUnsound = 0;
 };
 
 VTK_ABI_NAMESPACE_END

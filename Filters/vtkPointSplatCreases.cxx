@@ -8,7 +8,6 @@
 #include <atomic>
 #include <cmath>
 #include <tuple>
-#include <cstdlib>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -21,6 +20,8 @@ using Neighborhood = vtkPointSplatNeighbors::Neighborhood;
 constexpr int NumberOfNeighbors = 32;
 /// How far splats reach, of their disks' radius: the kernels' rim.
 constexpr float KernelReach = 2.0f;
+/// The cosine (20 degrees) between a line and the direction of the face behind it.
+constexpr float AcrossCosine = 0.94f;
 
 float Dot(const float a[3], const float b[3])
 {
@@ -146,8 +147,7 @@ bool vtkPointSplatCreases::FindSplat(
   float plane[3] = { n[0], n[1], n[2] };
   if (!face.Sound)
   {
-    static const int mode = std::getenv("MIXED") ? std::atoi(std::getenv("MIXED")) : 2;
-    if (mode == 0 || !crease.FindMeeting(around, n, spacing, this->Faces))
+    if (!crease.FindMeeting(around, n, spacing, this->Faces))
     {
       return false;
     }
@@ -182,6 +182,7 @@ bool vtkPointSplatCreases::FindSplat(
   splat.Strongest = face.Strongest;
   std::copy_n(face.Tensor, 6, splat.Tensor);
   std::fill_n(splat.Clip, 6, 0.0f);
+  std::fill_n(splat.Fold, 6, 0.0f);
   int lines = 0;
   for (int l = 0; l < crease.Count; ++l)
   {
@@ -191,6 +192,16 @@ bool vtkPointSplatCreases::FindSplat(
       for (int c = 0; c < 3; ++c)
       {
         splat.Clip[3 * lines + c] = line.Direction[c] / line.Distance;
+      }
+      for (int f = 0; f < crease.NumberOfMeeting; ++f)
+      {
+        // The face behind a line is the one whose normal is across it.
+        const float part = Dot(crease.Meeting[f], plane);
+        const float across = Dot(crease.Meeting[f], line.Direction);
+        if (across * across > AcrossCosine * AcrossCosine * (1 - part * part))
+        {
+          std::copy_n(crease.Meeting[f], 3, splat.Fold + 3 * lines);
+        }
       }
       ++lines;
     }

@@ -49,7 +49,7 @@ public:
     float Axis1[3], Axis2[3], Normal[3];
     float Length1, Length2, Gap, Spacing; // as in vtkPointSplatDisk
     float Tensor[6], Strongest;           // as in vtkPointSplatFace
-    float Clip[6];                        // as in the array
+    float Clip[6], Fold[6];               // as in the arrays
   };
 
   /// normals: 3 floats a slot, unit length; tensors: 6, or null; usual: as in vtkPointSplatSheet.

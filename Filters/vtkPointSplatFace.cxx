@@ -18,6 +18,8 @@ constexpr float LargestTurn = 0.16f;
 constexpr float LargestHeight = 0.08f;
 /// How far, in spacings, neighbours say how a face bends to begin with.
 constexpr float FirstReach = 1.5f;
+/// How far a surface of second order is a good guess.
+constexpr float LastReach = 4.0f;
 /// The fewest neighbours that make a face.
 constexpr int FewestMembers = 4;
 /// Neighbours lie in a row if their squared distances across it are less than this part of those
@@ -37,6 +39,7 @@ void vtkPointSplatFace::Select(const vtkPointSplatNeighbors::Neighborhood& aroun
   const float* normals, const float n[3], float reach)
 {
   this->Members.Count = 0;
+  float residual = 0;
   for (int i = 0; i < around.Count && around.SquaredDistance[i] <= reach * reach; ++i)
   {
     const float* m = normals + std::size_t(3) * around.Slots[i];
@@ -60,8 +63,10 @@ void vtkPointSplatFace::Select(const vtkPointSplatNeighbors::Neighborhood& aroun
     if (cosine * cosine >= (1 - LargestTurn * LargestTurn) * squared)
     {
       this->Members.Members[this->Members.Count++] = i;
+      residual += 1 - cosine * cosine / squared;
     }
   }
+  this->Deviation = std::sqrt(residual / std::max(this->Members.Count, 1));
   this->Members.Near = this->Members.Count;
 }
 
@@ -91,16 +96,20 @@ void vtkPointSplatFace::Fit(const vtkPointSplatNeighbors::Neighborhood& around,
   std::fill_n(this->Tensor, 6, 0.0f);
   this->Strongest = 0;
   this->Members.Spacing = spacing;
-  const float all = std::numeric_limits<float>::max();
-  for (const float reach : { FirstReach * spacing, 0.5f * std::sqrt(all) })
+  this->Sound = false;
+  for (const float reach : { FirstReach * spacing, LastReach * spacing })
   {
     this->Select(around, normals, n, reach);
+    if (this->Members.Count < 2)
+    {
+      return;
+    }
     vtkPointSplatCurvature curvature;
     curvature.Estimate(around, normals, n, this->Members);
     std::copy_n(curvature.Tensor, 6, this->Tensor);
     this->Strongest = curvature.Strongest;
   }
-  this->Select(around, normals, n, 0.5f * std::sqrt(all));
+  this->Select(around, normals, n, LastReach * spacing);
   this->Sound = this->IsSpread(around);
 }
 
