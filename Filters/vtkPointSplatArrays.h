@@ -23,13 +23,13 @@ inline constexpr const char* PlaneNormal = "SplatPlaneNormal";
 /// 6 floats, XX, YY, ZZ, XY, YZ, XZ, 1 / world units: the second fundamental form, by which the
 /// normal changes from point to point, in the tangent plane. Its sign goes by the normal's.
 inline constexpr const char* Curvature = "SplatCurvature";
-/// 6 floats, two vectors c1 and c2, 1 / world units, in the points' coordinates: clip lines, by which
-/// splats end at creases and borders (Zwicker et al. 2004, Perspective accurate splatting). The splat
-/// at p keeps what of its disk fulfils c1 . (x - p) <= 1 and c2 . (x - p) <= 1: c = n / d for a line
-/// at the distance d > 0 from p whose unit normal n, in the disk's plane, points to what is cut away.
-/// A zero vector cuts nothing, and a vector that is not finite counts as zero. The centre is kept
-/// always; a point on the line itself has a small positive d. What of c is along the normal of the
-/// disk's plane has no effect; a bent disk's line is taken in that plane as well.
+/// 6 floats, two vectors c1 and c2, 1 / world units, in the points' coordinates: clip lines, by
+/// which splats end at creases and borders (Zwicker et al. 2004, Perspective accurate splatting).
+/// The splat at p keeps what of its disk fulfils c1 . (x - p) <= 1 and c2 . (x - p) <= 1: c = n / d
+/// for a line at the distance d > 0 from p whose unit normal n, in the disk's plane, points to what
+/// is cut away. A zero vector cuts nothing, and one that is not finite counts as zero. The centre is
+/// kept always; a point on the line itself has a small positive d. What of c is along the normal of
+/// the disk's plane has no effect; a bent disk's line is taken in that plane as well.
 inline constexpr const char* Clip = "SplatClip";
 /// 1 int: the minimal independent group that a splat belongs to.
 inline constexpr const char* Group = "SplatGroup";

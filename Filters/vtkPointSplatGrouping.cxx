@@ -396,6 +396,10 @@ int vtkPointSplatGrouping::RequestData(
     output->GetPointData()->SetNormals(normals);
     output->GetPointData()->AddArray(radius);
     output->GetPointData()->AddArray(estimated->GetArray(vtkPointSplatArrays::PlaneNormal));
+    if (vtkDataArray* lines = estimated->GetArray(vtkPointSplatArrays::Clip))
+    {
+      output->GetPointData()->AddArray(lines);
+    }
   }
   this->UpdateProgress(0.2);
 

@@ -20,6 +20,8 @@
  * - `SplatGroup` (1 int): 0 to GetNumberOfGroups() - 1, or -1 for a point that is no splat;
  * - with Coverage Duplicate: further points at the end, copies of others in another group;
  * - with Coverage Enlarge: sizes multiplied by GetGroupRadiusScale() of each group;
+ * - `SplatClip`, if the input has it: copies have their points' lines, and enlarged splats end where
+ *   they did;
  * - with either: the field array `SplatGroupCoverage` (1 double a group), the share of the
  *   surface that each group covers by itself with disks of its SplatRadius, whatever Reach is;
  *   without it, or below 0.95, groups are not taken for sorted transparency;

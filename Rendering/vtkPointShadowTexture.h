@@ -12,7 +12,8 @@
  *
  * Input 0: any vtkPointSet with point normals (3 components), and `SplatRadius` or `SplatAxis1` and
  * `SplatAxis2` (world units), by which it is known how far points are apart. What is missing is
- * estimated, as vtkPointSplatEstimation does. Input 1, optional and repeatable: vtkPolyData meshes
+ * estimated, as vtkPointSplatEstimation does. Disks end at the lines of `SplatClip`
+ * (vtkPointSplatMapper). Input 1, optional and repeatable: vtkPolyData meshes
  * in the same coordinates, whose faces cast shadows on the points too.
  *
  * Output: vtkPolyData with the input's points, cells if it is vtkPolyData, and arrays, and

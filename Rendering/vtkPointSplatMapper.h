@@ -35,6 +35,15 @@
  * - `SplatCurvature`, 6 components XX, YY, ZZ, XY, YZ, XZ, 1 / world units, beside `SplatRadius`:
  *   the second fundamental form, whose eigenvalues are 1 / R on a sphere with outward normals. It
  *   is estimated with the radius; where only that is given, and for ellipses, splats are flat.
+ * - `SplatClip`, 6 components, two vectors c1 and c2, 1 / world units, in the points' coordinates:
+ *   lines at which splats end, at creases and borders, so that edges are straight and sharp and a
+ *   pixel has splats of its own face only (Zwicker et al. 2004, Perspective accurate splatting). The
+ *   splat at p keeps what fulfils c . (x - p) <= 1: c = n / d for a line at the distance d > 0 whose
+ *   unit normal n, in the disk's plane, points to what is cut away; 0 cuts nothing. The line stays
+ *   where it is, whatever RadiusScale is: splats want one wherever what is drawn of them,
+ *   KernelSupport times RadiusScale times their size, reaches over an edge. Each splat goes on for a
+ *   sixteenth of a pixel beyond its lines, with the weight of its rim, so that there are no gaps at
+ *   edges. With Method ImageSpace points have no extent, and the array has no effect.
  * - `SplatGroup`, 1 component, for deferred blending; for sorted transparency where each group
  *   covers the surface (vtkPointSplatGrouping with a Coverage and a Reach of 1). Missing ones are
  *   made.
@@ -44,7 +53,8 @@
  *
  * Bad input: points that are ghosts, or whose coordinates, normal or size are not finite or not
  * positive, are left out; their number is reported once, and by GetNumberOfSkippedPoints(). Arrays
- * of a wrong shape are refused with an error that names them.
+ * of a wrong shape are refused with an error that names them. Clip lines that are not finite cut
+ * nothing, and those nearer to a splat's centre than a millionth of its size are taken for so near.
  *
  * @sa vtkPointSplatPass vtkPointSplatEstimation vtkIsosurfacePoints
  */

@@ -62,6 +62,7 @@ vtkPointSplatCloud::Key vtkPointSplatCloud::SplatKey(const std::vector<Block>& b
            arrays->GetArray(vtkPointSplatArrays::Curvature),
            arrays->GetArray(vtkPointSplatArrays::Axis1),
            arrays->GetArray(vtkPointSplatArrays::Axis2),
+           arrays->GetArray(vtkPointSplatArrays::Clip),
            arrays->GetArray(vtkDataSetAttributes::GhostArrayName()) })
     {
       key.emplace_back(array, array ? array->GetMTime() : 0);
@@ -165,6 +166,7 @@ void vtkPointSplatCloud::BuildSplats(
   const vtkPointSplatCloudInput& input, std::vector<Block>& blocks)
 {
   this->Splats.clear();
+  this->ClipLines.clear();
   this->Count = this->Points = this->Skipped = 0;
   this->Circular = true;
   this->Sized = true;
@@ -203,10 +205,15 @@ void vtkPointSplatCloud::BuildSplats(
   {
     blocks[b].First = this->Count;
     blocks[b].Count = this->BuildBlock(input, blocks[b], packings[b]);
+    this->BuildClipLines(blocks[b], packings[b]);
     this->Count += blocks[b].Count;
     this->Skipped += blocks[b].Data->GetNumberOfPoints() - blocks[b].Count;
   }
   this->Splats.resize(this->GetWordsPerSplat() * static_cast<size_t>(this->Count));
+  if (!this->ClipLines.empty())
+  {
+    this->ClipLines.resize(4 * static_cast<size_t>(this->Count));
+  }
   this->Measure();
   if (this->Skipped > 0)
   {
@@ -215,6 +222,20 @@ void vtkPointSplatCloud::BuildSplats(
                                               "normals or splat sizes that are not finite and "
                                               "not zero.");
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatCloud::BuildClipLines(const Block& block, const vtkPointSplatPacking& packing)
+{
+  if (!packing.HasClipLines())
+  {
+    return;
+  }
+  // Blocks without lines stay whole beside those with.
+  this->ClipLines.resize(4 * static_cast<size_t>(this->Points), 0u);
+  const size_t first = static_cast<size_t>(block.First);
+  packing.PackClipLines(this->Splats.data() + this->GetWordsPerSplat() * first, block.Count,
+    this->Circular, this->ClipLines.data() + 4 * first);
 }
 
 //------------------------------------------------------------------------------
@@ -431,6 +452,7 @@ vtkPointSplatCloud::Buffers& vtkPointSplatCloud::Fill(ContextBuffers& all, bool 
     }
   };
   fill(buffers.Splats, buffers.SplatTime, this->SplatTime, this->Splats, this->GetWordsPerSplat());
+  fill(buffers.ClipLines, buffers.ClipLineTime, this->SplatTime, this->ClipLines, 4);
   fill(buffers.Colours, buffers.ColourTime, this->ColourTime, this->Colours, 1);
   fill(buffers.Factors, buffers.FactorTime, this->FactorTime, this->Factors, 1);
   return buffers;

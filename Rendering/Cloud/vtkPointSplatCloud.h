@@ -17,6 +17,9 @@
 //   elliptical: x y z longer axis | plane's normal, normal, 0, point id | axis 1, 0 | axis 2, 0
 // Normals are coded in two times 16 bits on an octahedron; the bend, the matrix K of
 // vtkPointSplatProjection.glsl, in three times 10. Without sizes the radius is 0.
+// Clip lines (`SplatClip`): four floats a splat, where any point has some, (c1 . s, c1 . t, c2 . s,
+// c2 . t) with its axes s and t, of circular ones the tangents of vtkPointSplatProjection.glsl: of
+// s u + t v is kept what has dot(c, (u, v)) <= 1.
 // Colours: RGBA, 8 bits each, one a splat, where scalars colour the points.
 // Factors: of up to four lights, 8 bits each, one a splat, where the input has `ShadowFactor`.
 #ifndef vtkPointSplatCloud_h
@@ -57,12 +60,14 @@ public:
   struct Buffers
   {
     vtkPointSplatBuffer Splats{ GL_RGBA32UI };
+    vtkPointSplatBuffer ClipLines{ GL_RGBA32F };
     vtkPointSplatBuffer Colours{ GL_R32UI };
     vtkPointSplatBuffer Factors{ GL_R32UI };
     vtkPointSplatBuffer Ids{ GL_R32UI };
     IdKind IdsAre = PointIds;
     vtkPointSplatHandle VertexArray{ vtkPointSplatHandle::VertexArray };
     vtkTimeStamp SplatTime;
+    vtkTimeStamp ClipLineTime;
     vtkTimeStamp ColourTime;
     vtkTimeStamp FactorTime;
     vtkTimeStamp IdTime;
@@ -114,6 +119,8 @@ public:
   bool IsCircular() const { return this->Circular; }
   /// Whether the input has several blocks, or might have.
   bool IsComposite() const { return this->Composite; }
+  /// Whether any splat has a clip line.
+  bool HasClipLines() const { return !this->ClipLines.empty(); }
   bool HasColours() const { return !this->Colours.empty(); }
   /// Of how many lights the input has factors.
   int GetFactorCount() const { return this->FactorCount; }
@@ -146,6 +153,7 @@ private:
   void BuildSplats(const vtkPointSplatCloudInput& input, std::vector<Block>& blocks);
   vtkIdType BuildBlock(const vtkPointSplatCloudInput& input, Block& block,
     const class vtkPointSplatPacking& packing);
+  void BuildClipLines(const Block& block, const class vtkPointSplatPacking& packing);
   void Measure();
   void BuildColours(const vtkPointSplatCloudInput& input);
   void BuildFactors(vtkObject* owner);
@@ -153,6 +161,7 @@ private:
   Buffers& Fill(ContextBuffers& all, bool grouped);
 
   std::vector<uint32_t> Splats;
+  std::vector<uint32_t> ClipLines; // floats, as their bits
   std::vector<uint32_t> Colours;
   std::vector<uint32_t> Factors;
   int FactorCount = 0;

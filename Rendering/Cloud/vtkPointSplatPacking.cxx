@@ -68,6 +68,18 @@ void DecodeNormal(uint32_t code, double n[3])
   vtkMath::Normalize(n);
 }
 
+/// The directions of a circular splat's axes, as in placeSplat() (vtkPointSplatProjection.glsl).
+void TangentsOf(uint32_t planeCode, double s[3], double t[3])
+{
+  double n[3];
+  DecodeNormal(planeCode, n);
+  const bool slanted = std::abs(n[2]) < 0.7;
+  const double other[3] = { slanted ? 0.0 : 1.0, 0.0, slanted ? 1.0 : 0.0 };
+  vtkMath::Cross(n, other, s);
+  vtkMath::Normalize(s);
+  vtkMath::Cross(n, s, t);
+}
+
 constexpr double LargestBend = 1.0; // as in vtkPointSplatProjection.glsl
 constexpr double BendSteps = 511.0;
 
@@ -79,15 +91,9 @@ constexpr double BendSteps = 511.0;
  */
 uint32_t CodeBend(uint32_t planeCode, const double curvature[6], double radius)
 {
-  double n[3];
-  DecodeNormal(planeCode, n);
-  const bool slanted = std::abs(n[2]) < 0.7;
-  const double other[3] = { slanted ? 0.0 : 1.0, 0.0, slanted ? 1.0 : 0.0 };
   double s[3];
   double t[3];
-  vtkMath::Cross(n, other, s);
-  vtkMath::Normalize(s);
-  vtkMath::Cross(n, s, t);
+  TangentsOf(planeCode, s, t);
   const double* c = curvature;
   const auto form = [c, radius](const double a[3], const double b[3]) {
     return radius *
@@ -122,6 +128,30 @@ bool Finite(const double v[3])
 /// Lengths that floats hold: vtkPointSplatEstimation goes no farther either.
 constexpr double LargestLength = 1e37;
 constexpr double SmallestLength = 1e-37;
+
+/// Lines nearer to a splat's centre than a millionth of its axes count as so near.
+constexpr double SteepestLine = 1e6;
+
+/**
+ * A clip line (vtkPointSplatArrays.h) in terms of a splat's axes, or none where it is not finite.
+ */
+void CodeLine(const double c[3], const double s[3], const double t[3], uint32_t line[2])
+{
+  double u = vtkMath::Dot(c, s);
+  double v = vtkMath::Dot(c, t);
+  const double length = std::hypot(u, v);
+  if (!std::isfinite(length))
+  {
+    u = v = 0.0;
+  }
+  else if (length > SteepestLine)
+  {
+    u *= SteepestLine / length;
+    v *= SteepestLine / length;
+  }
+  line[0] = Bits(u);
+  line[1] = Bits(v);
+}
 
 bool Holdable(const double v[3])
 {
@@ -293,6 +323,7 @@ vtkPointSplatPacking vtkPointSplatPacking::Collect(
     : nullptr;
   a.Axis1 = Wanted(owner, data, given->GetArray(vtkPointSplatArrays::Axis1), 3);
   a.Axis2 = Wanted(owner, data, given->GetArray(vtkPointSplatArrays::Axis2), 3);
+  a.Clip = Wanted(owner, data, given->GetArray(vtkPointSplatArrays::Clip), 6);
   if (!a.Axis1 || !a.Axis2)
   {
     a.Axis1 = a.Axis2 = nullptr;
@@ -353,6 +384,10 @@ void vtkPointSplatPacking::Estimate(vtkPolyData* bare, bool projectNoise)
     this->Radius = estimated->GetArray(vtkPointSplatArrays::Radius);
     this->Plane = estimated->GetArray(vtkPointSplatArrays::PlaneNormal);
     this->Curvature = estimated->GetArray(vtkPointSplatArrays::Curvature);
+    if (!this->Clip)
+    {
+      this->Clip = estimated->GetArray(vtkPointSplatArrays::Clip);
+    }
   }
 }
 
@@ -368,6 +403,59 @@ void vtkPointSplatPacking::Pack(const std::array<double, 3>& origin, bool circul
   {
     worker(this->Points.Get(), this->Normals.Get(), *this, origin, circular, splats, valid);
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatPacking::HasClipLines() const
+{
+  if (!this->Clip)
+  {
+    return false;
+  }
+  for (int k = 0; k < 6; ++k)
+  {
+    double range[2];
+    this->Clip->GetFiniteRange(range, k);
+    if (range[0] < 0.0 || range[1] > 0.0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatPacking::PackClipLines(
+  const uint32_t* splats, vtkIdType count, bool circular, uint32_t* lines) const
+{
+  const vtkIdType words = circular ? 8 : 16;
+  vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      const uint32_t* splat = splats + words * i;
+      double s[3];
+      double t[3];
+      if (circular)
+      {
+        float radius;
+        std::memcpy(&radius, splat + 3, sizeof(radius));
+        TangentsOf(splat[4], s, t);
+        vtkMath::MultiplyScalar(s, radius);
+        vtkMath::MultiplyScalar(t, radius);
+      }
+      else
+      {
+        float axes[8];
+        std::memcpy(axes, splat + 8, sizeof(axes));
+        std::copy_n(axes, 3, s);
+        std::copy_n(axes + 4, 3, t);
+      }
+      double c[6];
+      this->Clip->GetTuple(splat[7], c);
+      CodeLine(c, s, t, lines + 4 * i);
+      CodeLine(c + 3, s, t, lines + 4 * i + 2);
+    }
+  });
 }
 
 //------------------------------------------------------------------------------

@@ -30,6 +30,7 @@ public:
   vtkSmartPointer<vtkDataArray> Curvature; // or none
   vtkSmartPointer<vtkDataArray> Axis1;
   vtkSmartPointer<vtkDataArray> Axis2;
+  vtkSmartPointer<vtkDataArray> Clip; // or none
   vtkUnsignedCharArray* Ghosts = nullptr;
   bool Projected = false; // points and normals are not the block's own, but on one surface
 
@@ -48,6 +49,14 @@ public:
    */
   void Pack(const std::array<double, 3>& origin, bool circular, uint32_t* splats,
     unsigned char* valid) const;
+
+  /// Whether any point has a clip line.
+  bool HasClipLines() const;
+  /**
+   * The clip lines of packed splats, four floats each, as their bits (vtkPointSplatCloud.h).
+   */
+  void PackClipLines(
+    const uint32_t* splats, vtkIdType count, bool circular, uint32_t* lines) const;
 
   /**
    * For each point the first cell that uses it, or -1. Cells may name points that are not there.

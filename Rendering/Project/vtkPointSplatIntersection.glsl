@@ -6,12 +6,16 @@
 #include "vtkPointSplatProjection"
 #include "vtkPointSplatDepthCode"
 #include "vtkPointSplatCap"
+#ifdef CLIP_LINES
+#include "vtkPointSplatClipLines"
+#endif
 
 struct Hit
 {
   vec2 uv;      // in radii from the centre, along s and t
   float r2;     // the distance that the kernel sees, squared, in radii
   float depth;
+  float share;  // of the kernel
 };
 
 // What a splat is beside itself where its image is narrower than the prefilter's
@@ -133,7 +137,7 @@ bool project(vec3 positionMC, uvec3 shape, vec3 axis1MC, vec3 axis2MC, float rad
 // Where the ray through a pixel's centre meets the splat.
 // The kernel sees the lesser of the distances on the splat and on its widened
 // ellipse.
-// False: outside the cap of radius reach, outside the depth range, or cut away.
+// False: outside the cap of radius reach, beyond its clip lines, outside the depth range, or cut away.
 bool intersect(Splat q, vec2 pixel, float reach, out Hit hit)
 {
   vec2 d = pixel - q.centre;
@@ -145,7 +149,12 @@ bool intersect(Splat q, vec2 pixel, float reach, out Hit hit)
   float w = 1.0 - onEllipse.x * dot(q.lean, vec2(q.s.z, q.t.z));
   onEllipse.x = w > 0.0 ? onEllipse.x / w : 1e9;
   float narrow = dot(onEllipse, onEllipse);
-  if (!met || hit.r2 > reach * reach)
+  bool misses = !met || hit.r2 > reach * reach;
+#ifdef CLIP_LINES
+  ClipLines lines = clipLinesOf(q.lines, q.s.xy, q.t.xy);
+  vec2 products = misses ? clipProductsInImage(lines, d) : clipProducts(lines, x.xy);
+#endif
+  if (misses)
   {
     x = vec3(onEllipse.x * q.lean, 0.0);
     hit.r2 = narrow;
@@ -153,6 +162,15 @@ bool intersect(Splat q, vec2 pixel, float reach, out Hit hit)
   hit.r2 = min(hit.r2, narrow);
   hit.uv = x.xy;
   hit.depth = q.depth - dot(x, vec3(q.sVC.z, q.tVC.z, q.mVC.z));
+  hit.share = 1.0;
+#ifdef CLIP_LINES
+  hit.share = clippedShare(lines, products);
+  hit.depth += marginDelay(products, q.tag, q.layer);
+  if (hit.share == 0.0)
+  {
+    return false;
+  }
+#endif
   if (hit.r2 > reach * reach || hit.depth <= 0.0 || hit.depth >= DepthRange.y ||
     dot(x, vec3(q.s.z, q.t.z, q.m.z)) <= -1.0)
   {
@@ -185,6 +203,6 @@ bool sameLayer(Splat q, float depth, uint nearest)
 {
   uint different = (nearest ^ q.tag) & TagMask;
   return nearest != NoDepth &&
-    (different == 0u || (different == 1u && q.facing > OwnSideFacing)) &&
+    (different == 0u || (different == 1u && belongsToBothSides(q))) &&
     abs(depth - decodeDepth(nearest)) * max(q.facing, LeastFacing) <= q.layer;
 }

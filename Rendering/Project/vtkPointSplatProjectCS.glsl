@@ -3,13 +3,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Projects each splat once: its record and its box, for the tiles; and its colour, factors of
-// lights or id, beside them.
-// Reads: Splats, Colours, Factors, Ids. Writes: Records, Boxes, RecordColours, RecordFactors,
-// RecordIds.
+// lights, id or clip lines, beside them.
+// Variants: CLIPPING, CLIP_LINES, COLOURS, FACTORS, IDS.
+// Reads: Splats, ClipLineTexels, Colours, Factors, Ids. Writes: Records, Boxes, RecordClipLines,
+// RecordColours, RecordFactors, RecordIds.
 
 #include "vtkPointSplatProjection"
 #include "vtkPointSplatRecord"
 #include "vtkPointSplatBlockList"
+#ifdef CLIP_LINES
+#include "vtkPointSplatClipLines"
+#endif
 
 layout(local_size_x = 64) in;
 
@@ -31,6 +35,11 @@ layout(std430, binding = 3) writeonly buffer RecordFactors { uint recordFactors[
 #ifdef IDS
 uniform usamplerBuffer Ids; // R32UI
 layout(std430, binding = 4) writeonly buffer RecordIds { uint recordIds[]; };
+#endif
+#ifdef CLIP_LINES
+uniform samplerBuffer ClipLineTexels; // RGBA32F, where HasClipLines
+uniform bool HasClipLines;
+layout(std430, binding = 5) writeonly buffer RecordClipLines { vec4 recordClipLines[]; };
 #endif
 
 uniform uint FirstInvocation;  // of this dispatch
@@ -162,7 +171,10 @@ void main()
     uint(last.x) | uint(last.y) << 12 | (bucket >> 7) << 25 | kind << 28);
   boxes[to] = seen ? box : uvec2(0u);
 
-  uint head = q.tag | (q.facing > OwnSideFacing ? BothSides : 0u) |
+#ifdef CLIP_LINES
+  q.lines = HasClipLines ? RadiusScale * texelFetch(ClipLineTexels, int(splat)) : vec4(0.0);
+#endif
+  uint head = q.tag | (belongsToBothSides(q) ? BothSides : 0u) |
     encodeShort(q.layer / max(q.facing, LeastFacing)) << 16;
   uint normal = encodeNormal(q.normal);
   uvec4 r1;
@@ -205,6 +217,11 @@ void main()
   records[record + 2u] = r2;
   records[record + 3u] = r3;
   records[record + 4u] = r4;
+#ifdef CLIP_LINES
+  recordClipLines[to] = kind == Flat ? vec4(clipLineInImage(q.lines.xy, q.s.xy, q.t.xy),
+                                         clipLineInImage(q.lines.zw, q.s.xy, q.t.xy))
+                                     : q.lines;
+#endif
 #ifdef COLOURS
   recordColours[to] = HasColours ? texelFetch(Colours, int(splat)).r : 0xffffffffu;
 #endif

@@ -62,6 +62,9 @@ struct Splat
   vec3 m;       // image of the normal
   vec3 bend;    // K's elements 11, 12, 22
   vec4 narrow;  // the widened ellipse: its axes in the image, over their squared lengths
+#ifdef CLIP_LINES
+  vec4 lines;   // that clip it, in radii (vtkPointSplatClipLines)
+#endif
   vec2 lean;    // where on the splat the first axis ends; 0 if it is parallel to the screen
   float depth;  // of the centre: distance from the near plane along the view axis
   vec3 normal;  // view coordinates, unit length
@@ -172,6 +175,19 @@ bool placeSplat(vec3 positionMC, uvec3 shape, vec3 axis1MC, vec3 axis2MC, float 
   float deep = depthReach(q, bend, reach);
   return (Culling & (back ? 1 : 2)) == 0 && q.depth + deep > 0.0 && q.depth - deep < DepthRange.y &&
     w >= 1e-6 * longest && w > 0.0;
+}
+
+// Whether a splat may belong to a layer that shows the other side. One that ends at lines may not:
+// just behind the edge lies the face that is turned away.
+bool belongsToBothSides(Splat q)
+{
+#ifdef CLIP_LINES
+  if (any(notEqual(q.lines, vec4(0.0))))
+  {
+    return false;
+  }
+#endif
+  return q.facing > OwnSideFacing;
 }
 
 // Where the body that a splat lies on bends so much that those as narrow make a rim of less than a

@@ -7,6 +7,12 @@
 
 #include "vtkPointSplatIntersection"
 
+#ifdef CLIP_LINES
+uniform bool HasClipLines;
+
+flat out vec4 splatLines;
+#endif
+
 #ifdef FETCHED
 vec4 positionAndRadius;
 uvec3 shape;
@@ -15,6 +21,9 @@ vec4 colour;
 vec3 axis1MC;
 vec3 axis2MC;
 vec4 factorsOfLights;
+#ifdef CLIP_LINES
+vec4 clipLines;
+#endif
 #else
 layout(location = 0) in vec4 positionAndRadius;
 layout(location = 1) in uvec3 shape;
@@ -24,6 +33,9 @@ layout(location = 4) in vec3 axis1MC;
 layout(location = 5) in vec3 axis2MC;
 #ifdef FACTORS
 layout(location = 6) in vec4 factorsOfLights;
+#endif
+#ifdef CLIP_LINES
+layout(location = 7) in vec4 clipLines;
 #endif
 #endif
 #ifdef FACTORS
@@ -68,6 +80,9 @@ bool spanQuad()
   centreDepthFacing = vec4(q.centre, q.depth, q.facing);
   splatSAndLean = vec4(q.s, q.lean.x);
   splatTAndLean = vec4(q.t, q.lean.y);
+#ifdef CLIP_LINES
+  splatLines = HasClipLines ? RadiusScale * clipLines : vec4(0.0);
+#endif
   splatNarrow = q.narrow;
   splatMAndLayer = vec4(q.m, q.layer);
   splatBend = q.bend;

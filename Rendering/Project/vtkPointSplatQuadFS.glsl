@@ -10,6 +10,9 @@ flat in vec4 splatSAndLean;
 flat in vec4 splatTAndLean;
 flat in vec4 splatMAndLayer;
 flat in vec3 splatBend;
+#ifdef CLIP_LINES
+flat in vec4 splatLines;
+#endif
 flat in vec4 splatNarrow;
 flat in vec3 splatTurnS;
 flat in vec3 splatTurnT;
@@ -33,6 +36,9 @@ Splat fragmentSplat()
   q.s = splatSAndLean.xyz;
   q.t = splatTAndLean.xyz;
   q.lean = vec2(splatSAndLean.w, splatTAndLean.w);
+#ifdef CLIP_LINES
+  q.lines = splatLines;
+#endif
   q.narrow = splatNarrow;
   q.m = splatMAndLayer.xyz;
   q.layer = splatMAndLayer.w;

@@ -41,6 +41,7 @@ void vtkPointSplatQuads::SetUniforms(vtkPointSplatProgram& program, const vtkPoi
   item.SetUniforms(program, view);
   program.Set("TagMask", tagMask);
   program.Set("ImageSize", view.Size);
+  program.Set("HasClipLines", item.Cloud->HasClipLines());
   program.Set("HasColours", item.Cloud->HasColours());
   program.Set("HasFactors", item.Factors != nullptr);
   program.Set("PointLayer", static_cast<float>(item.Points.Layer));
@@ -90,9 +91,15 @@ void vtkPointSplatQuads::Bind(const vtkPointSplatItem& item, vtkPointSplatCloud:
     glBindBuffer(GL_ARRAY_BUFFER, item.Factors->Get());
     glVertexAttribPointer(6, 4, GL_UNSIGNED_BYTE, GL_TRUE, step4, at(0, 4));
   }
+  const bool lines = item.Cloud->HasClipLines();
+  if (lines)
+  {
+    glBindBuffer(GL_ARRAY_BUFFER, buffers.ClipLines.Get());
+    glVertexAttribPointer(7, 4, GL_FLOAT, GL_FALSE, 16 << item.StrideShift, at(0, 16));
+  }
   glBindBuffer(GL_ARRAY_BUFFER, 0);
-  const bool used[] = { true, true, true, colours, axes, axes, item.Factors != nullptr };
-  for (GLuint i = 0; i < 7; ++i)
+  const bool used[] = { true, true, true, colours, axes, axes, item.Factors != nullptr, lines };
+  for (GLuint i = 0; i < 8; ++i)
   {
     if (used[i])
     {

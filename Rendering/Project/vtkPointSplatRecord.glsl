@@ -18,6 +18,9 @@
 // axis of its ellipse is `along`, over its squared length, and ends at `lean` on the splat; where
 // both are 0 it is a disk.
 //
+// Clip lines, where a cloud of the frame has some, lie beside the records (RGBA32F): two vectors,
+// of flat splats by pixels, of caps by radii along s and t (vtkPointSplatClipLines).
+//
 // Head: bits 0 to 14 the tag, which names the cloud and, in bit 0, the side that is seen; bit 15
 // whether splats of both sides belong to its layers; above, the least layer distance along the
 // ray, 16 bits of a float.

@@ -25,18 +25,21 @@ bool vtkPointSplatDeferred::Fits(const glm::ivec2& size, int groups, vtkIdType b
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatDeferred::BuildPrograms(bool factors)
+vtkPointSplatProgram* vtkPointSplatDeferred::BuildPrograms(const vtkPointSplatRequest& request)
 {
+  const bool factors = request.GetFactorCount() > 0;
+  const bool lines = request.HasClipLines();
   const std::string defines = factors ? "#define FACTORS\n" : "";
-  vtkPointSplatProgram& geometry = this->Geometry[factors ? 1 : 0];
+  vtkPointSplatProgram& geometry = this->Geometry[factors ? 1 : 0][lines ? 1 : 0];
   vtkPointSplatProgram& compositing = this->Compositing[factors ? 1 : 0];
   const bool built =
     geometry.Build({ { GL_VERTEX_SHADER, "vtkPointSplatGroupVS" },
                      { GL_FRAGMENT_SHADER, "vtkPointSplatGroupFS" } },
-      defines + "#define CLIPPING\n#define PLATEAU\n") &&
+      defines + "#define CLIPPING\n#define PLATEAU\n" +
+        (lines ? "#define CLIP_LINES\n" : "")) &&
     compositing.BuildScreen("vtkPointSplatCompositeFS", defines);
   this->Error = built ? std::string() : geometry.GetLog() + compositing.GetLog();
-  return built;
+  return built ? &geometry : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -69,7 +72,8 @@ bool vtkPointSplatDeferred::Reconstruct(
 {
   const bool factors = request.GetFactorCount() > 0;
   const glm::ivec2& size = request.View.Size;
-  if (!this->BuildPrograms(factors))
+  vtkPointSplatProgram* geometry = this->BuildPrograms(request);
+  if (!geometry)
   {
     return false;
   }
@@ -95,8 +99,7 @@ bool vtkPointSplatDeferred::Reconstruct(
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LESS);
   state->vtkglDepthMask(GL_TRUE);
-  vtkPointSplatProgram& geometry = this->Geometry[factors ? 1 : 0];
-  geometry.Use();
+  geometry->Use();
   const GLfloat farthest = 1.0f;
   for (int group = 0; group < groups; ++group)
   {
@@ -107,7 +110,7 @@ bool vtkPointSplatDeferred::Reconstruct(
     }
     this->GroupFramebuffer.Bind(state, targets, { this->Depths, group });
     glClearBufferfv(GL_DEPTH, 0, &farthest);
-    this->DrawGroup(request, group, geometry);
+    this->DrawGroup(request, group, *geometry);
   }
 
   std::vector<vtkPointSplatFramebuffer::Target> targets{ layers.GetTexelImage() };
@@ -144,7 +147,8 @@ void vtkPointSplatDeferred::Release()
 {
   for (int factors = 0; factors < 2; ++factors)
   {
-    this->Geometry[factors].Release();
+    this->Geometry[factors][0].Release();
+    this->Geometry[factors][1].Release();
     this->Compositing[factors].Release();
   }
   this->Texels.Release();

@@ -40,10 +40,12 @@ public:
   void Release();
 
 private:
-  bool BuildPrograms(bool factors);
+  /// The geometry pass's, of the variant that a request needs, or null.
+  vtkPointSplatProgram* BuildPrograms(const vtkPointSplatRequest& request);
   void DrawGroup(const vtkPointSplatRequest& request, int group, vtkPointSplatProgram& geometry);
 
-  vtkPointSplatProgram Geometry[2]; // the latter with factors of lights
+  // The latter with factors of lights; and with clip lines.
+  vtkPointSplatProgram Geometry[2][2];
   vtkPointSplatProgram Compositing[2];
   vtkPointSplatImage Texels{ GL_RGBA32UI };
   vtkPointSplatImage Depths{ GL_DEPTH_COMPONENT32F };

@@ -42,7 +42,7 @@ bool findFragment(out Fragment f)
   f.depth = hit.depth;
   f.shown = hit.depth;
   f.normal = normalAt(f.splat, hit.uv);
-  f.weight = kernelWeight(hit.r2, Kernel);
+  f.weight = hit.share * kernelWeight(hit.r2, Kernel);
   return covers;
 #endif
 }

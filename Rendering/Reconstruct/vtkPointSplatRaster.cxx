@@ -26,7 +26,8 @@ vtkPointSplatProgram* vtkPointSplatRaster::Use(
   const std::string defines = common + (item.ClipPlanes.empty() ? "" : "#define CLIPPING\n") +
     (item.IsPoints          ? "#define POINTS\n"
         : item.Kernel.Plateau ? "#define PLATEAU\n"
-                              : "");
+                              : "") +
+    (item.Cloud->HasClipLines() && !item.IsPoints ? "#define CLIP_LINES\n" : "");
   vtkPointSplatProgram& program = this->Programs[file + defines];
   if (!program.Build({ { GL_VERTEX_SHADER,
                          item.IsPoints ? "vtkPointSplatPointVS" : "vtkPointSplatQuadVS" },

@@ -30,6 +30,13 @@ bool vtkPointSplatRequest::HasColours() const
 }
 
 //------------------------------------------------------------------------------
+bool vtkPointSplatRequest::HasClipLines() const
+{
+  return std::any_of(this->Items.begin(), this->Items.end(),
+    [](const vtkPointSplatItem& item) { return item.Cloud->HasClipLines(); });
+}
+
+//------------------------------------------------------------------------------
 int vtkPointSplatRequest::GetFactorCount() const
 {
   int count = 0;

@@ -38,6 +38,7 @@ struct vtkPointSplatRequest
 
   bool IsPeeled() const { return this->MaximumLayers > 1 || this->SceneDepth != 0; }
   bool HasColours() const;
+  bool HasClipLines() const;
   int GetFactorCount() const;
   /// The bits that tags of the items need (vtkPointSplatDepthCode.glsl).
   unsigned int GetTagMask() const;

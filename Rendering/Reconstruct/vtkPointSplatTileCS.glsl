@@ -10,8 +10,8 @@
 //    through the layers before that what is behind could not be seen.
 // Variants: LAYERS, GATHER (the last layer takes all that is left, weighted by opacity), COLOURS,
 // FACTORS, IDS (names the splat of the greatest weight), KERNELS, PLATEAU, CURVED (some splats need
-// exact rays), CLIPPING.
-// Reads: Records, Lists, Tiles, SceneDepth. Writes: Texels, FactorTexels, IdTexels, Counts.
+// exact rays), CLIPPING, CLIP_LINES (some splats are clipped).
+// Reads: Records, RecordClipLines, Lists, Tiles, SceneDepth. Writes: Texels, FactorTexels, IdTexels, Counts.
 
 #include "vtkPointSplatTilePixels"
 #include "vtkPointSplatTileFlat"

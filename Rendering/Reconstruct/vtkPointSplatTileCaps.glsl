@@ -54,6 +54,14 @@ Widened widenedOf(uvec4 r2, uvec4 r4, float radius)
   return w;
 }
 
+#ifdef CLIP_LINES
+ClipLines clipLinesOf(Cap q, int record)
+{
+  return clipLinesOf(
+    texelFetch(RecordClipLines, record), vec2(q.a.x, q.b.x), vec2(q.a.y, q.b.y));
+}
+#endif
+
 // The w of the images of s, t and m, over the centre's.
 vec3 imageW(Cap q, float depth)
 {
@@ -153,17 +161,26 @@ void seeBent(inout int begin, int end)
     {
       break;
     }
-    int at = recordOf(entry) * RecordTexels;
+    int record = recordOf(entry);
+    int at = record * RecordTexels;
     Head h = headOf(texelFetch(Records, at));
     Cap cap = capOf(
       texelFetch(Records, at + 1), texelFetch(Records, at + 2), texelFetch(Records, at + 3));
+#ifdef CLIP_LINES
+    ClipLines lines = clipLinesOf(cap, record);
+#endif
     Bundle rays = bundleOf(cap, imageW(cap, h.depth), h.from + middle, DiskReach);
     for (int k = 0; k < Pixels; ++k)
     {
       vec2 uv;
       float behind;
-      bool met = meetBundle(rays, offsetOf(k) - middle, uv, behind);
-      keepNearest(k, h, met && dot(uv, uv) <= reach, h.depth + behind);
+      bool met = meetBundle(rays, offsetOf(k) - middle, uv, behind) && dot(uv, uv) <= reach;
+#ifdef CLIP_LINES
+      vec2 products = clipProducts(lines, uv);
+      met = met && isKept(lines, products);
+      behind += marginDelay(products, h.tag, h.layer);
+#endif
+      keepNearest(k, h, met, h.depth + behind);
     }
     ++i;
   } while (i < end);
@@ -215,13 +232,19 @@ void addCap(int k, Head h, Paint p, bool met, vec2 uv, float behind, Widened w, 
   vec2 onEllipse = vec2(dot(d, w.along), dot(d, w.across));
   float narrow = dot(onEllipse, onEllipse);
   bool misses = !met || r2 > p.kernel.z * p.kernel.z;
+  float share = 1.0;
+#ifdef CLIP_LINES
+  share = clippedShare(
+    p.lines, misses ? clipProductsInImage(p.lines, d) : clipProducts(p.lines, uv));
+#endif
   uv = misses ? onEllipse.x * w.lean : uv;
   behind = misses ? -dot(uv, zST) : behind;
   r2 = misses ? narrow : min(r2, narrow);
   vec3 normal = n.centre + uv.x * n.turnS + uv.y * n.turnT;
   // One step of Newton's towards unit length: the turn is small.
   normal *= 1.5 - 0.5 * dot(normal, normal);
-  addToLayer(k, h, p, !cut || isWithin(k, h.tag, h.depth + behind), r2, h.depth + behind, normal);
+  share = !cut || isWithin(k, h.tag, h.depth + behind) ? share : 0.0;
+  addToLayer(k, h, p, share, r2, h.depth + behind, normal);
 }
 
 void addBent(int i, int end, float layerEnd)
@@ -245,6 +268,9 @@ void addBent(int i, int end, float layerEnd)
     uvec4 r4 = texelFetch(Records, at + 4);
     Cap cap = capOf(texelFetch(Records, at + 1), r2, texelFetch(Records, at + 3));
     Paint p = paintOf(record, h.tag);
+#ifdef CLIP_LINES
+    p.lines = clipLinesOf(cap, record);
+#endif
     Bundle rays = bundleOf(cap, imageW(cap, h.depth), h.from + middle, p.kernel.z);
     Widened widened = widenedOf(r2, r4, PrefilterRadius);
     Normal n = normalOf(r2, r4);
@@ -276,18 +302,27 @@ void seeCurved(inout int begin, int end)
     {
       break;
     }
-    int at = recordOf(entry) * RecordTexels;
+    int record = recordOf(entry);
+    int at = record * RecordTexels;
     Head h = headOf(texelFetch(Records, at));
     Cap cap = capOf(
       texelFetch(Records, at + 1), texelFetch(Records, at + 2), texelFetch(Records, at + 3));
+#ifdef CLIP_LINES
+    ClipLines lines = clipLinesOf(cap, record);
+#endif
     vec3 w = imageW(cap, h.depth);
     for (int k = 0; k < Pixels; ++k)
     {
       vec3 x;
       bool met = meetCap(cap.a, cap.b, w, cap.bend, h.from + offsetOf(k), x);
       float depth = h.depth - dot(x, cap.z);
-      keepNearest(k, h, met && dot(x.xy, x.xy) <= reach && dot(x, w) > -1.0 &&
-        isWithin(k, h.tag, depth), depth);
+      met = met && dot(x.xy, x.xy) <= reach && dot(x, w) > -1.0 && isWithin(k, h.tag, depth);
+#ifdef CLIP_LINES
+      vec2 products = clipProducts(lines, x.xy);
+      met = met && isKept(lines, products);
+      depth += marginDelay(products, h.tag, h.layer);
+#endif
+      keepNearest(k, h, met, depth);
     }
     ++i;
   } while (i < end);
@@ -316,6 +351,9 @@ void addCurved(int i, int end, float layerEnd)
     Widened widened = widenedOf(r2, r4, PrefilterRadius);
     Normal n = normalOf(r2, r4);
     Paint p = paintOf(record, h.tag);
+#ifdef CLIP_LINES
+    p.lines = clipLinesOf(cap, record);
+#endif
     for (int k = 0; k < Pixels; ++k)
     {
       vec3 x;

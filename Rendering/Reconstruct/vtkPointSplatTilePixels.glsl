@@ -13,6 +13,9 @@
 #include "vtkPointSplatKernel"
 #include "vtkPointSplatItemTable"
 #include "vtkPointSplatTexel"
+#ifdef CLIP_LINES
+#include "vtkPointSplatClipLines"
+#endif
 
 const int Pixels = TILE_WIDTH * TILE_HEIGHT / LANES;
 
@@ -24,6 +27,9 @@ uniform float PrefilterRadius;  // pixels
 uniform vec4 Kernel;            // of all clouds, but for KERNELS, where they differ
 uniform float DepthReach;       // from a splat's nearest depth to its farthest, at most
 uniform float DepthUnit;        // five times the largest least layer distance, world units
+#ifdef CLIP_LINES
+uniform samplerBuffer RecordClipLines;
+#endif
 #ifdef COLOURS
 uniform usamplerBuffer RecordColours;
 #endif
@@ -187,10 +193,13 @@ void keepNearest(int k, Head h, bool hit, float depth)
   tags[k] = nearer ? h.tag : tags[k];
 }
 
-// What a splat adds beside its normal and depth.
+// What a splat adds beside its normal and depth, and where it ends.
 struct Paint
 {
   vec4 kernel;
+#ifdef CLIP_LINES
+  ClipLines lines; // set by who knows the splat's kind
+#endif
 #ifdef COLOURS
   vec4 colour;
 #endif
@@ -225,13 +234,13 @@ Paint paintOf(int record, uint tag)
   return p;
 }
 
-// hit: whether the pixel's ray meets the splat where that is not cut away; r2: the kernel's squared
-// distance; normal: of about unit length.
-void addToLayer(int k, Head h, Paint p, bool hit, float r2, float depth, vec3 normal)
+// share: what of the kernel there is where the pixel's ray meets the splat, 0 where that is cut
+// away; r2: the kernel's squared distance; normal: of about unit length.
+void addToLayer(int k, Head h, Paint p, float share, float r2, float depth, vec3 normal)
 {
   uint different = h.tag ^ tags[k];
   float behind = depth - nearest[k];
-  bool mine = hit && r2 <= p.kernel.z * p.kernel.z;
+  bool mine = share > 0.0 && r2 <= p.kernel.z * p.kernel.z;
 #ifdef LAYERS
   bool own = different < h.sides && abs(behind) <= h.layer;
 #ifdef GATHER
@@ -241,7 +250,7 @@ void addToLayer(int k, Head h, Paint p, bool hit, float r2, float depth, vec3 no
 #else
   mine = mine && different < h.sides && abs(behind) <= h.layer;
 #endif
-  float kernel = kernelWeight(min(r2, p.kernel.z * p.kernel.z), p.kernel);
+  float kernel = share * kernelWeight(min(r2, p.kernel.z * p.kernel.z), p.kernel);
 #ifdef GATHER
   kernel *= gathering ? p.colour.a : 1.0;
 #endif

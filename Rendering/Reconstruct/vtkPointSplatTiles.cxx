@@ -17,6 +17,7 @@ namespace
 constexpr vtkIdType GroupSize = 64; // as in the shaders
 constexpr GLsizeiptr RecordBytes = 80;
 constexpr GLsizeiptr BoxBytes = 8;
+constexpr GLsizeiptr LineBytes = 16;
 constexpr double Buckets = 1024.0; // as in vtkPointSplatRecord.glsl
 constexpr vtkIdType SplatsPerDispatch = vtkIdType(1) << 20;
 // Entries of all lists, so that these are within a storage block, which has at least 128 MiB in
@@ -90,15 +91,18 @@ vtkPointSplatTiles::Variant vtkPointSplatTiles::VariantOf(
     plateau = plateau || item.Kernel.Plateau;
     kernels = kernels || !(item.Kernel == request.Items.front().Kernel);
   }
+  v.ClipLines = request.HasClipLines();
   v.Colours = request.HasColours() || request.Gather;
   v.Factors = request.GetFactorCount();
   v.Ids = request.HasIds;
+  const std::string clips = std::string(clipping ? "#define CLIPPING\n" : "") +
+    (v.ClipLines ? "#define CLIP_LINES\n" : "");
   std::string both = std::string(v.Colours ? "#define COLOURS\n" : "") +
     (v.Factors > 0 ? "#define FACTORS " + std::to_string(v.Factors) + "\n" : "") +
-    (v.Ids ? "#define IDS\n" : "") + (clipping ? "#define CLIPPING\n" : "");
+    (v.Ids ? "#define IDS\n" : "") + clips;
   const bool layers = request.IsPeeled();
   v.Project = both;
-  v.Walk = std::string(clipping ? "#define CLIPPING\n" : "") + (layers ? "#define LAYERS\n" : "");
+  v.Walk = clips + (layers ? "#define LAYERS\n" : "");
   v.Tile = both + (layers ? "#define LAYERS\n" : "") + (request.Gather ? "#define GATHER\n" : "") +
     (plateau ? "#define PLATEAU\n" : "") + (kernels ? "#define KERNELS\n" : "");
   if (request.OnDevice)
@@ -166,6 +170,10 @@ void vtkPointSplatTiles::Reserve(const Variant& variant)
 {
   this->Records.Reserve(RecordBytes * this->Splats);
   this->Boxes.Reserve(BoxBytes * this->Splats);
+  if (variant.ClipLines)
+  {
+    this->ClipLines.Reserve(LineBytes * this->Splats);
+  }
   if (variant.Colours)
   {
     this->Colours.Reserve(4 * this->Splats);
@@ -215,9 +223,12 @@ bool vtkPointSplatTiles::Project(
     program->Set("SplatCount", static_cast<unsigned int>(item.Cloud->GetNumberOfSplats()));
     program->Set("StrideShift", item.StrideShift);
     program->Set("DrawBlocks", item.Blocks != nullptr);
+    program->Set("HasClipLines", item.Cloud->HasClipLines());
     program->Set("HasColours", item.Cloud->HasColours());
     program->Set("HasFactors", item.Factors != nullptr);
     units.Bind(*program, "Splats", GL_TEXTURE_BUFFER, buffers.Splats.GetTexture());
+    units.Bind(*program, "ClipLineTexels", GL_TEXTURE_BUFFER,
+      item.Cloud->HasClipLines() ? buffers.ClipLines.GetTexture() : 0);
     units.Bind(*program, "Colours", GL_TEXTURE_BUFFER, buffers.Colours.GetTexture());
     units.Bind(*program, "Factors", GL_TEXTURE_BUFFER,
       item.Factors ? item.Factors->GetTexture() : 0);
@@ -244,6 +255,10 @@ bool vtkPointSplatTiles::Project(
       if (variant.Ids)
       {
         this->Ids.BindStorage(4, 4 * at, 4 * splats);
+      }
+      if (variant.ClipLines)
+      {
+        this->ClipLines.BindStorage(5, LineBytes * at, LineBytes * splats);
       }
       program->Set("FirstInvocation", static_cast<unsigned int>(begin));
       vtkPointSplatProgram::Dispatch(splats, GroupSize);
@@ -329,6 +344,7 @@ vtkPointSplatProgram* vtkPointSplatTiles::UseTiles(const vtkPointSplatRequest& r
   const vtkPointSplatView& view = request.View;
   const vtkPointSplatKernel& kernel = request.Items.front().Kernel;
   units.Bind(*program, "Records", GL_TEXTURE_BUFFER, this->Records.GetTexture());
+  units.Bind(*program, "RecordClipLines", GL_TEXTURE_BUFFER, this->ClipLines.GetTexture());
   units.Bind(*program, "RecordColours", GL_TEXTURE_BUFFER, this->Colours.GetTexture());
   units.Bind(*program, "RecordFactors", GL_TEXTURE_BUFFER, this->Factors.GetTexture());
   units.Bind(*program, "RecordIds", GL_TEXTURE_BUFFER, this->Ids.GetTexture());
@@ -543,8 +559,8 @@ vtkIdType vtkPointSplatTiles::GetMemorySize() const
 {
   vtkIdType bytes = this->DeviceLists.GetMemorySize();
   for (const vtkPointSplatBuffer* buffer :
-    { &this->Records, &this->Boxes, &this->Colours, &this->Factors, &this->Ids, &this->Lists,
-      &this->Table, &this->Summaries })
+    { &this->Records, &this->Boxes, &this->ClipLines, &this->Colours, &this->Factors, &this->Ids,
+      &this->Lists, &this->Table, &this->Summaries })
   {
     bytes += buffer->GetSize();
   }
@@ -558,8 +574,9 @@ void vtkPointSplatTiles::Release()
   this->TilePrograms.clear();
   this->Items.Release();
   this->DeviceLists.Release();
-  for (vtkPointSplatBuffer* buffer : { &this->Records, &this->Boxes, &this->Colours,
-         &this->Factors, &this->Ids, &this->Blocks, &this->Lists, &this->Table, &this->Summaries, &this->Counts })
+  for (vtkPointSplatBuffer* buffer : { &this->Records, &this->Boxes, &this->ClipLines,
+         &this->Colours, &this->Factors, &this->Ids, &this->Blocks, &this->Lists, &this->Table,
+         &this->Summaries, &this->Counts })
   {
     buffer->Release();
   }

@@ -14,8 +14,9 @@
 //    (vtkPointSplatOutlines.h).
 //
 // Buffers: records, RGBA32UI, 5 texels a splat; boxes, RG32UI, 1; lists, R32UI; the tiles' table,
-// RGBA32UI, 2 a tile; their summaries, RGBA32UI, 1 a tile; beside the records colours, factors of lights and ids, R32UI, where there are
-// some. A splat is a record of 80 bytes and 8 of its box, so that who draws bounds how many are
+// RGBA32UI, 2 a tile; their summaries, RGBA32UI, 1 a tile; beside the records colours, factors of
+// lights and ids, R32UI, and clip lines, RGBA32F, where there are some. A splat is a record of 80
+// bytes and 8 of its box, so that who draws bounds how many are
 // drawn at once (vtkPointSplatSelection.h).
 #ifndef vtkPointSplatTiles_h
 #define vtkPointSplatTiles_h
@@ -73,6 +74,7 @@ private:
     std::string Walk; // of it what the search for the nearest hits needs
     glm::ivec2 TileSize{ 4, 4 };
     int Lanes = 1;
+    bool ClipLines = false;
     bool Colours = false;
     int Factors = 0;
     bool Ids = false;
@@ -107,6 +109,7 @@ private:
   vtkPointSplatItemTable Items;
   vtkPointSplatBuffer Records{ GL_RGBA32UI };
   vtkPointSplatBuffer Boxes{ GL_RG32UI };
+  vtkPointSplatBuffer ClipLines{ GL_RGBA32F };
   vtkPointSplatBuffer Colours{ GL_R32UI };
   vtkPointSplatBuffer Factors{ GL_R32UI };
   vtkPointSplatBuffer Ids{ GL_R32UI };

@@ -47,6 +47,10 @@ void SetItem(vtkPointSplatProgram& program, vtkPointSplatUnits& units,
     program, "Colours", GL_TEXTURE_BUFFER, colours ? buffers.Colours.GetTexture() : 0);
   units.Bind(
     program, "Factors", GL_TEXTURE_BUFFER, item.Factors ? item.Factors->GetTexture() : 0);
+  const bool lines = item.Cloud->HasClipLines();
+  units.Bind(
+    program, "ClipLineTexels", GL_TEXTURE_BUFFER, lines ? buffers.ClipLines.GetTexture() : 0);
+  program.Set("HasClipLines", lines);
   program.Set("HasColours", colours);
   program.Set("HasFactors", item.Factors != nullptr);
 }
@@ -120,7 +124,8 @@ bool vtkPointSplatSorted::DrawGroup(const Scene& scene, int group)
       (scene.Nearest ? "#define NEAREST\n" + scene.Nearest->GetDefines()
           : factors > 0 ? "#define FACTORS\n"
                         : "") +
-      (clips ? "#define CLIPPING\n" : "") + (scene.CountLayers ? "#define LAYER_COUNT\n" : ""));
+      (clips ? "#define CLIPPING\n" : "") +
+      (request.HasClipLines() ? "#define CLIP_LINES\n" : "") + (scene.CountLayers ? "#define LAYER_COUNT\n" : ""));
   if (!program)
   {
     return false;

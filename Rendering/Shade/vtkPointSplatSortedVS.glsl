@@ -14,6 +14,9 @@ uniform int FirstEntry;         // that is drawn
 uniform usamplerBuffer Splats;  // RGBA32UI, two or four a splat: see vtkPointSplatCloud.h
 uniform usamplerBuffer Colours; // R32UI, where HasColours
 uniform bool HasColours;
+#ifdef CLIP_LINES
+uniform samplerBuffer ClipLineTexels; // RGBA32F, where HasClipLines
+#endif
 #ifdef FACTORS
 uniform usamplerBuffer Factors; // R32UI, where HasFactors
 #endif
@@ -32,6 +35,9 @@ void main()
   colour = HasColours ? unpackColour(texelFetch(Colours, splat).r) : vec4(1.0);
 #ifdef FACTORS
   factorsOfLights = HasFactors ? unpackColour(texelFetch(Factors, splat).r) : vec4(1.0);
+#endif
+#ifdef CLIP_LINES
+  clipLines = HasClipLines ? texelFetch(ClipLineTexels, splat) : vec4(0.0);
 #endif
   spanQuad();
 }

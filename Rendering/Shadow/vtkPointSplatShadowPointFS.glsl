@@ -9,6 +9,10 @@
 flat in vec3 positionLC;
 flat in vec3 normalLC;
 flat in vec4 pixelRadiusFacing;
+#ifdef CLIP_LINES
+flat in vec3 firstLine;
+flat in vec3 secondLine;
+#endif
 
 layout(location = 0) out uint shadow;
 
@@ -21,6 +25,10 @@ void main()
   s.radius = pixelRadiusFacing.z;
   s.facing = pixelRadiusFacing.w;
   s.depth = positionLC.z;
+#ifdef CLIP_LINES
+  s.lines[0] = firstLine;
+  s.lines[1] = secondLine;
+#endif
   shadow = texelOf(s, ivec2(gl_FragCoord.xy));
   // A disk seen edge-on is met by rays beyond it, as numbers are rounded.
   bool beyond = any(greaterThan(abs(gl_FragCoord.xy - s.pixel), reachOf(s))) &&

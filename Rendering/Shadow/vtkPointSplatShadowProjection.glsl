@@ -19,6 +19,13 @@ uniform float RadiusScale;     // of the cloud's coordinates to the light's
 uniform int ClipPlaneCount;
 uniform vec4 ClipPlanes[6];    // cloud's local coordinates; what is negative is cut away
 
+#ifdef CLIP_LINES
+uniform samplerBuffer ClipLineTexels; // RGBA32F: see vtkPointSplatCloud.h
+
+// Pixels, by which disks go on beyond their clip lines, so that no ray falls between them.
+const float ClipMargin = 1.0 / 16.0;
+#endif
+
 // The most pixels of a disk's radius.
 const float LargestReach = 16.0;
 // Disks of a smaller radius, in pixels, cover the pixel of their centre in any case, or they might
@@ -37,6 +44,9 @@ struct Seen
   float radius;
   float depth;
   float facing;
+#ifdef CLIP_LINES
+  vec3 lines[2]; // of a place d about the centre is kept what has dot(lines, d) <= 1
+#endif
 };
 
 // Which of the cube's faces a direction goes through: one only, whatever rounding does.
@@ -47,12 +57,45 @@ int faceOf(vec3 v)
   return 2 * axis + (v[axis] < 0.0 ? 1 : 0);
 }
 
+#ifdef CLIP_LINES
+// A clip line in the cloud's coordinates, from one in terms of the axes.
+vec3 clipLineOf(vec2 line, vec3 s, vec3 t)
+{
+  vec3 n = cross(s, t);
+  return (line.x * cross(t, n) + line.y * cross(n, s)) / max(dot(n, n), 1e-37);
+}
+
+// In the light's coordinates. plane: coded, the normal of the disk's plane.
+void clipLinesOf(int index, uint plane, float radius, out vec3 lines[2])
+{
+  // Of the length of the radius, so that its square is in the range of floats.
+  vec3 s;
+  vec3 t;
+  float scale = radius;
+  if (TexelsPerSplat > 2)
+  {
+    s = uintBitsToFloat(texelFetch(Splats, index * TexelsPerSplat + 2).xyz) / scale;
+    t = uintBitsToFloat(texelFetch(Splats, index * TexelsPerSplat + 3).xyz) / scale;
+  }
+  else
+  {
+    // As in placeSplat() in vtkPointSplatProjection.
+    vec3 n = decodeNormal(plane);
+    s = normalize(cross(n, abs(n.z) < 0.7 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0)));
+    t = cross(n, s);
+  }
+  vec4 coded = texelFetch(ClipLineTexels, index) / scale;
+  lines[0] = NormalMatrix * clipLineOf(coded.xy, s, t);
+  lines[1] = NormalMatrix * clipLineOf(coded.zw, s, t);
+}
+
+#endif
 Seen seeSplat(int index)
 {
   uvec4 a = texelFetch(Splats, index * TexelsPerSplat);
   vec4 positionMC = vec4(uintBitsToFloat(a.xyz), 1.0);
-  vec3 normal = normalize(
-    NormalMatrix * decodeNormal(texelFetch(Splats, index * TexelsPerSplat + 1).x));
+  uint plane = texelFetch(Splats, index * TexelsPerSplat + 1).x;
+  vec3 normal = normalize(NormalMatrix * decodeNormal(plane));
   vec3 p = (MCLC * positionMC).xyz;
   Seen s;
   s.cut = false;
@@ -60,16 +103,23 @@ Seen seeSplat(int index)
   {
     s.cut = s.cut || dot(ClipPlanes[i], positionMC) < 0.0;
   }
+  float radius = uintBitsToFloat(a.w);
+#ifdef CLIP_LINES
+  clipLinesOf(index, plane, max(radius, 1e-37), s.lines);
+#endif
   s.mine = true;
   if (Face >= 0)
   {
+#ifdef CLIP_LINES
+    s.lines[0] = toFace(s.lines[0], Face);
+    s.lines[1] = toFace(s.lines[1], Face);
+#endif
     s.mine = faceOf(p) == Face;
     p = toFace(p, Face);
     normal = toFace(normal, Face);
   }
   s.position = p;
   s.normal = normal;
-  float radius = uintBitsToFloat(a.w);
   s.radius = radius > 0.0 ? RadiusScale * radius : UsualRadius;
   s.depth = p.z;
   s.facing = Parallel ? abs(normal.z) : abs(dot(normal, p)) / max(abs(p.z), 1e-30);
@@ -103,7 +153,13 @@ uint texelOf(Seen s, ivec2 pixel)
     : vec3(xy, 1.0) * (dot(s.normal, s.position) / dot(s.normal, vec3(xy, 1.0)));
   vec3 d = q - s.position;
   // Written so that a division by zero fails the test.
-  return dot(d, d) <= s.radius * s.radius && (Parallel || q.z > 0.0)
-    ? encodeShadow(q.z, s.facing)
-    : Nothing;
+  bool hit = dot(d, d) <= s.radius * s.radius && (Parallel || q.z > 0.0);
+#ifdef CLIP_LINES
+  float margin = ClipMargin * (Parallel ? PixelSize : PixelSize * s.depth);
+  for (int k = 0; k < 2; ++k)
+  {
+    hit = hit && dot(s.lines[k], d) <= 1.0 + margin * length(s.lines[k]);
+  }
+#endif
+  return hit ? encodeShadow(q.z, s.facing) : Nothing;
 }

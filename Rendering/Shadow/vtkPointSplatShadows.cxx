@@ -110,10 +110,14 @@ vtkPointSplatProgram* vtkPointSplatShadows::Use(Program which)
     { { GL_VERTEX_SHADER, "vtkPointSplatShadowMeshVS" },
       { GL_FRAGMENT_SHADER, "vtkPointSplatShadowMeshFS" } },
     { { GL_VERTEX_SHADER, "vtkPointSplatScreenVS" },
-      { GL_FRAGMENT_SHADER, "vtkPointSplatShadowTestFS" } }
+      { GL_FRAGMENT_SHADER, "vtkPointSplatShadowTestFS" } },
+    { { GL_COMPUTE_SHADER, "vtkPointSplatShadowProjectCS" } },
+    { { GL_VERTEX_SHADER, "vtkPointSplatShadowPointVS" },
+      { GL_FRAGMENT_SHADER, "vtkPointSplatShadowPointFS" } }
   };
+  const bool clipped = which == ProjectComputeClipped || which == ProjectPointsClipped;
   vtkPointSplatProgram& program = this->Programs[which];
-  if (!program.Build(stages[which]))
+  if (!program.Build(stages[which], clipped ? "#define CLIP_LINES\n" : ""))
   {
     this->Error = program.GetLog();
     return nullptr;
@@ -211,10 +215,20 @@ bool vtkPointSplatShadows::DrawMeshes(
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatShadows::DrawPoints(
-  const Face& face, const std::vector<vtkPointSplatShadowCloud>& clouds, bool compute)
+bool vtkPointSplatShadows::DrawPoints(bool clipped, const Face& face,
+  const std::vector<vtkPointSplatShadowCloud>& clouds, bool compute)
 {
-  vtkPointSplatProgram* program = this->Use(compute ? ProjectCompute : ProjectPoints);
+  const auto isMine = [clipped](const vtkPointSplatShadowCloud& cloud) {
+    return cloud.Casts && cloud.Cloud->GetNumberOfSplats() > 0 &&
+      cloud.Cloud->HasClipLines() == clipped;
+  };
+  if (std::none_of(clouds.begin(), clouds.end(), isMine))
+  {
+    return true;
+  }
+  vtkPointSplatProgram* program =
+    this->Use(clipped ? (compute ? ProjectComputeClipped : ProjectPointsClipped)
+                      : (compute ? ProjectCompute : ProjectPoints));
   if (!program)
   {
     return false;
@@ -229,12 +243,13 @@ bool vtkPointSplatShadows::DrawPoints(
   for (const vtkPointSplatShadowCloud& cloud : clouds)
   {
     const vtkIdType count = cloud.Cloud->GetNumberOfSplats();
-    if (!cloud.Casts || count == 0)
+    if (!isMine(cloud))
     {
       continue;
     }
     const vtkPointSplatCloud::Buffers& buffers = cloud.Cloud->Upload();
     units.Bind(*program, "Splats", GL_TEXTURE_BUFFER, buffers.Splats.GetTexture());
+    units.Bind(*program, "ClipLineTexels", GL_TEXTURE_BUFFER, buffers.ClipLines.GetTexture());
     vtkPointSplatShadows::SetCloud(*program, face, cloud);
     if (compute)
     {
@@ -377,7 +392,8 @@ bool vtkPointSplatShadows::Cast(const vtkPointSplatShadowLight& light,
     {
       face.Index = view.Cube ? k : -1;
       good = this->DrawMeshes(face, scene.Meshes) &&
-        this->DrawPoints(face, scene.Clouds, compute) &&
+        this->DrawPoints(false, face, scene.Clouds, compute) &&
+        this->DrawPoints(true, face, scene.Clouds, compute) &&
         this->TestPoints(face, scene.Clouds, &view == &views[0] && k == 0);
     }
     this->PixelSizeUsed = view.PixelSize;

@@ -106,6 +106,8 @@ private:
     ProjectPoints,
     ProjectMeshes,
     Test,
+    ProjectComputeClipped,
+    ProjectPointsClipped,
     NumberOfPrograms
   };
   struct Face;
@@ -116,7 +118,8 @@ private:
   static void SetCloud(
     vtkPointSplatProgram& program, const Face& face, const vtkPointSplatShadowCloud& cloud);
   bool DrawMeshes(const Face& face, const std::vector<vtkPointSplatShadowMesh>& meshes);
-  bool DrawPoints(
+  /// Of those clouds that have clip lines, or of those that have none.
+  bool DrawPoints(bool clipped,
     const Face& face, const std::vector<vtkPointSplatShadowCloud>& clouds, bool compute);
   bool TestPoints(
     const Face& face, const std::vector<vtkPointSplatShadowCloud>& clouds, bool first);

@@ -52,8 +52,9 @@ struct Known
 const Known KnownArrays[] = { { "Normals", 3, UnitVectors }, { "SplatRadius", 1, Lengths },
   { "SplatAxis1", 3, Lengths }, { "SplatAxis2", 3, Lengths }, { "SplatGroup", 1, Small },
   { "SplatCurvature", 6, Lengths }, { "SplatPlaneNormal", 3, UnitVectors },
-  { "ShadowFactor", 1, Lengths }, { "Isovalue", 1, Small }, { "vtkGhostType", 1, Ghosts },
-  { "scalars", 1, Lengths }, { "rgba", 4, Colours }, { "vtkOriginalPointIds", 1, Small } };
+  { "SplatClip", 6, Lengths }, { "ShadowFactor", 1, Lengths }, { "Isovalue", 1, Small },
+  { "vtkGhostType", 1, Ghosts }, { "scalars", 1, Lengths }, { "rgba", 4, Colours },
+  { "vtkOriginalPointIds", 1, Small } };
 
 /**
  * Whether everything of a data set is to have the right shape: readers and writers of VTK
