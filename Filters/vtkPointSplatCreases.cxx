@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatCreases.h"
 
+#include "vtkFloatArray.h"
 #include "vtkSMPThreadLocal.h"
 
 #include <algorithm>
@@ -20,6 +21,8 @@ using Neighborhood = vtkPointSplatNeighbors::Neighborhood;
 constexpr int NumberOfNeighbors = 32;
 /// How far splats reach, of their disks' radius: the kernels' rim.
 constexpr float KernelReach = 2.0f;
+/// How far, in spacings, a point on a line may be off it.
+constexpr float OnLine = 0.15f;
 /// The cosine (20 degrees) between a line and the direction of the face behind it.
 constexpr float AcrossCosine = 0.94f;
 
@@ -71,6 +74,29 @@ struct Mirrored
       {
         this->Add(y, m);
         return;
+      }
+    }
+  }
+
+  /// Adds the points on the lines whose normals are averages: they have a part on this face.
+  void AddMeeting(const Neighborhood& around, const vtkPointSplatFaces& faces, const float n[3],
+    const vtkPointSplatCrease& crease, float spacing)
+  {
+    for (int i = 0; i < around.Count; ++i)
+    {
+      const float x[3] = { around.X[i], around.Y[i], around.Z[i] };
+      if (faces.IsSound(around.Slots[i]) || std::abs(Dot(n, x)) > OnLine * spacing)
+      {
+        continue;
+      }
+      for (int l = 0; l < crease.Count; ++l)
+      {
+        const vtkPointSplatCrease::Line& at = crease.Lines[l];
+        if (std::abs(Dot(at.Direction, x) - at.Distance) <= OnLine * spacing)
+        {
+          this->Add(x, n);
+          break;
+        }
       }
     }
   }
@@ -169,6 +195,7 @@ bool vtkPointSplatCreases::FindSplat(
     return false;
   }
   Mirrored mirrored;
+  mirrored.AddMeeting(around, this->Faces, plane, crease, spacing);
   const Neighborhood whole = mirrored.Fill(around, this->Faces.Normals, plane, face, crease);
   vtkPointSplatDisk disk;
   disk.Estimate(whole, mirrored.Normals, this->Elliptical, this->Usual);
@@ -308,6 +335,54 @@ bool vtkPointSplatCreases::Find(vtkAlgorithm* self, double from, double to,
   std::sort(this->Splats.begin(), this->Splats.end(),
     [](const Splat& a, const Splat& b) { return std::tie(a.At, a.Id) < std::tie(b.At, b.Id); });
   return true;
+}
+
+void vtkPointSplatCreases::Write(
+  const std::vector<Slot>& slotOf, vtkFloatArray* clips, vtkFloatArray* folds) const
+{
+  const vtkIdType count = static_cast<vtkIdType>(slotOf.size());
+  const bool folded = std::any_of(this->Splats.begin(), this->Splats.end(), [](const Splat& s) {
+    return std::any_of(s.Fold, s.Fold + 6, [](float v) { return v != 0; });
+  });
+  std::vector<const Splat*> splatOf(this->Neighbors.GetNumberOfSlots(), nullptr);
+  for (const Splat& splat : this->Splats)
+  {
+    if (splat.Id < 0)
+    {
+      splatOf[splat.At] = &splat;
+    }
+  }
+  for (vtkFloatArray* array : { clips, folds })
+  {
+    if (array == folds && !folded)
+    {
+      continue;
+    }
+    array->SetNumberOfComponents(6);
+    array->SetNumberOfTuples(count);
+    float* values = array->GetPointer(0);
+    std::fill_n(values, 6 * count, 0.0f);
+    auto write = [&](const Splat& splat, vtkIdType id) {
+      std::copy_n(array == clips ? splat.Clip : splat.Fold, 6, values + 6 * id);
+    };
+    vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        const Slot s = slotOf[id];
+        if (s != vtkPointSplatNeighbors::None && splatOf[s])
+        {
+          write(*splatOf[s], id);
+        }
+      }
+    });
+    for (const Splat& splat : this->Splats)
+    {
+      if (splat.Id >= 0)
+      {
+        write(splat, splat.Id);
+      }
+    }
+  }
 }
 
 VTK_ABI_NAMESPACE_END

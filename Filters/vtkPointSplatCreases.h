@@ -25,6 +25,7 @@
 #include <vector>
 
 class vtkAlgorithm;
+class vtkFloatArray;
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -59,6 +60,12 @@ public:
   /// candidates: of each slot, whether it is one. Returns false if self was aborted.
   bool Find(vtkAlgorithm* self, double from, double to,
     const std::vector<unsigned char>& candidates, std::vector<Twin> twins);
+
+  /**
+   * Fills the arrays of clip lines and of folds, of 6 components; folds stay empty without any.
+   * slotOf: of each point.
+   */
+  void Write(const std::vector<Slot>& slotOf, vtkFloatArray* clips, vtkFloatArray* folds) const;
 
   /// What was found, in order of slots and ids.
   std::vector<Splat> Splats;

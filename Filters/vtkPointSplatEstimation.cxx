@@ -323,9 +323,9 @@ int vtkPointSplatEstimation::RequestData(
   curvatures->SetNumberOfComponents(6);
   curvatures->SetNumberOfTuples(elliptical ? 0 : numberOfPoints);
 
-  vtkNew<vtkFloatArray> clips; // stays empty without creases
+  vtkNew<vtkFloatArray> clips, folds; // stay empty where there are none
   clips->SetName(vtkPointSplatArrays::Clip);
-  clips->SetNumberOfComponents(6);
+  folds->SetName(vtkPointSplatArrays::Fold);
 
   if (numberOfPoints > 0)
   {
@@ -457,7 +457,8 @@ int vtkPointSplatEstimation::RequestData(
     // 5. Creases
     vtkPointSplatCreases creases(neighbors, slotNormals.data(),
       elliptical ? nullptr : disks.Curvatures.data(), usual, elliptical);
-    if (!creases.Find(this, 0.8, 0.9, uneven, given ? FindTwins(n, slotNormals, neighbors) : Twins()))
+    if (given && !this->IsNoisy() &&
+      !creases.Find(this, 0.8, 0.9, uneven, FindTwins(n, slotNormals, neighbors)))
     {
       return 1;
     }
@@ -520,26 +521,7 @@ int vtkPointSplatEstimation::RequestData(
 
     if (!creases.Splats.empty())
     {
-      clips->SetNumberOfTuples(numberOfPoints);
-      std::fill_n(clips->GetPointer(0), 6 * numberOfPoints, 0.0f);
-      std::vector<const vtkPointSplatCreases::Splat*> splatOf(slots, nullptr);
-      for (const vtkPointSplatCreases::Splat& splat : creases.Splats)
-      {
-        if (splat.Id < 0)
-        {
-          splatOf[splat.At] = &splat;
-        }
-      }
-      vtkSMPTools::For(0, numberOfPoints, [&](vtkIdType begin, vtkIdType end) {
-        for (vtkIdType id = begin; id < end; ++id)
-        {
-          const Slot s = slotOf[id];
-          if (s != vtkPointSplatNeighbors::None && splatOf[s])
-          {
-            std::copy_n(splatOf[s]->Clip, 6, clips->GetPointer(6 * id));
-          }
-        }
-      });
+      creases.Write(slotOf, clips, folds);
       for (const vtkPointSplatCreases::Splat& splat : creases.Splats)
       {
         if (splat.Id < 0 || (ghost && (ghost[splat.Id] & vtkDataSetAttributes::DUPLICATEPOINT)))
@@ -561,7 +543,6 @@ int vtkPointSplatEstimation::RequestData(
           std::copy_n(splat.Normal, 3, planes->GetPointer(3 * splat.Id));
           std::copy_n(splat.Tensor, 6, curvatures->GetPointer(6 * splat.Id));
         }
-        std::copy_n(splat.Clip, 6, clips->GetPointer(6 * splat.Id));
       }
     }
   }
@@ -571,7 +552,7 @@ int vtkPointSplatEstimation::RequestData(
   output->GetFieldData()->PassData(input->GetFieldData());
   for (const char* name : { vtkPointSplatArrays::Radius, vtkPointSplatArrays::Axis1,
          vtkPointSplatArrays::Axis2, vtkPointSplatArrays::PlaneNormal,
-         vtkPointSplatArrays::Curvature, vtkPointSplatArrays::Clip })
+         vtkPointSplatArrays::Curvature, vtkPointSplatArrays::Clip, vtkPointSplatArrays::Fold })
   {
     // Of an earlier estimation, possibly of the other shape.
     output->GetPointData()->RemoveArray(name);
@@ -587,9 +568,12 @@ int vtkPointSplatEstimation::RequestData(
     output->GetPointData()->AddArray(planes);
     output->GetPointData()->AddArray(curvatures);
   }
-  if (clips->GetNumberOfTuples() > 0)
+  for (vtkFloatArray* array : { clips.Get(), folds.Get() })
   {
-    output->GetPointData()->AddArray(clips);
+    if (array->GetNumberOfTuples() > 0)
+    {
+      output->GetPointData()->AddArray(array);
+    }
   }
   this->UpdateProgress(1.0);
   return 1;
