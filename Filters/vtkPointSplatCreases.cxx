@@ -148,17 +148,12 @@ vtkPointSplatCreases::vtkPointSplatCreases(const vtkPointSplatNeighbors& neighbo
   this->Faces.Tensors = tensors;
 }
 
-float vtkPointSplatCreases::GetSpacing(const Neighborhood& around) const
-{
-  return std::min(vtkPointSplatSheet::GetSpacing(around), this->Usual);
-}
-
 void vtkPointSplatCreases::FitFaces(const Neighborhood& around)
 {
   const Slot number = this->Faces.Numbers[around.Center];
   vtkPointSplatFace face;
   face.Fit(around, this->Faces.Normals, this->Faces.Normals + std::size_t(3) * around.Center,
-    this->GetSpacing(around));
+    vtkPointSplatSheet::GetSpacing(around));
   std::copy_n(face.Tensor, 6, this->Faces.Fitted.data() + std::size_t(6) * number);
   this->Faces.Sound[number] = face.Sound;
 }
@@ -168,7 +163,7 @@ bool vtkPointSplatCreases::FindSplat(
 {
   vtkPointSplatFace face;
   vtkPointSplatCrease crease;
-  const float spacing = this->GetSpacing(around);
+  const float spacing = vtkPointSplatSheet::GetSpacing(around);
   face.Fit(around, this->Faces.Normals, n, spacing);
   float plane[3] = { n[0], n[1], n[2] };
   if (!face.Sound)

@@ -75,7 +75,6 @@ private:
 
   void FitFaces(const Neighborhood& around);
   bool FindSplat(const Neighborhood& around, const float n[3], Splat& splat) const;
-  float GetSpacing(const Neighborhood& around) const;
 
   const vtkPointSplatNeighbors& Neighbors;
   vtkPointSplatFaces Faces;
