@@ -14,13 +14,13 @@ namespace
 /// The sine of the angle (20 degrees) that two faces must be apart at a crease: two thirds of the
 /// least that is promised, 30, for what forms are wrong by.
 constexpr float LeastAngle = 0.342f;
-/// And by how much more where normals deviate from their face: three times the deviation, which leaves
-/// lines to less than two in a thousand points of range scans' meshes.
+/// And by how much more where normals deviate from their face: three times the deviation, which
+/// leaves lines to less than two in a thousand points of range scans' meshes.
 constexpr float AnglePerDeviation = 3.0f;
 /// How far, in spacings, lines and the neighbours that vote for them are looked for.
 constexpr float LargestReach = 4.0f;
-/// A face may turn by this much, in radians, on the way to the line: farther on a form of second order is no
-/// guess any more.
+/// A face may turn by this much, in radians, on the way to the line: farther on a form of second
+/// order is no guess any more.
 constexpr float LargestBend = 0.7f;
 /// Votes for the same line: their directions' cosine (15 degrees) and, in spacings, distances.
 constexpr float SameDirection = 0.966f;
@@ -32,11 +32,15 @@ constexpr int FewestVotes = 3;
 constexpr int VotesPerAgainst = 3;
 /// Nearer than this, in spacings, a point is on the line itself.
 constexpr float OnLine = 0.15f;
+/// What is farther may be off the line by this part of its distance: an edge of a radius of 20
+/// spacings is that far off its tangent at the farthest neighbours.
+constexpr float EdgeBend = 0.1f;
 /// The distance, in spacings, of a line that the point is on.
 constexpr float LeastDistance = 0.02f;
 /// Of these the nearest are kept.
 constexpr int MaximumNumberOfFound = 4;
-/// How far, in spacings, a line may begin past the foot of a point where the face goes on behind it.
+/// How far, in spacings, a line may begin past the foot of a point where the face goes on behind
+/// it.
 constexpr float FootReach = 0.3f;
 /// Keeps weights of neighbours on the line finite, in spacings.
 constexpr float Softening = 0.3f;
@@ -69,6 +73,12 @@ void vtkPointSplatFaces::GetTensor(Slot s, float tensor[6]) const
   {
     std::fill_n(tensor, 6, 0.0f);
   }
+}
+
+bool vtkPointSplatCrease::IsOn(const Line& line, const float x[3], float spacing)
+{
+  const float off = Dot(line.Direction, x) - line.Distance;
+  return std::abs(off) <= OnLine * spacing + EdgeBend * std::sqrt(Dot(x, x));
 }
 
 /// What a neighbour at q says; false if nothing.
@@ -207,7 +217,7 @@ bool vtkPointSplatCrease::Accept(const Vote& best,
   {
     const int i = this->Unsound[k];
     const float q[3] = { around.X[i], around.Y[i], around.Z[i] };
-    against += std::abs(Dot(line.Direction, q) - line.Distance) > OnLine * spacing ? 1 : 0;
+    against += !IsOn(line, q, spacing);
   }
   if (votes < FewestVotes || votes < VotesPerAgainst * against)
   {

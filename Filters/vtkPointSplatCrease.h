@@ -7,19 +7,22 @@
  * An internal helper of vtkPointSplatEstimation; see the stages there.
  *
  * A surface that is smooth turns from point to point; at a crease it turns at once. So each
- * neighbour that is not on the point's own face (vtkPointSplatFace) is asked where its face meets the
- * point's, and how much is left there of the angle between them:
+ * neighbour that is not on the point's own face (vtkPointSplatFace) is asked where its face meets
+ * the point's, and how much is left there of the angle between them:
  * 1. With a neighbour at q, its normal m and its second fundamental form C, its face is where
- *    m . (x - q) + (x - q) . C (x - q) / 2 = 0, and the point's own is the same with its normal n and
- *    form, at its position. Newton steps from where both tangent planes meet, along m's direction in
- *    the point's tangent plane, find the foot of the common line.
+ *    m . (x - q) + (x - q) . C (x - q) / 2 = 0, and the point's own is the same with its normal n
+ *    and form, at its position. Newton steps from where both tangent planes meet, along m's
+ *    direction in the point's tangent plane, find the foot of the common line.
  * 2. There the normals are m + C (x - q) and the like. If 20 degrees are left between the two, the
  *    neighbour votes for that line, else against lines in this direction: a fillet bends all
  *    the way, and its points turn towards the face as they come near it.
  * 3. Votes for about the same line are averaged, each weighted by how near the neighbour is to the
- *    line. A line needs three votes, three times as many as are against it, and a neighbour on either
- *    side of its foot, unless the point's face ends at it everywhere: a face with a reflex corner goes
- *    on past the ends of its edges. The two nearest lines are kept.
+ *    line. A line needs three votes, three times as many as are against it, and a neighbour on
+ *    either side of its foot, unless the point's face ends at it everywhere: a face with a reflex
+ *    corner goes on past the ends of its edges. The two nearest lines are kept.
+ *
+ * A point with an average of faces' normals has no face of its own that is spread. It lies on those
+ * of its neighbours' faces whose surfaces pass by it; these are told apart by their normals there.
  *
  * Whether the edge is convex or concave makes no difference, nor which side normals point to.
  */
@@ -62,6 +65,9 @@ public:
     float Direction[3]; // unit length, across the face's normal
     float Distance;     // at least 0
   };
+  /// Whether x lies on a line, or by its distance on the edge that bends away from it.
+  static bool IsOn(const Line& line, const float x[3], float spacing);
+
   Line Lines[MaximumNumberOfLines]; // the nearer one first
   int Count = 0;
 

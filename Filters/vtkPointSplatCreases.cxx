@@ -21,7 +21,7 @@ using Neighborhood = vtkPointSplatNeighbors::Neighborhood;
 constexpr int NumberOfNeighbors = 32;
 /// How far splats reach, of their disks' radius: the kernels' rim.
 constexpr float KernelReach = 2.0f;
-/// How far, in spacings, a point on a line may be off it.
+/// How far, in spacings, a point on an edge may be off a face that meets there.
 constexpr float OnLine = 0.15f;
 /// The cosine (20 degrees) between a line and the direction of the face behind it.
 constexpr float AcrossCosine = 0.94f;
@@ -91,8 +91,7 @@ struct Mirrored
       }
       for (int l = 0; l < crease.Count; ++l)
       {
-        const vtkPointSplatCrease::Line& at = crease.Lines[l];
-        if (std::abs(Dot(at.Direction, x) - at.Distance) <= OnLine * spacing)
+        if (vtkPointSplatCrease::IsOn(crease.Lines[l], x, spacing))
         {
           this->Add(x, n);
           break;

@@ -116,8 +116,8 @@ float GetUsualSpacing(vtkAlgorithm* self, const vtkPointSplatNeighbors& neighbor
 using Twins = std::vector<vtkPointSplatCreases::Twin>;
 
 /// Points that share a slot with one whose normal is another; normals: of points, as given.
-Twins FindTwins(
-  const float* normals, const std::vector<float>& slotNormals, const vtkPointSplatNeighbors& neighbors)
+Twins FindTwins(const float* normals, const std::vector<float>& slotNormals,
+  const vtkPointSplatNeighbors& neighbors)
 {
   Twins twins;
   const std::vector<Slot>& slotOf = neighbors.GetSlots();

@@ -6,10 +6,10 @@
  *
  * An internal helper of vtkPointSplatCrease; see the stages there.
  *
- * Of the neighbours those lie on the point's face whose normals and heights are those of a surface of
- * second order through the point. Such a surface is found in two steps: neighbours whose normals and
- * heights are about those of the tangent plane say how it bends (vtkPointSplatCurvature.h); then
- * those count that are about on the bent surface, and say it again.
+ * Of the neighbours those lie on the point's face whose normals and heights are those of a surface
+ * of second order through the point. Such a surface is found in two steps: neighbours whose normals
+ * and heights are about those of the tangent plane say how it bends (vtkPointSplatCurvature.h);
+ * then those count that are about on the bent surface, and say it again.
  */
 #ifndef vtkPointSplatFace_h
 #define vtkPointSplatFace_h

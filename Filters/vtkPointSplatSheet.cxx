@@ -25,8 +25,9 @@ constexpr float FarTurn = 0.3f;
 constexpr float EdgeCosine = 0.2f;
 constexpr int FewMembers = 3;
 /// Normals tell of a crease if they part by more than this cosine (13 degrees; at an edge of 30
-/// degrees, averaged ones part by 15 from those of its faces) and the surfaces through the two points
-/// pass each other by more than this part of their distance (at that edge it is 0.13 to 0.25).
+/// degrees, averaged ones part by 15 from those of its faces) and the surfaces through the two
+/// points pass each other by more than this part of their distance (at that edge it is 0.13 to
+/// 0.25).
 constexpr float UnevenCosine = 0.974f;
 constexpr float UnevenOffset = 0.11f;
 /// What is farther counts only where this part of it is of the sheet: some always is, by chance.

@@ -54,8 +54,8 @@ public:
   /// How many of these, the first ones, are near. What is farther is a neighbour only across a gap.
   int Near = 0;
   float Spacing = 0; // as given
-  /// Whether a near neighbour's normal has turned more than an arc between the two explains: the one
-  /// thing that all creases have, and hardly any surface that is smooth.
+  /// Whether a near neighbour's normal has turned more than an arc between the two explains: the
+  /// one thing that all creases have, and hardly any surface that is smooth.
   bool Uneven = false;
 };
 

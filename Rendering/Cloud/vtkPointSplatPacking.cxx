@@ -13,6 +13,7 @@
 #include "vtkPointSet.h"
 #include "vtkPointSplatArrays.h"
 #include "vtkPointSplatEstimation.h"
+#include "vtkPointSplatFolds.h"
 #include "vtkPointSplatProjection.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -153,95 +154,19 @@ void CodeLine(const double c[3], const double s[3], const double t[3], uint32_t 
   line[1] = Bits(v);
 }
 
-/**
- * The parts of a splat behind its clip lines.
- */
-struct Folds
+/// Which part of a folded splat lies in the plane of that code; -1: none, it is the splat's first
+/// one.
+int FindPart(const vtkPointSplatFolds& folds, uint32_t code)
 {
-  Folds(const vtkPointSplatPacking& a, vtkIdType id)
+  for (int part = 0; part < 2; ++part)
   {
-    if (!a.Fold || !a.Clip || !a.Plane)
+    if (folds.Has[part] && CodeNormal(folds.Normals[part]) == code)
     {
-      return;
-    }
-    double fold[6], normal[3];
-    a.Fold->GetTuple(id, fold);
-    if (std::all_of(fold, fold + 6, [](double v) { return v == 0.0; }))
-    {
-      return;
-    }
-    a.Clip->GetTuple(id, this->Clip);
-    a.Normals->GetTuple(id, normal);
-    a.Plane->GetTuple(id, this->Plane);
-    if (!this->Turn(this->Plane, normal))
-    {
-      return;
-    }
-    for (int k = 0; k < 2; ++k)
-    {
-      std::copy_n(fold + 3 * k, 3, this->Normals[k]);
-      const double length = vtkMath::Norm(this->Clip + 3 * k);
-      this->Has[k] = this->Turn(this->Normals[k], normal) && std::isfinite(length) && length > 0.0;
-      if (this->Has[k])
-      {
-        this->Codes[k] = CodeNormal(this->Normals[k]);
-        this->Convex[k] = vtkMath::Dot(this->Normals[k], this->Clip + 3 * k) > 0.0;
-      }
+      return part;
     }
   }
-
-  /// Which part lies in the plane of that code; -1: none, it is the splat's first one.
-  int Find(uint32_t code) const
-  {
-    return this->Has[0] && this->Codes[0] == code ? 0
-      : this->Has[1] && this->Codes[1] == code    ? 1
-                                                  : -1;
-  }
-
-  /// The clip lines of a part: those where the other parts' planes meet its own.
-  void GetLines(int part, double c[6]) const
-  {
-    const int other = 1 - part;
-    this->Meet(part, this->Plane, this->Convex[part], part, c);
-    std::fill_n(c + 3, 3, 0.0);
-    // Where one edge of a corner is convex and one is not, nothing says which the third is.
-    if (this->Has[other] && this->Convex[part] == this->Convex[other])
-    {
-      this->Meet(part, this->Normals[other], this->Convex[part], other, c + 3);
-    }
-  }
-
-  bool Has[2] = { false, false };
-  uint32_t Codes[2] = { 0, 0 };
-
-private:
-  /// Makes a normal one of unit length on the side of another; false if it is none.
-  static bool Turn(double n[3], const double side[3])
-  {
-    if (!Finite(n) || !(vtkMath::Normalize(n) > 0.0))
-    {
-      return false;
-    }
-    vtkMath::MultiplyScalar(n, vtkMath::Dot(n, side) < 0.0 ? -1.0 : 1.0);
-    return true;
-  }
-
-  /// The line in a part's plane where another plane meets it, as far away as one of the given lines.
-  void Meet(int part, const double other[3], bool convex, int like, double c[3]) const
-  {
-    const double* n = this->Normals[part];
-    const double along = vtkMath::Dot(n, other);
-    for (int k = 0; k < 3; ++k)
-    {
-      c[k] = (convex ? 1.0 : -1.0) * (other[k] - along * n[k]);
-    }
-    vtkMath::Normalize(c);
-    vtkMath::MultiplyScalar(c, vtkMath::Norm(this->Clip + 3 * like));
-  }
-
-  double Plane[3], Normals[2][3], Clip[6];
-  bool Convex[2] = { false, false };
-};
+  return -1;
+}
 
 bool Holdable(const double v[3])
 {
@@ -503,14 +428,14 @@ size_t vtkPointSplatPacking::PackFolds(std::vector<uint32_t>& splats, size_t kep
   splats.resize(8 * kept);
   for (size_t i = 0; i < kept; ++i)
   {
-    const Folds folds(*this, splats[8 * i + 7]);
+    const vtkPointSplatFolds folds(*this, splats[8 * i + 7]);
     for (int part = 0; part < 2; ++part)
     {
       if (folds.Has[part])
       {
         uint32_t copy[8];
         std::copy_n(splats.data() + 8 * i, 8, copy);
-        copy[4] = folds.Codes[part];
+        copy[4] = CodeNormal(folds.Normals[part]);
         copy[6] = 0; // the form is that of the first part
         splats.insert(splats.end(), copy, copy + 8);
       }
@@ -565,8 +490,8 @@ void vtkPointSplatPacking::PackClipLines(
         std::copy_n(axes + 4, 3, t);
       }
       double c[6];
-      const Folds folds(*this, splat[7]);
-      const int part = circular ? folds.Find(splat[4]) : -1;
+      const vtkPointSplatFolds folds(*this, splat[7]);
+      const int part = circular ? FindPart(folds, splat[4]) : -1;
       if (part >= 0)
       {
         folds.GetLines(part, c);

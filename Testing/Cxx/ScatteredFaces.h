@@ -84,13 +84,13 @@ public:
   }
 
   /**
-   * Two half planes, the normals at an angle in degrees, that meet at an edge along z or, where radius is
-   * not 0, in a fillet.
+   * Two half planes, the normals at an angle in degrees, that meet at an edge along z or, where
+   * radius is not 0, in a fillet.
    */
   void AddFold(double degrees, bool convex, double radius)
   {
     const double angle = vtkMath::RadiansFromDegrees(degrees), arc = radius * angle;
-    const double width = 12, height = 80;
+    const double width = 12, height = 240;
     const int count = static_cast<int>((2 * width + arc) * height);
     for (int i = 0; i < count; ++i)
     {
