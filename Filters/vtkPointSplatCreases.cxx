@@ -147,14 +147,34 @@ vtkPointSplatCreases::vtkPointSplatCreases(const vtkPointSplatNeighbors& neighbo
   this->Faces.Tensors = tensors;
 }
 
-void vtkPointSplatCreases::FitFaces(const Neighborhood& around)
+/// Fits the faces of slots that are wanted and have none yet.
+bool vtkPointSplatCreases::FitFaces(
+  vtkAlgorithm* self, double from, double to, const std::vector<unsigned char>& wanted)
 {
-  const Slot number = this->Faces.Numbers[around.Center];
-  vtkPointSplatFace face;
-  face.Fit(around, this->Faces.Normals, this->Faces.Normals + std::size_t(3) * around.Center,
-    vtkPointSplatSheet::GetSpacing(around));
-  std::copy_n(face.Tensor, 6, this->Faces.Fitted.data() + std::size_t(6) * number);
-  this->Faces.Sound[number] = face.Sound;
+  Slot number = static_cast<Slot>(this->Faces.Sound.size());
+  const Slot first = number;
+  for (Slot s = 0; s < wanted.size(); ++s)
+  {
+    if (wanted[s] && this->Faces.Numbers[s] == vtkPointSplatNeighbors::None)
+    {
+      this->Faces.Numbers[s] = number++;
+    }
+  }
+  this->Faces.Fitted.resize(std::size_t(6) * number, 0.0f);
+  this->Faces.Sound.resize(number, 0);
+  auto fit = [this](const Neighborhood& around, int) {
+    const Slot own = this->Faces.Numbers[around.Center];
+    vtkPointSplatFace face;
+    face.Fit(around, this->Faces.Normals, this->Faces.Normals + std::size_t(3) * around.Center,
+      vtkPointSplatSheet::GetSpacing(around));
+    std::copy_n(face.Tensor, 6, this->Faces.Fitted.data() + std::size_t(6) * own);
+    this->Faces.Sound[own] = face.Sound;
+    return true;
+  };
+  return this->Neighbors.Visit(self, from, to, NumberOfNeighbors, fit, [&](Slot s) {
+    const Slot own = this->Faces.Numbers[s];
+    return own != vtkPointSplatNeighbors::None && own >= first;
+  });
 }
 
 bool vtkPointSplatCreases::FindSplat(
@@ -230,6 +250,29 @@ bool vtkPointSplatCreases::FindSplat(
   return lines > 0;
 }
 
+/// Appends those of a slot and of its twins.
+void vtkPointSplatCreases::FindSplats(
+  const Neighborhood& around, std::vector<Splat>& splats) const
+{
+  Splat splat;
+  splat.At = around.Center;
+  splat.Id = -1;
+  if (this->FindSplat(around, this->Faces.Normals + std::size_t(3) * around.Center, splat))
+  {
+    splats.push_back(splat);
+  }
+  for (auto twin = std::lower_bound(this->Twins.begin(), this->Twins.end(), around.Center,
+         [](const Twin& a, Slot b) { return a.At < b; });
+       twin != this->Twins.end() && twin->At == around.Center; ++twin)
+  {
+    splat.Id = twin->Id;
+    if (this->FindSplat(around, twin->Normal, splat))
+    {
+      splats.push_back(splat);
+    }
+  }
+}
+
 bool vtkPointSplatCreases::Find(vtkAlgorithm* self, double from, double to,
   const std::vector<unsigned char>& candidates, std::vector<Twin> twins)
 {
@@ -239,88 +282,55 @@ bool vtkPointSplatCreases::Find(vtkAlgorithm* self, double from, double to,
   std::sort(this->Twins.begin(), this->Twins.end(),
     [](const Twin& a, const Twin& b) { return std::tie(a.At, a.Id) < std::tie(b.At, b.Id); });
 
-  std::vector<std::atomic<unsigned char>> wanted(slots);
-  bool any = false;
-  for (Slot s = 0; s < slots; ++s)
-  {
-    wanted[s] = candidates[s];
-    any = any || candidates[s];
-  }
+  // Of each slot: whether it is looked at now, and whether next to one that has lines.
+  std::vector<unsigned char> wanted(candidates);
+  std::vector<std::atomic<unsigned char>> beside(slots);
   for (const Twin& twin : this->Twins)
   {
-    wanted[twin.At] = any = true;
+    wanted[twin.At] = 1;
   }
-  if (!any)
+  if (std::find(wanted.begin(), wanted.end(), 1) == wanted.end())
   {
     return true;
   }
   this->Faces.Numbers.assign(slots, vtkPointSplatNeighbors::None);
-  Slot number = 0;
-  for (Slot s = 0; s < slots; ++s)
-  {
-    if (wanted[s])
-    {
-      this->Faces.Numbers[s] = number++;
-    }
-  }
-  this->Faces.Fitted.assign(std::size_t(6) * number, 0.0f);
-  this->Faces.Sound.assign(number, 0);
+  this->Faces.Fitted.clear();
+  this->Faces.Sound.clear();
 
-  // 1. Faces
-  const double third = (to - from) / 3;
-  auto fit = [this](const Neighborhood& around, int) {
-    this->FitFaces(around);
-    return true;
-  };
-  auto isWanted = [&](Slot s) { return wanted[s].load(std::memory_order_relaxed) == 1; };
-  if (!this->Neighbors.Visit(self, from, from + third, NumberOfNeighbors, fit, isWanted))
-  {
-    return false;
-  }
-
-  // 2. and 3. Lines, and disks
-  constexpr unsigned char Next = 2, Done = 3;
   vtkSMPThreadLocal<std::vector<Splat>> found;
   auto find = [&](const Neighborhood& around, int) {
-    const Slot s = around.Center;
     std::vector<Splat>& local = found.Local();
     const std::size_t before = local.size();
-    Splat splat;
-    splat.At = s;
-    splat.Id = -1;
-    if (this->FindSplat(around, this->Faces.Normals + std::size_t(3) * s, splat))
-    {
-      local.push_back(splat);
-    }
-    for (auto twin = std::lower_bound(this->Twins.begin(), this->Twins.end(), s,
-           [](const Twin& a, Slot b) { return a.At < b; });
-         twin != this->Twins.end() && twin->At == s; ++twin)
-    {
-      splat.Id = twin->Id;
-      if (this->FindSplat(around, twin->Normal, splat))
-      {
-        local.push_back(splat);
-      }
-    }
+    this->FindSplats(around, local);
     for (int i = 0; i < around.Count && local.size() > before; ++i)
     {
-      unsigned char untouched = 0;
-      wanted[around.Slots[i]].compare_exchange_strong(untouched, Next);
+      beside[around.Slots[i]].store(1, std::memory_order_relaxed);
     }
     return true;
   };
-  if (!this->Neighbors.Visit(
-        self, from + third, from + 2 * third, NumberOfNeighbors, find, isWanted))
+  auto isWanted = [&](Slot s) { return wanted[s] != 0; };
+  const double half = 0.5 * (to - from);
+  for (const double start : { from, from + half })
   {
-    return false;
-  }
-  for (Slot s = 0; s < slots; ++s)
-  {
-    wanted[s] = wanted[s] == Next ? 1 : Done;
-  }
-  if (!this->Neighbors.Visit(self, from + 2 * third, to, NumberOfNeighbors, find, isWanted))
-  {
-    return false;
+    // 1. Faces; 2. and 3. lines, and disks
+    if (!this->FitFaces(self, start, start + 0.5 * half, wanted) ||
+      !this->Neighbors.Visit(
+        self, start + 0.5 * half, start + half, NumberOfNeighbors, find, isWanted))
+    {
+      return false;
+    }
+    // What is near to those with lines, and has none.
+    for (Slot s = 0; s < slots; ++s)
+    {
+      wanted[s] = beside[s].load(std::memory_order_relaxed);
+    }
+    for (const std::vector<Splat>& local : found)
+    {
+      for (const Splat& splat : local)
+      {
+        wanted[splat.At] = 0;
+      }
+    }
   }
   for (const std::vector<Splat>& local : found)
   {

@@ -9,9 +9,9 @@
  * 1. The faces of candidates, points with a neighbour whose normal an arc does not explain, are
  *    fitted, to 32 neighbours (vtkPointSplatFace). Points share a position, but not a normal, where
  *    a mesh was split at its edges: each such point has a face of its own.
- * 2. Candidates are asked for their lines (vtkPointSplatCrease), and then, as long as lines are
- *    found, the neighbours of those that have some: a disk may reach farther than the nearest
- *    neighbours are.
+ * 2. Candidates are asked for their lines (vtkPointSplatCrease). Then both stages are repeated for
+ *    the neighbours of those that have some: a disk may reach farther than the nearest neighbours are,
+ *    and next to a crease the faces of more points are known by then.
  * 3. The disk of a point with lines is estimated anew, from the neighbours on its own face and from
  *    their mirror images and its own at the lines: then it is as large as it would be if the face
  *    went on, and what lies between the points and the line is covered as the rest is, since of a
@@ -78,7 +78,9 @@ public:
 private:
   using Neighborhood = vtkPointSplatNeighbors::Neighborhood;
 
-  void FitFaces(const Neighborhood& around);
+  bool FitFaces(
+    vtkAlgorithm* self, double from, double to, const std::vector<unsigned char>& wanted);
+  void FindSplats(const Neighborhood& around, std::vector<Splat>& splats) const;
   bool FindSplat(const Neighborhood& around, const float n[3], Splat& splat) const;
 
   const vtkPointSplatNeighbors& Neighbors;
