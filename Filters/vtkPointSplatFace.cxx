@@ -22,6 +22,9 @@ constexpr float FirstReach = 1.5f;
 constexpr float LastReach = 4.0f;
 /// The fewest neighbours that make a face.
 constexpr int FewestMembers = 4;
+/// Where too few are near to say how the face bends, it must be flat: the sine (2 degrees) by which
+/// normals may deviate.
+constexpr float FlatDeviation = 0.03f;
 /// Neighbours lie in a row if their squared distances across it are less than this part of those
 /// along it.
 constexpr float RowSpread = 0.04f;
@@ -96,13 +99,15 @@ void vtkPointSplatFace::Fit(const vtkPointSplatNeighbors::Neighborhood& around,
   std::fill_n(this->Tensor, 6, 0.0f);
   this->Strongest = 0;
   this->Members.Spacing = spacing;
-  this->Sound = false;
+  bool few = false;
   for (const float reach : { FirstReach * spacing, LastReach * spacing })
   {
     this->Select(around, normals, n, reach);
-    if (this->Members.Count < 2)
+    if (this->Members.Count < FewestMembers)
     {
-      return;
+      // Beside a crease the nearest may all be on the other face.
+      few = true;
+      continue;
     }
     vtkPointSplatCurvature curvature;
     curvature.Estimate(around, normals, n, this->Members);
@@ -110,7 +115,7 @@ void vtkPointSplatFace::Fit(const vtkPointSplatNeighbors::Neighborhood& around,
     this->Strongest = curvature.Strongest;
   }
   this->Select(around, normals, n, LastReach * spacing);
-  this->Sound = this->IsSpread(around);
+  this->Sound = this->IsSpread(around) && (!few || this->Deviation < FlatDeviation);
 }
 
 VTK_ABI_NAMESPACE_END
