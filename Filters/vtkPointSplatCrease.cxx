@@ -14,9 +14,9 @@ namespace
 /// The sine of the angle (20 degrees) that two faces must be apart at a crease: two thirds of the
 /// least that is promised, 30, for what forms are wrong by.
 constexpr float LeastAngle = 0.342f;
-/// And by how much more where normals deviate from their face: three times the deviation, which
-/// leaves lines to less than two in a thousand points of range scans' meshes.
-constexpr float AnglePerDeviation = 3.0f;
+/// And by how much more where normals deviate from their face: four times the deviation, which
+/// leaves lines to two or three in a thousand points of range scans' meshes.
+constexpr float AnglePerDeviation = 4.0f;
 /// How far, in spacings, lines and the neighbours that vote for them are looked for.
 constexpr float LargestReach = 4.0f;
 /// A face may turn by this much, in radians, on the way to the line: farther on a form of second

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <tuple>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -19,6 +20,9 @@ using Neighborhood = vtkPointSplatNeighbors::Neighborhood;
 
 /// Twice as far as the neighbours that disks are made of reach, and some.
 constexpr int NumberOfNeighbors = 32;
+/// How many points with lines must have a point with lines among these neighbours of theirs: of the
+/// dozen or more of them that a strip along a crease has.
+constexpr int LeastCompany = 8;
 /// How far splats reach, of their disks' radius: the kernels' rim.
 constexpr float KernelReach = 2.0f;
 /// How far, in spacings, a point on an edge may be off a face that meets there.
@@ -282,9 +286,9 @@ bool vtkPointSplatCreases::Find(vtkAlgorithm* self, double from, double to,
   std::sort(this->Twins.begin(), this->Twins.end(),
     [](const Twin& a, const Twin& b) { return std::tie(a.At, a.Id) < std::tie(b.At, b.Id); });
 
-  // Of each slot: whether it is looked at now, and whether next to one that has lines.
+  // Of each slot: whether it is looked at now, and next to how many that have lines.
   std::vector<unsigned char> wanted(candidates);
-  std::vector<std::atomic<unsigned char>> beside(slots);
+  std::vector<std::atomic<std::uint16_t>> beside(slots);
   for (const Twin& twin : this->Twins)
   {
     wanted[twin.At] = 1;
@@ -304,7 +308,7 @@ bool vtkPointSplatCreases::Find(vtkAlgorithm* self, double from, double to,
     this->FindSplats(around, local);
     for (int i = 0; i < around.Count && local.size() > before; ++i)
     {
-      beside[around.Slots[i]].store(1, std::memory_order_relaxed);
+      beside[around.Slots[i]].fetch_add(1, std::memory_order_relaxed);
     }
     return true;
   };
@@ -322,7 +326,7 @@ bool vtkPointSplatCreases::Find(vtkAlgorithm* self, double from, double to,
     // What is near to those with lines, and has none.
     for (Slot s = 0; s < slots; ++s)
     {
-      wanted[s] = beside[s].load(std::memory_order_relaxed);
+      wanted[s] = beside[s].load(std::memory_order_relaxed) > 0;
     }
     for (const std::vector<Splat>& local : found)
     {
@@ -336,6 +340,10 @@ bool vtkPointSplatCreases::Find(vtkAlgorithm* self, double from, double to,
   {
     this->Splats.insert(this->Splats.end(), local.begin(), local.end());
   }
+  // A crease is a line of points: what has hardly any beside it is noise.
+  this->Splats.erase(std::remove_if(this->Splats.begin(), this->Splats.end(),
+                       [&](const Splat& splat) { return beside[splat.At] < LeastCompany; }),
+    this->Splats.end());
   std::sort(this->Splats.begin(), this->Splats.end(),
     [](const Splat& a, const Splat& b) { return std::tie(a.At, a.Id) < std::tie(b.At, b.Id); });
   return true;
