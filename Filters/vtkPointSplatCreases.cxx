@@ -22,7 +22,7 @@ using Neighborhood = vtkPointSplatNeighbors::Neighborhood;
 constexpr int NumberOfNeighbors = 32;
 /// How many points with lines must have a point with lines among these neighbours of theirs: of the
 /// dozen or more of them that a strip along a crease has.
-constexpr int LeastCompany = 8;
+constexpr int LeastCompany = 10;
 /// How far splats reach, of their disks' radius: the kernels' rim.
 constexpr float KernelReach = 2.0f;
 /// How far, in spacings, a point on an edge may be off a face that meets there.
