@@ -23,8 +23,9 @@ constexpr int NumberOfNeighbors = 32;
 /// How many points with lines must have a point with lines among these neighbours of theirs: of the
 /// dozen or more of them that a strip along a crease has.
 constexpr int LeastCompany = 10;
-/// How far splats reach, of their disks' radius: the kernels' rim.
-constexpr float KernelReach = 2.0f;
+/// How far splats reach, of their disks' radius: the kernels' rim, and what joins a layer
+/// (vtkPointSplatMapper.h: SplatClip).
+constexpr float KernelReach = 2.5f;
 /// How far, in spacings, a point on an edge may be off a face that meets there.
 constexpr float OnLine = 0.15f;
 /// The cosine (20 degrees) between a line and the direction of the face behind it.

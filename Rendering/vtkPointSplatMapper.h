@@ -40,10 +40,12 @@
  *   pixel has splats of its own face only (Zwicker et al. 2004, Perspective accurate splatting). The
  *   splat at p keeps what fulfils c . (x - p) <= 1: c = n / d for a line at the distance d > 0 whose
  *   unit normal n, in the disk's plane, points to what is cut away; 0 cuts nothing. The line stays
- *   where it is, whatever RadiusScale is: splats want one wherever what is drawn of them,
- *   KernelSupport times RadiusScale times their size, reaches over an edge. Each splat goes on for a
- *   sixteenth of a pixel beyond its lines, with the weight of its rim, so that there are no gaps at
- *   edges. With Method ImageSpace points have no extent, and the array has no effect.
+ *   where it is, whatever RadiusScale is. Splats with lines join no layer that shows the other side,
+ *   since just behind an edge lies the face that is turned away: best give lines to all within 2.5
+ *   times RadiusScale times their size of an edge, which is the layer distance and KernelSupport.
+ *   Each splat goes on for a sixteenth of a pixel beyond its lines, where it hardly weighs, so that
+ *   there are no gaps at edges. With Method ImageSpace points have no extent, and the array has no
+ *   effect.
  * - `SplatFold`, 6 components, two unit vectors or 0, beside `SplatRadius`, `SplatPlaneNormal` and
  *   `SplatClip`: the splat goes on behind its lines in the planes with these normals, as one more splat
  *   each with the point's normal, colour and id (GetNumberOfSplats() counts them).

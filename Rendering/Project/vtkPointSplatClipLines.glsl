@@ -14,7 +14,7 @@
 // Pixels: what two splats may be moved apart by.
 const float ClipMargin = 1.0 / 16.0;
 // Of the kernel: with less, the sums of whole numbers of what only margins cover would be coarse.
-const float MarginShare = 1.0 / 128.0;
+const float MarginShare = 1.0 / 64.0;
 // Least layer distances: less than one, so that the surface stays one.
 const float MarginDelay = 0.375;
 // Pixels: of disks that are narrower in the image it cannot be told any more where on them a pixel

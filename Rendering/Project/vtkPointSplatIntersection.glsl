@@ -137,7 +137,8 @@ bool project(vec3 positionMC, uvec3 shape, vec3 axis1MC, vec3 axis2MC, float rad
 // Where the ray through a pixel's centre meets the splat.
 // The kernel sees the lesser of the distances on the splat and on its widened
 // ellipse.
-// False: outside the cap of radius reach, beyond its clip lines, outside the depth range, or cut away.
+// False: outside the cap of radius reach, beyond its clip lines, outside the depth range, or cut
+// away.
 bool intersect(Splat q, vec2 pixel, float reach, out Hit hit)
 {
   vec2 d = pixel - q.centre;

@@ -7,8 +7,9 @@
 // takes after that of the pixels about it whose layer the hit belongs to: its own, the one beside
 // it, the one above or below, or the one across the corner.
 // Variants: LAYERS (with deeper layers), CURVED, CLIPPING, CLIP_LINES, as in vtkPointSplatTileCS.
-// Reads: Records, RecordClipLines, Lists, Tiles, SceneDepth, LayerTexels, OutlinePixels. Writes: Choices, two bits a
-// sample: 1, the pixel beside it, and 2, the one above or below; 3, the one across.
+// Reads: Records, RecordClipLines, Lists, Tiles, SceneDepth, LayerTexels, OutlinePixels. Writes:
+// Choices, two bits a sample: 1, the pixel beside it, and 2, the one above or below; 3, the one
+// across.
 
 #include "vtkPointSplatTilePixels"
 #include "vtkPointSplatTileFlat"

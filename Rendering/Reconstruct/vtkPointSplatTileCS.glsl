@@ -11,7 +11,8 @@
 // Variants: LAYERS, GATHER (the last layer takes all that is left, weighted by opacity), COLOURS,
 // FACTORS, IDS (names the splat of the greatest weight), KERNELS, PLATEAU, CURVED (some splats need
 // exact rays), CLIPPING, CLIP_LINES (some splats are clipped).
-// Reads: Records, RecordClipLines, Lists, Tiles, SceneDepth. Writes: Texels, FactorTexels, IdTexels, Counts.
+// Reads: Records, RecordClipLines, Lists, Tiles, SceneDepth. Writes: Texels, FactorTexels,
+// IdTexels, Counts.
 
 #include "vtkPointSplatTilePixels"
 #include "vtkPointSplatTileFlat"

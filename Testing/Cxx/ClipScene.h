@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Bodies of plane faces as splats that end at exact clip lines, and what rays hit of them.
+// Bodies of plane faces as splats that end at exact clip lines, what rays hit of them, and how
+// pictures of them compare with that.
 #ifndef ClipScene_h
 #define ClipScene_h
 
@@ -15,6 +16,9 @@
 
 namespace ClipScene
 {
+using SplatScene::Picture;
+using SplatScene::Window;
+
 using Vector = std::array<double, 3>;
 
 inline Vector Sum(const Vector& a, double factor, const Vector& b)
@@ -46,33 +50,38 @@ struct Face
 {
   std::vector<Vector> Corners;
   std::array<unsigned char, 3> Colour;
+  Vector Normal{ { 0.0, 0.0, 0.0 } };
+  Vector Along; // the first edge
+  Vector Across;
 
-  Vector Normal() const
+  Face(const std::vector<Vector>& corners, const std::array<unsigned char, 3>& colour)
+    : Corners(corners)
+    , Colour(colour)
   {
-    Vector sum{ 0.0, 0.0, 0.0 };
-    for (size_t i = 0; i < this->Corners.size(); ++i)
+    for (size_t i = 0; i < corners.size(); ++i)
     {
-      sum = Sum(sum, 1.0, Cross(this->Corners[i], this->Corner(i + 1)));
+      this->Normal = Sum(this->Normal, 1.0, Cross(corners[i], this->Corner(i + 1)));
     }
-    return Unit(sum);
+    this->Normal = Unit(this->Normal);
+    this->Along = Unit(Sum(this->Corner(1), -1.0, this->Corner(0)));
+    this->Across = Cross(this->Normal, this->Along);
   }
   const Vector& Corner(size_t i) const { return this->Corners[i % this->Corners.size()]; }
 
   /// Whether a point of the plane is inside: edges that a ray from it along the first one crosses.
   bool Contains(const Vector& p) const
   {
-    const Vector x = Unit(Sum(this->Corner(1), -1.0, this->Corner(0)));
-    const Vector y = Cross(this->Normal(), x);
     bool inside = false;
     for (size_t i = 0; i < this->Corners.size(); ++i)
     {
       const Vector a = Sum(this->Corner(i), -1.0, p);
       const Vector b = Sum(this->Corner(i + 1), -1.0, p);
-      const double from = Dot(a, y);
-      const double to = Dot(b, y);
+      const double from = Dot(a, this->Across);
+      const double to = Dot(b, this->Across);
       if ((from > 0.0) != (to > 0.0))
       {
-        inside ^= Dot(a, x) + from / (from - to) * (Dot(b, x) - Dot(a, x)) > 0.0;
+        const double start = Dot(a, this->Along);
+        inside ^= start + from / (from - to) * (Dot(b, this->Along) - start) > 0.0;
       }
     }
     return inside;
@@ -87,7 +96,7 @@ struct Face
     {
       const Vector a = Sum(p, -1.0, this->Corner(i));
       const Vector along = Sum(this->Corner(i + 1), -1.0, this->Corner(i));
-      const Vector out = Unit(Cross(along, this->Normal()));
+      const Vector out = Unit(Cross(along, this->Normal));
       const double at = Dot(a, along) / Dot(along, along);
       const double off = -Dot(a, out);
       if (at >= 0.0 && at <= 1.0 && off > 0.0 && off < reach)
@@ -96,7 +105,7 @@ struct Face
       }
       const Vector before = Sum(this->Corner(i), -1.0, this->Corner(i + this->Corners.size() - 1));
       const double length = std::sqrt(Dot(a, a));
-      const bool reflex = Dot(Cross(before, along), this->Normal()) < 0.0;
+      const bool reflex = Dot(Cross(before, along), this->Normal) < 0.0;
       if (reflex && at < 0.0 && Dot(a, before) > 0.0 && length < reach)
       {
         found.push_back({ length, Unit(Sum({ 0.0, 0.0, 0.0 }, -1.0, a)) });
@@ -135,7 +144,7 @@ struct Body
     const Vector ray = Sum(to, -1.0, from);
     for (size_t i = 0; i < this->Faces.size(); ++i)
     {
-      const Vector n = this->Faces[i].Normal();
+      const Vector& n = this->Faces[i].Normal;
       const double at = Dot(Sum(this->Faces[i].Corner(0), -1.0, from), n) / Dot(ray, n);
       if (std::isfinite(at) && at > 0.0 && this->Faces[i].Contains(Sum(from, at, ray)))
       {
@@ -153,24 +162,22 @@ inline Body Prism(const std::vector<std::array<double, 2>>& outline)
   static const std::array<unsigned char, 3> colours[] = { { { 255, 0, 0 } }, { { 0, 255, 0 } },
     { { 0, 0, 255 } }, { { 255, 255, 0 } }, { { 0, 255, 255 } }, { { 255, 0, 255 } },
     { { 255, 128, 0 } }, { { 255, 255, 255 } } };
-  Body body;
-  Face top;
-  Face bottom;
+  std::vector<Vector> top;
+  std::vector<Vector> bottom;
   for (const auto& p : outline)
   {
-    top.Corners.push_back({ p[0], p[1], 1.0 });
-    bottom.Corners.insert(bottom.Corners.begin(), { p[0], p[1], 0.0 });
+    top.push_back({ p[0], p[1], 1.0 });
+    bottom.insert(bottom.begin(), Vector{ p[0], p[1], 0.0 });
   }
-  top.Colour = colours[0];
-  bottom.Colour = colours[1];
-  body.Faces = { top, bottom };
+  Body body;
+  body.Faces = { { top, colours[0] }, { bottom, colours[1] } };
   for (size_t i = 0; i < outline.size(); ++i)
   {
     const auto& a = outline[i];
     const auto& b = outline[(i + 1) % outline.size()];
-    body.Faces.push_back({ { { a[0], a[1], 0.0 }, { b[0], b[1], 0.0 }, { b[0], b[1], 1.0 },
-                             { a[0], a[1], 1.0 } },
-      colours[2 + i % 6] });
+    const std::vector<Vector> side = { { a[0], a[1], 0.0 }, { b[0], b[1], 0.0 },
+      { b[0], b[1], 1.0 }, { a[0], a[1], 1.0 } };
+    body.Faces.emplace_back(side, colours[2 + i % 6]);
   }
   return body;
 }
@@ -221,9 +228,9 @@ inline vtkSmartPointer<vtkPolyData> Splats(const Body& body, const Sampling& sam
   const double radius = 1.1 * sampling.Spacing;
   for (const Face& face : body.Faces)
   {
-    const Vector n = face.Normal();
-    const Vector x = Unit(Sum(face.Corner(1), -1.0, face.Corner(0)));
-    const Vector y = Cross(n, x);
+    const Vector& n = face.Normal;
+    const Vector& x = face.Along;
+    const Vector& y = face.Across;
     double low[2] = { 1e9, 1e9 };
     double high[2] = { -1e9, -1e9 };
     for (const Vector& corner : face.Corners)
@@ -313,6 +320,174 @@ private:
   int Size[2];
   vtkNew<vtkMatrix4x4> FromNDC;
 };
+
+/**
+ * Where a camera looks from, and how far about an edge pixels may show either side of it.
+ */
+struct View
+{
+  const char* Name;
+  Vector Position;
+  Vector Focus;
+  double Angle; // or height of the view, world units
+  bool Parallel;
+  double Blur; // pixels
+};
+
+/**
+ * A window with a body that shows its colours as they are.
+ */
+struct Scene
+{
+  Window Win;
+  vtkNew<vtkPointSplatMapper> Mapper;
+  vtkActor* Actor = nullptr;
+  Body Shape;
+
+  Scene(const Body& body, vtkPolyData* splats, bool smooth = false)
+    : Shape(body)
+  {
+    this->Mapper->SetInputData(splats);
+    this->Mapper->SetScalarModeToUsePointData();
+    this->Win.SmoothOutlines = smooth;
+    this->Actor = this->Win.Add(this->Mapper);
+    this->Actor->GetProperty()->SetAmbient(1.0);
+    this->Actor->GetProperty()->SetDiffuse(0.0);
+    this->Actor->GetProperty()->SetSpecular(0.0);
+  }
+  void Look(const View& view)
+  {
+    vtkCamera* camera = this->Win.Renderer->GetActiveCamera();
+    camera->SetPosition(view.Position.data());
+    camera->SetFocalPoint(view.Focus.data());
+    camera->SetViewUp(0, 0, 1);
+    camera->SetParallelProjection(view.Parallel);
+    view.Parallel ? camera->SetParallelScale(0.5 * view.Angle) : camera->SetViewAngle(view.Angle);
+    this->Win.Renderer->ResetCameraClippingRange();
+  }
+};
+
+/// The face of the nearest hit, or -1.
+inline int Nearest(const std::vector<Hit>& hits)
+{
+  return hits.empty() ? -1 : hits[0].Face;
+}
+
+inline bool Shows(const unsigned char* pixel, const Body& body, int face)
+{
+  for (size_t c = 0; c < 3; ++c)
+  {
+    const int wanted = face < 0 ? 0 : body.Faces[static_cast<size_t>(face)].Colour[c];
+    if (std::abs(wanted - pixel[c]) > 3)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+struct Count
+{
+  int Holes = 0;  // background where a face is
+  int Spilt = 0;  // a face where background is
+  int Wrong = 0;  // another colour than that of the face that is there
+  int Edges = 0;  // pixels that an edge is near to
+  int Inside = 0; // other pixels of faces
+  int Faults() const { return this->Holes + this->Spilt + this->Wrong; }
+};
+
+/**
+ * What pixels may show where an edge is near: one of the faces that meet there, or a mean of their
+ * colours; a mean with what is beyond; or a mean of the faces' normals, which may be lit more than
+ * either.
+ */
+enum Mean
+{
+  OfFaces,
+  WithBackground,
+  OfNormals
+};
+
+/// The colours that rays near a pixel may show, from the least to the greatest of each channel.
+struct Range
+{
+  bool Background = false;
+  bool Edge = false;
+  int Low[3] = { 255, 255, 255 };
+  int High[3] = { 0, 0, 0 };
+
+  Range(const Scene& scene, const Rays& rays, double x, double y, double blur)
+  {
+    int first = -2;
+    for (int k = 0; k < 9; ++k)
+    {
+      const std::vector<Hit> hits =
+        rays.Cast(scene.Shape, x + blur * (k % 3 - 1), y + blur * (k / 3 - 1));
+      const int nearest = hits.empty() ? -1 : hits[0].Face;
+      this->Edge = this->Edge || (k > 0 && nearest != first);
+      first = nearest;
+      this->Background = this->Background || hits.empty();
+      for (const Hit& hit : hits)
+      {
+        // And of the face that is turned away at the same edge.
+        if (hit.Face == nearest || hit.At - hits[0].At < 0.02)
+        {
+          this->Add(scene.Shape.Faces[static_cast<size_t>(hit.Face)].Colour);
+        }
+      }
+    }
+    if (!this->Edge && !this->Background)
+    {
+      *this = Range(scene.Shape.Faces[static_cast<size_t>(first)].Colour);
+    }
+  }
+  explicit Range(const std::array<unsigned char, 3>& colour) { this->Add(colour); }
+  void Add(const std::array<unsigned char, 3>& colour)
+  {
+    for (size_t c = 0; c < 3; ++c)
+    {
+      this->Low[c] = std::min<int>(this->Low[c], colour[c]);
+      this->High[c] = std::max<int>(this->High[c], colour[c]);
+    }
+  }
+  bool Has(const unsigned char* pixel, int tolerance, Mean mean) const
+  {
+    bool within = true;
+    for (size_t c = 0; c < 3; ++c)
+    {
+      const int low = mean == WithBackground && this->Background ? 0 : this->Low[c];
+      const int high = mean == OfNormals && this->Edge ? 255 : this->High[c];
+      within = within && pixel[c] >= low - tolerance && pixel[c] <= high + tolerance;
+    }
+    return within;
+  }
+};
+
+/**
+ * What a picture shows that it should not. Each pixel shows the face that its ray meets; where an
+ * edge is nearer than blur (pixels) a mean.
+ */
+inline Count Compare(const Picture& picture, const Scene& scene, double blur, Mean mean = OfFaces)
+{
+  const Rays rays(scene.Win.Renderer, scene.Actor);
+  Count count;
+  for (int y = 0; y < picture.Height; ++y)
+  {
+    for (int x = 0; x < picture.Width; ++x)
+    {
+      const Range range(scene, rays, x + 0.5, y + 0.5, blur);
+      const bool shown = !picture.IsBackground(x, y);
+      count.Edges += range.Edge;
+      count.Inside += !range.Edge && !range.Background;
+      count.Holes += !shown && !range.Background;
+      count.Spilt += shown && range.Background && !range.Edge;
+      // Sums are of whole numbers, and where only margins are those are small.
+      const bool good = range.Has(picture.At(x, y), range.Edge ? 6 : 2, mean);
+      count.Wrong += shown && !(range.Background && !range.Edge) && !good;
+    }
+  }
+  return count;
+}
 }
 
 #endif

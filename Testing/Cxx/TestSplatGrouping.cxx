@@ -432,6 +432,14 @@ void TestCoverage()
     // Duplicates, where disks are so small that a quarter of them leaves gaps.
     Cloud sparse;
     Sample(sparse, kind, 6000, 0.7, 21 + kind);
+    vtkNew<vtkFloatArray> lines;
+    lines->SetName("SplatClip");
+    lines->SetNumberOfComponents(6);
+    for (int i = 0; i < 6000; ++i)
+    {
+      lines->InsertNextTuple6(i, 0, 0, 0, 0, i);
+    }
+    sparse.Data->GetPointData()->AddArray(lines);
     grouping->SetInputData(sparse.Data);
     grouping->SetCoverageToDuplicate();
     groups = Groups(grouping);
@@ -448,6 +456,7 @@ void TestCoverage()
       out->GetPoint(i, p);
       sparse.Points->GetPoint(ids->GetValue(i), q);
       if (vtkMath::Distance2BetweenPoints(p, q) != 0 ||
+        out->GetPointData()->GetArray("SplatClip")->GetComponent(i, 5) != ids->GetValue(i) ||
         !seen.insert({ ids->GetValue(i), groups->GetValue(i) }).second)
       {
         Expect(false, "a duplicate is not its original, or twice in a group");
