@@ -27,10 +27,15 @@ inline constexpr const char* Curvature = "SplatCurvature";
 /// which splats end at creases and borders (Zwicker et al. 2004, Perspective accurate splatting).
 /// The splat at p keeps what of its disk fulfils c1 . (x - p) <= 1 and c2 . (x - p) <= 1: c = n / d
 /// for a line at the distance d > 0 from p whose unit normal n, in the disk's plane, points to what
-/// is cut away. A zero vector cuts nothing, and one that is not finite counts as zero. The centre is
-/// kept always; a point on the line itself has a small positive d. What of c is along the normal of
-/// the disk's plane has no effect; a bent disk's line is taken in that plane as well.
+/// is cut away. A zero vector cuts nothing, and one that is not finite counts as zero. The centre
+/// is kept always; a point on the line itself has a small positive d. What of c is along the normal
+/// of the disk's plane has no effect; a bent disk's line is taken in that plane as well.
 inline constexpr const char* Clip = "SplatClip";
+/// 6 floats, two vectors f1 and f2, unit length or zero, with SplatClip: the splat goes on behind
+/// its lines c1 and c2 in the planes with these normals. So a point on an edge, whose normal is an
+/// average of its faces', has a part of its splat on each of them: as in a mesh, the shading turns
+/// from face to face.
+inline constexpr const char* Fold = "SplatFold";
 /// 1 int: the minimal independent group that a splat belongs to.
 inline constexpr const char* Group = "SplatGroup";
 /// Field data, 1 double for each group: the share of the surface that its disks cover by themselves.

@@ -77,11 +77,11 @@ struct Equations
 }
 
 void vtkPointSplatCurvature::Estimate(const vtkPointSplatNeighbors::Neighborhood& around,
-  const float* normals, const vtkPointSplatSheet& sheet)
+  const float* normals, const float centre[3],
+  const vtkPointSplatSheet& sheet)
 {
   std::fill_n(this->Tensor, 6, 0.0f);
   this->Strongest = 0;
-  const float* centre = normals + std::size_t(3) * around.Center;
   const double n[3] = { centre[0], centre[1], centre[2] };
   double a[3], b[3];
   vtkMath::Perpendiculars(n, a, b, 0);

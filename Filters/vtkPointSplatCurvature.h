@@ -35,12 +35,13 @@ public:
   float Strongest = 0;
 
   /**
-   * Fits the tensor at the neighbourhood's centre. normals: 3 floats a slot, unit length.
+   * Fits the tensor at the neighbourhood's centre, where the normal is n. normals: 3 floats a slot,
+   * unit length.
    * Where the neighbours do not agree on it (noise, creases, too few of them), it is smaller
    * than the fit, down to 0: there the plane is the better guess.
    */
   void Estimate(const vtkPointSplatNeighbors::Neighborhood& around, const float* normals,
-    const vtkPointSplatSheet& sheet);
+    const float n[3], const vtkPointSplatSheet& sheet);
 };
 
 VTK_ABI_NAMESPACE_END

@@ -11,8 +11,9 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPointSplatArrays.h"
+#include "vtkPointSplatCreases.h"
 #include "vtkPointSplatCurvature.h"
-#include "vtkPointSplatDisk.h"
+#include "vtkPointSplatDisks.h"
 #include "vtkPointSplatFans.h"
 #include "vtkPointSplatInput.h"
 #include "vtkPointSplatNeighbors.h"
@@ -24,6 +25,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -34,26 +36,9 @@ namespace
 {
 using Slot = vtkPointSplatNeighbors::Slot;
 
-/// The radius of a point that has no neighbour to compare with.
-constexpr float LoneRadius = 0.1f;
-/// How much larger than its neighbours' disks one may be.
-constexpr float LargestRatio = 2.5f;
-/// Where samplings are as regular as meshes' (the 95th percentile of the disks' sizes, in
-/// spacings, is below RegularSpread medians), a disk of more than HoleFactor such percentiles
-/// reaches over a hole; where they are random (IrregularSpread medians), over a gap to be closed.
-constexpr float RegularSpread = 1.25f;
-constexpr float IrregularSpread = 1.45f;
-constexpr float HoleFactor = 1.3f;
-constexpr float GapFactor = 3.0f;
-/// The neighbours, by rank, that bound a disk.
-constexpr int NumberOfWitnesses = 4;
-/// How far the normal may turn from the centre to the rim of a disk: the kernel's rim, a half
-/// farther out, then stays within a tube's silhouette.
-constexpr float LargestBend = 0.6f;
-/// What is left of a disk at least, however much the surface bends: noise may look like it.
-constexpr float LeastShare = 0.75f;
-/// The radius of a body alone, of the distance to what is nearest.
-constexpr float BodyRadius = 0.5f;
+/// Points at the same position whose normals part by more than this cosine (15 degrees) are of two
+/// faces.
+constexpr float TwinCosine = 0.966f;
 /// The sixth neighbour's distance, of the third one's, for points at random in a plane (1.43) and a
 /// little: it is the neighbour of another body where most bodies have few points.
 constexpr float SixthPerThird = 1.5f;
@@ -63,25 +48,6 @@ constexpr Slot UsualLeaves = 512;
 bool IsZero(const float n[3])
 {
   return n[0] == 0 && n[1] == 0 && n[2] == 0;
-}
-
-/// The second fundamental form of a ball.
-void GetBall(const float n[3], float curvature, float tensor[6])
-{
-  static const int rows[6] = { 0, 1, 2, 0, 1, 0 };
-  static const int columns[6] = { 0, 1, 2, 1, 2, 2 };
-  for (int k = 0; k < 6; ++k)
-  {
-    tensor[k] = curvature * ((k < 3 ? 1.0f : 0.0f) - n[rows[k]] * n[columns[k]]);
-  }
-}
-
-/// An element of some order; values are shuffled.
-float GetQuantile(std::vector<float>& values, double q)
-{
-  auto at = values.begin() + static_cast<std::ptrdiff_t>(q * (values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
 }
 
 /// The spacing of most points: the median of points all over the cloud.
@@ -102,7 +68,7 @@ float GetUsualSpacing(vtkAlgorithm* self, const vtkPointSplatNeighbors& neighbor
     },
     [&](Slot s) { return s / vtkPointSplatNeighbors::LeafSize % stride == 0; });
   spacings.erase(std::remove(spacings.begin(), spacings.end(), 0.0f), spacings.end());
-  return spacings.empty() ? 0.0f : GetQuantile(spacings, 0.5);
+  return spacings.empty() ? 0.0f : vtkPointSplatDisks::GetQuantile(spacings, 0.5);
 }
 
 /// Whether all points that take part have triangles and normals (3 floats a point).
@@ -117,102 +83,31 @@ bool IsMeshAlone(
   return alone;
 }
 
-/// Disks as they are found, for each slot.
-struct Disks
+using Twins = std::vector<vtkPointSplatCreases::Twin>;
+
+/// Points that share a slot with one whose normal is another; normals: of points, as given.
+Twins FindTwins(const float* normals, const std::vector<float>& slotNormals,
+  const vtkPointSplatNeighbors& neighbors)
 {
-  explicit Disks(Slot slots, bool elliptical)
-    : Length(slots, 0.0f)
-    , Gap(slots, 0.0f)
-    , Opening(slots, 0.0f)
-    , Whole(slots, 0)
-    , Spacing(slots, 0.0f)
-    , Nearest(slots, 0.0f)
-    , Witnesses(std::size_t(NumberOfWitnesses) * slots, vtkPointSplatNeighbors::None)
-    , Axes(elliptical ? std::size_t(6) * slots : 0)
-    , Planes(std::size_t(3) * slots, 0.0f)
-    , Curvatures(elliptical ? 0 : std::size_t(6) * slots, 0.0f)
+  Twins twins;
+  const std::vector<Slot>& slotOf = neighbors.GetSlots();
+  for (std::size_t id = 0; id < slotOf.size(); ++id)
   {
+    const Slot s = slotOf[id];
+    const float* n = normals + 3 * id;
+    if (s == vtkPointSplatNeighbors::None || neighbors.GetId(s) == static_cast<vtkIdType>(id) ||
+      IsZero(n))
+    {
+      continue;
+    }
+    const float* m = slotNormals.data() + std::size_t(3) * s;
+    if (std::abs(n[0] * m[0] + n[1] * m[1] + n[2] * m[2]) < TwinCosine)
+    {
+      twins.push_back({ static_cast<vtkIdType>(id), s, { n[0], n[1], n[2] } });
+    }
   }
-
-  bool IsAlone(Slot slot) const { return !(this->Length[slot] > 0); }
-
-  /**
-   * The distance of a cell's vertex, in spacings, past which it lies in a hole of the surface.
-   */
-  float GetHoleLimit() const
-  {
-    std::vector<float> sizes;
-    sizes.reserve(this->Opening.size());
-    for (std::size_t s = 0; s < this->Opening.size(); ++s)
-    {
-      if (this->Opening[s] > 0)
-      {
-        sizes.push_back(this->Opening[s] / this->Spacing[s]);
-      }
-    }
-    if (sizes.size() < 100)
-    {
-      return std::numeric_limits<float>::max();
-    }
-    const float usual = GetQuantile(sizes, 0.5), large = GetQuantile(sizes, 0.95);
-    const float t = std::clamp(
-      (large / usual - RegularSpread) / (IrregularSpread - RegularSpread), 0.0f, 1.0f);
-    return large * (HoleFactor + t * (GapFactor - HoleFactor));
-  }
-
-  /// Makes disks as large as the gaps that they are to close, and gives points alone their bodies.
-  void Finish(float limit)
-  {
-    std::vector<float> lengths;
-    lengths.reserve(this->Length.size());
-    for (std::size_t s = 0; s < this->Length.size(); ++s)
-    {
-      if (this->Gap[s] <= limit * this->Spacing[s])
-      {
-        this->Length[s] = std::max(this->Length[s], this->Gap[s]);
-      }
-      if (this->Length[s] > 0)
-      {
-        lengths.push_back(this->Length[s]);
-      }
-    }
-    this->Body = lengths.empty() ? std::numeric_limits<float>::max() : GetQuantile(lengths, 0.5);
-  }
-
-  /// At most LargestRatio times the second smallest of some neighbours' lengths.
-  float GetBounded(Slot slot) const
-  {
-    if (this->IsAlone(slot))
-    {
-      return this->Nearest[slot] > 0 ? std::min(BodyRadius * this->Nearest[slot], this->Body)
-                                     : LoneRadius;
-    }
-    float smallest = std::numeric_limits<float>::max(), second = smallest;
-    for (int w = 0; w < NumberOfWitnesses; ++w)
-    {
-      const Slot witness = this->Witnesses[std::size_t(NumberOfWitnesses) * slot + w];
-      if (witness != vtkPointSplatNeighbors::None && !this->IsAlone(witness))
-      {
-        const float length = this->Length[witness];
-        second = std::min(second, std::max(smallest, length));
-        smallest = std::min(smallest, length);
-      }
-    }
-    return std::min(this->Length[slot], LargestRatio * second);
-  }
-
-  std::vector<float> Length;  // of the longer axis; 0 for a point alone
-  std::vector<float> Gap;     // what it must at least be to close the gaps around
-  std::vector<float> Opening; // the distance of its cell's farthest vertex, 0 for an open cell
-  std::vector<unsigned char> Whole; // whether all neighbours are of its sheet
-  std::vector<float> Spacing; // of the neighbours that the disk is made of
-  std::vector<float> Nearest; // the distance to any neighbour
-  std::vector<Slot> Witnesses;
-  std::vector<float> Axes; // both, unless circular
-  std::vector<float> Planes; // their normals
-  std::vector<float> Curvatures; // tensors, if circular
-  float Body = 0; // the largest radius of a point alone
-};
+  return twins;
+}
 }
 
 vtkPointSplatEstimation::vtkPointSplatEstimation() = default;
@@ -267,6 +162,10 @@ int vtkPointSplatEstimation::RequestData(
   curvatures->SetNumberOfComponents(6);
   curvatures->SetNumberOfTuples(elliptical ? 0 : numberOfPoints);
 
+  vtkNew<vtkFloatArray> clips, folds; // stay empty where there are none
+  clips->SetName(vtkPointSplatArrays::Clip);
+  folds->SetName(vtkPointSplatArrays::Fold);
+
   if (numberOfPoints > 0)
   {
     vtkDataArray* points = input->GetPoints()->GetData();
@@ -292,10 +191,15 @@ int vtkPointSplatEstimation::RequestData(
                             << "); they take no part and get radius 0.");
     }
 
-    // Meshes know their neighbours. Those of all other points are searched for.
+    // Meshes know their neighbours, but for those that were split at their creases. All other points'
+    // are searched for.
     vtkPointSplatFans fans;
     vtkPolyData* mesh = vtkPolyData::SafeDownCast(input);
     const vtkIdType badCells = mesh && !elliptical ? fans.Read(mesh, used.data()) : 0;
+    if (fans.IsSplit(n))
+    {
+      fans.Clear();
+    }
     if (badCells > 0)
     {
       vtkWarningMacro(<< badCells << " polygons or strips index points that are not there; they "
@@ -369,14 +273,18 @@ int vtkPointSplatEstimation::RequestData(
       }
     }
     const float usual = GetUsualSpacing(this, neighbors);
-    Disks disks(slots, elliptical);
-    float holeLimit = std::numeric_limits<float>::max();
+    vtkPointSplatDisks disks(slots, elliptical);
+    std::vector<unsigned char> uneven(slots, 0);
     // Slots with a neighbour whose normal is not that of the surface.
     std::vector<std::atomic<bool>> misled(slots);
+    std::vector<float> sheetNormals; // of the planes that were found, once they are
+    const float* directions = slotNormals.data();
     auto measure = [&](const vtkPointSplatNeighbors::Neighborhood& around, int round) {
       const Slot s = around.Center;
       vtkPointSplatDisk disk;
-      const bool closed = disk.Estimate(around, slotNormals.data(), elliptical, usual, holeLimit);
+      const bool closed =
+        disk.Estimate(around, directions, elliptical, usual, disks.HoleLimit);
+      uneven[s] = uneven[s] || disk.Sheet.Uneven;
       if (round > 0 && !closed)
       {
         // What more neighbours do not close is a border: the first round's disk stands.
@@ -384,7 +292,7 @@ int vtkPointSplatEstimation::RequestData(
       }
       std::copy(disk.Normal, disk.Normal + 3, disks.Planes.data() + std::size_t(3) * s);
       const bool fits =
-        std::equal(disk.Normal, disk.Normal + 3, slotNormals.data() + std::size_t(3) * s);
+        std::equal(disk.Normal, disk.Normal + 3, directions + std::size_t(3) * s);
       for (int i = 0; i < around.Count && !fits; ++i)
       {
         misled[around.Slots[i]].store(true, std::memory_order_relaxed);
@@ -397,60 +305,57 @@ int vtkPointSplatEstimation::RequestData(
         // Normals that are not the surface's say nothing of its curvature.
         if (fits)
         {
-          curvature.Estimate(around, slotNormals.data(), disk.Sheet);
+          curvature.Estimate(around, directions, disk.Normal, disk.Sheet);
         }
         std::copy_n(curvature.Tensor, 6, tensor);
-        largest = curvature.Strongest > 0
-          ? std::max(LargestBend / curvature.Strongest, LeastShare * disk.Length1)
-          : largest;
+        largest = vtkPointSplatDisks::GetLargest(curvature.Strongest, disk.Length1);
       }
-      else
-      {
-        const float ratio = disk.Length1 > 0 ? disk.Length2 / disk.Length1 : 1.0f;
-        for (int c = 0; c < 3; ++c)
-        {
-          disks.Axes[std::size_t(6) * s + c] = disk.Axis1[c];
-          disks.Axes[std::size_t(6) * s + 3 + c] = ratio * disk.Axis2[c];
-        }
-      }
-      disks.Length[s] = std::min(disk.Length1, largest);
-      disks.Gap[s] = std::min(disk.Gap, largest);
-      disks.Opening[s] = disk.Opening;
-      disks.Whole[s] = disk.Sheet.Whole;
-      disks.Spacing[s] = disk.Spacing;
-      disks.Nearest[s] = around.Count > 0 ? std::sqrt(around.SquaredDistance[0]) : 0.0f;
-      for (int w = 0; w < NumberOfWitnesses && around.Count >= NumberOfWitnesses; ++w)
-      {
-        disks.Witnesses[std::size_t(NumberOfWitnesses) * s + w] =
-          around.Slots[(w + 1) * around.Count / NumberOfWitnesses - 1];
-      }
+      disks.Set(around, disk, largest);
       return closed;
     };
-    if (!neighbors.Visit(this, missing ? 0.5 : 0.1, 0.85, this->NumberOfNeighbors, measure,
-          [&](Slot s) { return wanted[s] != 0; }))
+    auto isWanted = [&wanted](Slot s) { return wanted[s] != 0; };
+    if (!neighbors.Visit(
+          this, missing ? 0.5 : 0.1, 0.8, this->NumberOfNeighbors, measure, isWanted))
     {
       return 1;
     }
     // Again where that tells more: neighbours across holes and normals that are not the surface's.
-    holeLimit = disks.GetHoleLimit();
+    disks.HoleLimit = disks.FindHoleLimit();
+    sheetNormals = slotNormals;
     for (Slot s = 0; s < slots; ++s)
     {
       if (wanted[s])
       {
         wanted[s] = (misled[s] && !disks.Whole[s]) ||
-          disks.Opening[s] > holeLimit * disks.Spacing[s];
+          disks.Opening[s] > disks.HoleLimit * disks.Spacing[s];
         std::copy_n(disks.Planes.data() + std::size_t(3) * s, 3,
-          slotNormals.data() + std::size_t(3) * s);
+          sheetNormals.data() + std::size_t(3) * s);
       }
     }
-    if (!neighbors.Visit(this, 0.85, 0.9, this->NumberOfNeighbors, measure,
-          [&](Slot s) { return wanted[s] != 0; }))
+    directions = sheetNormals.data();
+    if (!neighbors.Visit(this, 0.8, 0.85, this->NumberOfNeighbors, measure, isWanted))
     {
       return 1;
     }
-    disks.Finish(holeLimit);
 
-    // 5. Bounds, and from slots back to points
+    // 5. Creases
+    vtkPointSplatCreases creases(neighbors, slotNormals.data(),
+      elliptical ? nullptr : disks.Curvatures.data(), usual, elliptical);
+    if (given && fans.IsEmpty() && !this->IsNoisy() &&
+      !creases.Find(this, 0.85, 0.9, uneven, FindTwins(n, slotNormals, neighbors)))
+    {
+      return 1;
+    }
+    for (const vtkPointSplatCreases::Splat& splat : creases.Splats)
+    {
+      if (splat.Id < 0)
+      {
+        disks.Set(splat);
+      }
+    }
+    disks.Finish();
+
+    // 6. Bounds, and from slots back to points
     for (vtkIdType id = 0; id < numberOfPoints; ++id)
     {
       const Slot s = slotOf[id];
@@ -473,7 +378,7 @@ int vtkPointSplatEstimation::RequestData(
           float* tensor = curvatures->GetPointer(6 * id);
           if (drawn && disks.IsAlone(s))
           {
-            GetBall(plane, LargestBend / disks.GetBounded(s), tensor);
+            disks.GetBall(s, plane, tensor);
           }
           else if (drawn)
           {
@@ -514,6 +419,32 @@ int vtkPointSplatEstimation::RequestData(
         }
       });
     }
+    if (!creases.Splats.empty())
+    {
+      creases.Write(slotOf, clips, folds);
+      for (const vtkPointSplatCreases::Splat& splat : creases.Splats)
+      {
+        if (splat.Id < 0 || (ghost && (ghost[splat.Id] & vtkDataSetAttributes::DUPLICATEPOINT)))
+        {
+          continue;
+        }
+        // A twin takes its slot for the time of its own output.
+        disks.Set(splat);
+        disks.Close(splat.At);
+        const float length = scale * disks.GetBounded(splat.At);
+        for (int c = 0; c < 6 && elliptical; ++c)
+        {
+          sizes[c / 3]->SetValue(
+            3 * splat.Id + c % 3, length * disks.Axes[std::size_t(6) * splat.At + c]);
+        }
+        if (!elliptical)
+        {
+          sizes[0]->SetValue(splat.Id, length);
+          std::copy_n(splat.Normal, 3, planes->GetPointer(3 * splat.Id));
+          std::copy_n(splat.Tensor, 6, curvatures->GetPointer(6 * splat.Id));
+        }
+      }
+    }
   }
 
   output->SetPoints(input->GetPoints());
@@ -521,7 +452,7 @@ int vtkPointSplatEstimation::RequestData(
   output->GetFieldData()->PassData(input->GetFieldData());
   for (const char* name : { vtkPointSplatArrays::Radius, vtkPointSplatArrays::Axis1,
          vtkPointSplatArrays::Axis2, vtkPointSplatArrays::PlaneNormal,
-         vtkPointSplatArrays::Curvature })
+         vtkPointSplatArrays::Curvature, vtkPointSplatArrays::Clip, vtkPointSplatArrays::Fold })
   {
     // Of an earlier estimation, possibly of the other shape.
     output->GetPointData()->RemoveArray(name);
@@ -536,6 +467,13 @@ int vtkPointSplatEstimation::RequestData(
   {
     output->GetPointData()->AddArray(planes);
     output->GetPointData()->AddArray(curvatures);
+  }
+  for (vtkFloatArray* array : { clips.Get(), folds.Get() })
+  {
+    if (array->GetNumberOfTuples() > 0)
+    {
+      output->GetPointData()->AddArray(array);
+    }
   }
   this->UpdateProgress(1.0);
   return 1;

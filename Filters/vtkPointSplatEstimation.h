@@ -23,6 +23,12 @@
  *   not known) if Shape is Circular, or
  * - `SplatAxis1`, `SplatAxis2` (3 floats each, world units) if it is Elliptical: the half axes,
  *   perpendicular to each other and to the normal, the first the longer.
+ * Where there are creases and the input has normals, also
+ * - `SplatClip` (6 floats, 1 / world units: two vectors c = n / d, each of a line in the disk's
+ *   plane at the distance d from the point, where its face ends; n points to what is cut away; 0:
+ *   no line), and
+ * - `SplatFold` (6 floats, two unit vectors or 0: the normals of the planes in which the splat goes
+ *   on behind its lines) where given normals are averages of two or three faces'.
  * A mapper's blending kernel reaches 1.5 to 2 times farther than these.
  *
  * Stages (for triangles' corners, unless Shape is Elliptical, stages 4 and 5 are those of
@@ -72,7 +78,22 @@
  *    noise has no curvature, and a tenth of the rest. The normal turns by no more than 0.6 (34
  *    degrees) from the centre to the rim, but the disk keeps three quarters of its radius: it does
  *    not leave a tube or a fold.
- * 5. *Bound.* No disk is larger than two and a half times those of its neighbours, which keeps
+ * 5. *Creases.* Points with a near neighbour whose normal has turned by more than an arc between
+ *    the two explains are looked at with their 32 nearest neighbours. Those of them whose normals
+ *    and heights a surface of second order explains are on the point's own face
+ *    (vtkPointSplatFace.h). The others vote where their faces meet it, at what angle: from 20
+ *    degrees on, and more where normals are noisy, that is a crease (vtkPointSplatCrease.h); a
+ *    fillet of more than two spacings' radius bends all the way, and is none. The nearest two lines
+ *    clip the splat (Zwicker et al. 2004, Perspective Accurate Splatting, section 4), whose disk is
+ *    estimated anew, as if the face went on behind them (vtkPointSplatCreases.h). Curved edges,
+ *    convex and concave ones, corners, faces with reflex corners, and vertices that are there once
+ *    for each face all are covered. A point with an average of faces' normals, as mesh vertices on
+ *    edges have, lies on the planes of two or three faces that meet there. Its disk's plane is that
+ *    of the face whose normal is nearest, ends at the lines, and `SplatFold` has the others: drawn
+ *    in all of them with the point's own normal it shades as a mesh does, from face to face over a
+ *    triangle's width. Without given normals, or where IsNoisy(), creases are not looked for:
+ *    estimated normals turn over the width of their neighbourhood, as on a fillet.
+ * 6. *Bound.* No disk is larger than two and a half times those of its neighbours, which keeps
  *    outliers small. A point with no neighbour of its own sheet is a body alone: half of the
  *    distance to what is nearest is its radius, and at most the cloud's median radius; its
  *    curvature is a ball's. GetNumberOfPointsAlone() counts them. With no neighbour at all, for a
@@ -171,7 +192,7 @@ public:
 
   /**
    * How many points have no neighbour on a sheet of their own, and are drawn as a small body each
-   * (stage 5); known after Update().
+   * (stage 6); known after Update().
    */
   vtkGetMacro(NumberOfPointsAlone, vtkIdType);
 

@@ -27,6 +27,10 @@ constexpr float LengthPerReach = 0.9f;
 /// How many neighbours tell the curvature: as many as are searched for without a mesh.
 constexpr int EnoughNeighbors = 12;
 
+/// Points at the same position whose normals part by more than this cosine (15 degrees) are of two
+/// faces.
+constexpr float SplitCosine = 0.966f;
+
 constexpr int MaximumNumberOfNeighbors = vtkPointSplatNeighbors::MaximumNumberOfNeighbors;
 
 struct CopyPositions
@@ -163,6 +167,64 @@ void vtkPointSplatFans::Sort(vtkIdType numberOfPoints)
   }
 }
 
+/// Whether one of its edges belongs to one triangle alone.
+bool vtkPointSplatFans::IsAtBorder(vtkIdType id) const
+{
+  const auto countEdge = [&](vtkIdType other) {
+    int count = 0;
+    for (vtkIdType t = this->First[id]; t < this->First[id + 1]; ++t)
+    {
+      const vtkIdType* corner = this->Corners.data() + 3 * this->Triangles[t];
+      count += std::find(corner, corner + 3, other) != corner + 3;
+    }
+    return count;
+  };
+  for (vtkIdType t = this->First[id]; t < this->First[id + 1]; ++t)
+  {
+    const vtkIdType* corner = this->Corners.data() + 3 * this->Triangles[t];
+    if (std::any_of(corner, corner + 3,
+          [&](vtkIdType other) { return other != id && countEdge(other) == 1; }))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool vtkPointSplatFans::IsSplit(const float* normals) const
+{
+  if (this->IsEmpty())
+  {
+    return false;
+  }
+  const vtkIdType numberOfPoints = static_cast<vtkIdType>(this->First.size()) - 1;
+  std::vector<unsigned char> atBorder(numberOfPoints, 0);
+  vtkSMPTools::For(0, numberOfPoints, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType id = begin; id < end; ++id)
+    {
+      atBorder[id] = this->IsAtBorder(id);
+    }
+  });
+  std::vector<vtkIdType> border;
+  for (vtkIdType id = 0; id < numberOfPoints; ++id)
+  {
+    if (atBorder[id])
+    {
+      border.push_back(id);
+    }
+  }
+  const auto position = [&](vtkIdType id) { return this->Positions.data() + 3 * id; };
+  std::sort(border.begin(), border.end(), [&](vtkIdType a, vtkIdType b) {
+    return std::lexicographical_compare(
+      position(a), position(a) + 3, position(b), position(b) + 3);
+  });
+  return std::adjacent_find(border.begin(), border.end(), [&](vtkIdType a, vtkIdType b) {
+    const float *n = normals + 3 * a, *m = normals + 3 * b;
+    return std::equal(position(a), position(a) + 3, position(b)) &&
+      std::abs(n[0] * m[0] + n[1] * m[1] + n[2] * m[2]) < SplitCosine;
+  }) != border.end();
+}
+
 vtkPointSplatFans::Disk vtkPointSplatFans::GetDisk(vtkIdType id, const float* normals) const
 {
   using Slot = vtkPointSplatNeighbors::Slot;
@@ -240,7 +302,7 @@ vtkPointSplatFans::Disk vtkPointSplatFans::GetDisk(vtkIdType id, const float* no
   if (std::equal(disk.Normal, disk.Normal + 3, n))
   {
     vtkPointSplatCurvature curvature;
-    curvature.Estimate(around, normals, disk.Sheet);
+    curvature.Estimate(around, normals, n, disk.Sheet);
     std::copy(curvature.Tensor, curvature.Tensor + 6, found.Curvature);
   }
   return found;

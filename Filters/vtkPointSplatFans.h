@@ -38,7 +38,16 @@ public:
    */
   vtkIdType Read(vtkPolyData* mesh, const unsigned char* used);
 
+  void Clear() { *this = vtkPointSplatFans(); }
   bool IsEmpty() const { return this->Corners.empty(); }
+
+  /**
+   * Whether the mesh was split at its creases, as vtkPolyDataNormals does: points at its borders have a
+   * position, but not a normal, in common. Then disks have to end at lines, which triangles around
+   * single points do not tell. normals: 3 floats a point, unit length or 0.
+   */
+  bool IsSplit(const float* normals) const;
+
   /// Whether a point is a triangle's corner.
   bool Has(vtkIdType id) const
   {
@@ -58,6 +67,7 @@ public:
 private:
   void Add(vtkIdType a, vtkIdType b, vtkIdType c, const unsigned char* used);
   void Sort(vtkIdType numberOfPoints);
+  bool IsAtBorder(vtkIdType id) const;
 
   std::vector<double> Positions;    // 3 a point
   std::vector<vtkIdType> Corners;   // 3 a triangle, as read

@@ -396,9 +396,12 @@ int vtkPointSplatGrouping::RequestData(
     output->GetPointData()->SetNormals(normals);
     output->GetPointData()->AddArray(radius);
     output->GetPointData()->AddArray(estimated->GetArray(vtkPointSplatArrays::PlaneNormal));
-    if (vtkDataArray* lines = estimated->GetArray(vtkPointSplatArrays::Clip))
+    for (const char* name : { vtkPointSplatArrays::Clip, vtkPointSplatArrays::Fold })
     {
-      output->GetPointData()->AddArray(lines);
+      if (vtkDataArray* lines = estimated->GetArray(name))
+      {
+        output->GetPointData()->AddArray(lines);
+      }
     }
   }
   this->UpdateProgress(0.2);

@@ -432,7 +432,8 @@ bool vtkPointSplatProjection::Run::Describe()
     vtkPointSplatSheet sheet;
     sheet.Compare(moved, this->Projected.data(), this->Projected.data() + std::size_t(3) * s);
     sheet.Select(moved, vtkPointSplatSheet::CountNear(moved, spacing), spacing);
-    curvature.Estimate(moved, this->Projected.data(), sheet);
+    curvature.Estimate(
+      moved, this->Projected.data(), this->Projected.data() + std::size_t(3) * s, sheet);
     std::copy_n(curvature.Tensor, 6, this->Curvatures.data() + std::size_t(6) * s);
   });
 }

@@ -24,6 +24,12 @@ constexpr float FarTurn = 0.3f;
 /// the sheet has too few others: on a body of a few points all part so.
 constexpr float EdgeCosine = 0.2f;
 constexpr int FewMembers = 3;
+/// Normals tell of a crease if they part by more than this cosine (13 degrees; at an edge of 30
+/// degrees, averaged ones part by 15 from those of its faces) and the surfaces through the two
+/// points pass each other by more than this part of their distance (at that edge it is 0.13 to
+/// 0.25).
+constexpr float UnevenCosine = 0.974f;
+constexpr float UnevenOffset = 0.11f;
 /// What is farther counts only where this part of it is of the sheet: some always is, by chance.
 constexpr float LeastFarShare = 0.34f;
 }
@@ -79,6 +85,7 @@ void vtkPointSplatSheet::Select(
 {
   this->Count = this->Near = 0;
   this->Spacing = spacing;
+  this->Uneven = false;
   const float near2 = NearOffset * NearOffset * spacing * spacing;
   int edge[vtkPointSplatNeighbors::MaximumNumberOfNeighbors];
   int edges = 0;
@@ -87,6 +94,9 @@ void vtkPointSplatSheet::Select(
     const float squared = around.SquaredDistance[i];
     const Arc& arc = this->Arcs[i];
     const bool isNear = i < countNear;
+    this->Uneven = this->Uneven ||
+      (isNear && std::abs(arc.Cosine) < UnevenCosine &&
+        arc.Offset * arc.Offset > UnevenOffset * UnevenOffset * squared);
     const float turn2 = (isNear ? NearTurn * NearTurn : FarTurn * FarTurn) * squared;
     const float offset2 = isNear ? near2 : FarOffset * FarOffset * squared;
     const float height2 = arc.Height * arc.Height;

@@ -65,6 +65,9 @@ public:
   /// Whether all neighbours are of the sheet.
   bool Whole = false;
   float Spacing = 0; // as given
+  /// Whether a near neighbour's normal has turned more than an arc between the two explains: the
+  /// one thing that all creases have, and hardly any surface that is smooth.
+  bool Uneven = false;
 
 private:
   Arc Arcs[vtkPointSplatNeighbors::MaximumNumberOfNeighbors];

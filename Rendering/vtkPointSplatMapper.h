@@ -46,6 +46,9 @@
  *   Each splat goes on for a sixteenth of a pixel beyond its lines, where it hardly weighs, so that
  *   there are no gaps at edges. With Method ImageSpace points have no extent, and the array has no
  *   effect.
+ * - `SplatFold`, 6 components, two unit vectors or 0, beside `SplatRadius`, `SplatPlaneNormal` and
+ *   `SplatClip`: the splat goes on behind its lines in the planes with these normals, as one more splat
+ *   each with the point's normal, colour and id (GetNumberOfSplats() counts them).
  * - `SplatGroup`, 1 component, for deferred blending; for sorted transparency where each group
  *   covers the surface (vtkPointSplatGrouping with a Coverage and a Reach of 1). Missing ones are
  *   made.

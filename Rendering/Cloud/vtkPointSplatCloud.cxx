@@ -66,6 +66,7 @@ vtkPointSplatCloud::Key vtkPointSplatCloud::SplatKey(const std::vector<Block>& b
            arrays->GetArray(vtkPointSplatArrays::Axis1),
            arrays->GetArray(vtkPointSplatArrays::Axis2),
            arrays->GetArray(vtkPointSplatArrays::Clip),
+           arrays->GetArray(vtkPointSplatArrays::Fold),
            arrays->GetArray(vtkDataSetAttributes::GhostArrayName()) })
     {
       key.emplace_back(array, array ? array->GetMTime() : 0);
@@ -150,6 +151,7 @@ vtkIdType vtkPointSplatCloud::BuildBlock(
     vtkErrorWithObjectMacro(input.Owner,
       << "A block of " << n
       << " points has no usable normals: give it point normals of 3 components, one a point.");
+    this->Skipped += static_cast<vtkIdType>(n);
     return 0;
   }
   std::vector<uint32_t> packed(words * n);
@@ -166,6 +168,13 @@ vtkIdType vtkPointSplatCloud::BuildBlock(
       }
       ++kept;
     }
+  }
+  this->Skipped += static_cast<vtkIdType>(n - kept);
+  if (this->Circular && packing.Fold)
+  {
+    kept = packing.PackFolds(packed, kept);
+    this->Splats.resize(
+      std::max(this->Splats.size(), words * (static_cast<size_t>(block.First) + kept)));
   }
   const std::vector<uint32_t> order =
     vtkPointSplatMorton(this->Low, this->High).Order(packed.data(), words, kept, this->Origin);
@@ -238,12 +247,11 @@ bool vtkPointSplatCloud::BuildSplats(
     blocks[b].Count = this->BuildBlock(input, blocks[b], packings[b]);
     this->BuildClipLines(blocks[b], packings[b]);
     this->Count += blocks[b].Count;
-    this->Skipped += blocks[b].Data->GetNumberOfPoints() - blocks[b].Count;
   }
   this->Splats.resize(this->GetWordsPerSplat() * static_cast<size_t>(this->Count));
   if (!this->ClipLines.empty())
   {
-    this->ClipLines.resize(4 * static_cast<size_t>(this->Count));
+    this->ClipLines.resize(4 * static_cast<size_t>(this->Count), 0u);
   }
   this->Measure();
   if (this->Skipped > 0)
@@ -269,7 +277,7 @@ void vtkPointSplatCloud::BuildClipLines(const Block& block, const vtkPointSplatP
     return;
   }
   // Blocks without lines stay whole beside those with.
-  this->ClipLines.resize(4 * static_cast<size_t>(this->Points), 0u);
+  this->ClipLines.resize(4 * static_cast<size_t>(block.First + block.Count), 0u);
   const size_t first = static_cast<size_t>(block.First);
   packing.PackClipLines(this->Splats.data() + this->GetWordsPerSplat() * first, block.Count,
     this->Circular, this->ClipLines.data() + 4 * first);

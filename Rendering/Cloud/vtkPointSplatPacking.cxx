@@ -16,6 +16,7 @@
 #include "vtkPointSplatArrays.h"
 #include "vtkPointSplatCells.h"
 #include "vtkPointSplatEstimation.h"
+#include "vtkPointSplatFolds.h"
 #include "vtkPointSplatProjection.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -171,6 +172,20 @@ void CodeLine(const double c[3], const double s[3], const double t[3], uint32_t 
   }
   line[0] = Bits(u);
   line[1] = Bits(v);
+}
+
+/// Which part of a folded splat lies in the plane of that code; -1: none, it is the splat's first
+/// one.
+int FindPart(const vtkPointSplatFolds& folds, uint32_t code)
+{
+  for (int part = 0; part < 2; ++part)
+  {
+    if (folds.Has[part] && CodeNormal(folds.Normals[part]) == code)
+    {
+      return part;
+    }
+  }
+  return -1;
 }
 
 bool Holdable(const double v[3], double most = LargestLength)
@@ -390,6 +405,7 @@ vtkPointSplatPacking vtkPointSplatPacking::Collect(
   a.Axis1 = Wanted(owner, data, given->GetArray(vtkPointSplatArrays::Axis1), 3);
   a.Axis2 = Wanted(owner, data, given->GetArray(vtkPointSplatArrays::Axis2), 3);
   a.Clip = Wanted(owner, data, given->GetArray(vtkPointSplatArrays::Clip), 6);
+  a.Fold = Wanted(owner, data, given->GetArray(vtkPointSplatArrays::Fold), 6);
   if (!a.Axis1 || !a.Axis2)
   {
     a.Axis1 = a.Axis2 = nullptr;
@@ -481,6 +497,7 @@ void vtkPointSplatPacking::Estimate(vtkObject* owner, vtkPolyData* bare, bool pr
     if (!this->Clip)
     {
       this->Clip = estimated->GetArray(vtkPointSplatArrays::Clip);
+      this->Fold = estimated->GetArray(vtkPointSplatArrays::Fold);
     }
   }
 }
@@ -497,6 +514,28 @@ void vtkPointSplatPacking::Pack(const std::array<double, 3>& origin, bool circul
   {
     worker(this->Points.Get(), this->Normals.Get(), *this, origin, circular, splats, valid);
   }
+}
+
+//------------------------------------------------------------------------------
+size_t vtkPointSplatPacking::PackFolds(std::vector<uint32_t>& splats, size_t kept) const
+{
+  splats.resize(8 * kept);
+  for (size_t i = 0; i < kept; ++i)
+  {
+    const vtkPointSplatFolds folds(*this, splats[8 * i + 7]);
+    for (int part = 0; part < 2; ++part)
+    {
+      if (folds.Has[part])
+      {
+        uint32_t copy[8];
+        std::copy_n(splats.data() + 8 * i, 8, copy);
+        copy[4] = CodeNormal(folds.Normals[part]);
+        copy[6] = 0; // the form is that of the first part
+        splats.insert(splats.end(), copy, copy + 8);
+      }
+    }
+  }
+  return splats.size() / 8;
 }
 
 //------------------------------------------------------------------------------
@@ -545,7 +584,16 @@ void vtkPointSplatPacking::PackClipLines(
         std::copy_n(axes + 4, 3, t);
       }
       double c[6];
-      this->Clip->GetTuple(splat[7], c);
+      const vtkPointSplatFolds folds(*this, splat[7]);
+      const int part = circular ? FindPart(folds, splat[4]) : -1;
+      if (part >= 0)
+      {
+        folds.GetLines(part, c);
+      }
+      else
+      {
+        this->Clip->GetTuple(splat[7], c);
+      }
       CodeLine(c, s, t, lines + 4 * i);
       CodeLine(c + 3, s, t, lines + 4 * i + 2);
     }

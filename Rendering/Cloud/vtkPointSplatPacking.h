@@ -31,6 +31,7 @@ public:
   vtkSmartPointer<vtkDataArray> Axis1;
   vtkSmartPointer<vtkDataArray> Axis2;
   vtkSmartPointer<vtkDataArray> Clip; // or none
+  vtkSmartPointer<vtkDataArray> Fold; // or none; of circles with clip lines only
   vtkUnsignedCharArray* Ghosts = nullptr;
   bool Projected = false; // points and normals are not the block's own, but on one surface
   bool Aborted = false;   // the estimation was, by the owner's AbortExecute
@@ -55,6 +56,12 @@ public:
    */
   void Pack(const std::array<double, 3>& origin, bool circular, uint32_t* splats,
     unsigned char* valid) const;
+
+  /**
+   * Appends to kept packed circles the other parts of those that are folded at their lines
+   * (vtkPointSplatArrays.h): the same splats in the other planes. Returns how many there are now.
+   */
+  size_t PackFolds(std::vector<uint32_t>& splats, size_t kept) const;
 
   /// Whether any point has a clip line.
   bool HasClipLines() const;

@@ -1,0 +1,398 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatCrease.h"
+
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+/// The sine of the angle (20 degrees) that two faces must be apart at a crease: two thirds of the
+/// least that is promised, 30, for what forms are wrong by.
+constexpr float LeastAngle = 0.342f;
+/// And by how much more where normals deviate from their face: four times the deviation, which
+/// leaves lines to two or three in a thousand points of range scans' meshes.
+constexpr float AnglePerDeviation = 4.0f;
+/// How far, in spacings, lines and the neighbours that vote for them are looked for.
+constexpr float LargestReach = 4.0f;
+/// A face may turn by this much, in radians, on the way to the line: farther on a form of second
+/// order is no guess any more.
+constexpr float LargestBend = 0.7f;
+/// Votes for the same line: their directions' cosine (15 degrees) and, in spacings, distances.
+constexpr float SameDirection = 0.966f;
+constexpr float SameDistance = 0.25f;
+/// Votes against a line have directions of at least this cosine (45 degrees).
+constexpr float AgainstDirection = 0.7f;
+/// The fewest votes, and how many times as many as are against.
+constexpr int FewestVotes = 3;
+constexpr int VotesPerAgainst = 3;
+/// Nearer than this, in spacings, a point is on the line itself.
+constexpr float OnLine = 0.15f;
+/// What is farther may be off the line by this part of its distance: an edge of a radius of 20
+/// spacings is that far off its tangent at the farthest neighbours.
+constexpr float EdgeBend = 0.1f;
+/// The distance, in spacings, of a line that the point is on.
+constexpr float LeastDistance = 0.02f;
+/// Of these the nearest are kept.
+constexpr int MaximumNumberOfFound = 4;
+/// How far, in spacings, a line may begin past the foot of a point where the face goes on behind
+/// it.
+constexpr float FootReach = 0.3f;
+/// Keeps weights of neighbours on the line finite, in spacings.
+constexpr float Softening = 0.3f;
+
+float Dot(const float a[3], const float b[3])
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+bool IsSame(
+  const vtkPointSplatCrease::Line& a, const vtkPointSplatCrease::Line& b, float spacing)
+{
+  return Dot(a.Direction, b.Direction) >= SameDirection &&
+    std::abs(a.Distance - b.Distance) <= SameDistance * spacing;
+}
+}
+
+void vtkPointSplatFaces::GetTensor(Slot s, float tensor[6]) const
+{
+  const Slot number = this->Numbers[s];
+  if (number != vtkPointSplatNeighbors::None)
+  {
+    std::copy_n(this->Fitted.data() + std::size_t(6) * number, 6, tensor);
+  }
+  else if (this->Tensors)
+  {
+    std::copy_n(this->Tensors + std::size_t(6) * s, 6, tensor);
+  }
+  else
+  {
+    std::fill_n(tensor, 6, 0.0f);
+  }
+}
+
+bool vtkPointSplatCrease::IsOn(const Line& line, const float x[3], float spacing)
+{
+  const float off = Dot(line.Direction, x) - line.Distance;
+  return std::abs(off) <= OnLine * spacing + EdgeBend * std::sqrt(Dot(x, x));
+}
+
+/// What a neighbour at q says; false if nothing.
+bool vtkPointSplatCrease::GetVote(const float q[3], const float m[3], const float C[6],
+  const float n[3], const vtkPointSplatFace& face, Vote& vote) const
+{
+  const float spacing = face.Members.Spacing;
+  const float cosine = Dot(n, m);
+  const float sine = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
+  if (sine < 0.5f * LeastAngle)
+  {
+    return false;
+  }
+  float g[3];
+  for (int c = 0; c < 3; ++c)
+  {
+    g[c] = (m[c] - cosine * n[c]) / sine;
+  }
+  float d = Dot(m, q) / sine;
+  float x[3], own[3], other[3], normal[3], otherNormal[3];
+  for (int step = 0; step < 3; ++step)
+  {
+    if (!(std::abs(d) < LargestReach * spacing))
+    {
+      return false;
+    }
+    for (int c = 0; c < 3; ++c)
+    {
+      x[c] = d * g[c];
+    }
+    vtkPointSplatFace::Multiply(face.Tensor, x, own);
+    const float height = -0.5f * Dot(x, own);
+    float e[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      x[c] += height * n[c];
+      e[c] = x[c] - q[c];
+      vote.Along[c] = -e[c];
+    }
+    vtkPointSplatFace::Multiply(C, e, other);
+    const float off = Dot(m, e) + 0.5f * Dot(e, other);
+    for (int c = 0; c < 3; ++c)
+    {
+      normal[c] = n[c] + own[c];
+      otherNormal[c] = m[c] + other[c];
+    }
+    if (step < 2)
+    {
+      const float slope = Dot(otherNormal, g) - Dot(otherNormal, n) * Dot(own, g);
+      d -= off / slope;
+    }
+  }
+  float cross[3];
+  vtkMath::Cross(normal, otherNormal, cross);
+  const float least = LeastAngle + AnglePerDeviation * face.Deviation;
+  const float left2 = Dot(cross, cross);
+  vote.Open = vote.For = Dot(own, own) < LargestBend * LargestBend &&
+    Dot(other, other) < LargestBend * LargestBend &&
+    left2 >= least * least * Dot(normal, normal) * Dot(otherNormal, otherNormal);
+
+  // The line across the plane of n.
+  const float part = Dot(otherNormal, n);
+  float length2 = 0;
+  for (int c = 0; c < 3; ++c)
+  {
+    vote.At.Direction[c] = otherNormal[c] - part * n[c];
+    length2 += vote.At.Direction[c] * vote.At.Direction[c];
+  }
+  if (!(length2 > 0))
+  {
+    return false;
+  }
+  const float length = std::sqrt(length2);
+  for (float& component : vote.At.Direction)
+  {
+    component /= length;
+  }
+  vote.At.Distance = Dot(vote.At.Direction, x);
+  // Away from the centre, or if that is on the line, from its face's points.
+  const bool on = std::abs(vote.At.Distance) < OnLine * spacing;
+  if (on ? Dot(vote.At.Direction, this->Side) > vote.At.Distance : vote.At.Distance < 0)
+  {
+    for (float& component : vote.At.Direction)
+    {
+      component = -component;
+    }
+    vote.At.Distance = -vote.At.Distance;
+  }
+  const float soft = Softening * spacing;
+  vote.Weight = 1 / (Dot(vote.Along, vote.Along) + soft * soft);
+  for (int c = 0; c < 3; ++c)
+  {
+    vote.Along[c] = q[c];
+  }
+  return true;
+}
+
+/// Takes the line that others say like this one, if there is.
+bool vtkPointSplatCrease::Accept(const Vote& best,
+  const vtkPointSplatNeighbors::Neighborhood& around, const vtkPointSplatFace& face,
+  const float n[3], Line& line) const
+{
+  const float spacing = this->Spacing;
+  line = { { 0, 0, 0 }, 0 };
+  float weights = 0;
+  int votes = 0, against = 0;
+  for (int v = 0; v < this->NumberOfVotes; ++v)
+  {
+    const Vote& vote = this->Votes[v];
+    const float cosine = Dot(vote.At.Direction, best.At.Direction);
+    if (!vote.For)
+    {
+      against += cosine > AgainstDirection ? 1 : 0;
+      continue;
+    }
+    if (!vote.Open || !IsSame(vote.At, best.At, spacing))
+    {
+      continue;
+    }
+    ++votes;
+    weights += vote.Weight;
+    for (int c = 0; c < 3; ++c)
+    {
+      line.Direction[c] += vote.Weight * vote.At.Direction[c];
+    }
+    line.Distance += vote.Weight * vote.At.Distance;
+  }
+  const float length = std::sqrt(Dot(line.Direction, line.Direction));
+  for (float& component : line.Direction)
+  {
+    component /= length;
+  }
+  line.Distance = std::max(line.Distance / weights, LeastDistance * spacing);
+
+  for (int k = 0; k < this->NumberOfUnsound; ++k)
+  {
+    const int i = this->Unsound[k];
+    const float q[3] = { around.X[i], around.Y[i], around.Z[i] };
+    against += !IsOn(line, q, spacing);
+  }
+  if (votes < FewestVotes || votes < VotesPerAgainst * against)
+  {
+    return false;
+  }
+
+  // Where the face goes on behind the line, the line must run past the point.
+  bool behind = false;
+  for (int k = 0; k < face.Members.Count && !behind; ++k)
+  {
+    const int i = face.Members.Members[k];
+    const float x[3] = { around.X[i], around.Y[i], around.Z[i] };
+    behind = Dot(line.Direction, x) > line.Distance + OnLine * spacing;
+  }
+  if (behind)
+  {
+    float along[3];
+    vtkMath::Cross(n, line.Direction, along);
+    float first = std::numeric_limits<float>::max(), last = -first;
+    for (int v = 0; v < this->NumberOfVotes; ++v)
+    {
+      const Vote& vote = this->Votes[v];
+      if (vote.For && Dot(vote.At.Direction, line.Direction) >= SameDirection)
+      {
+        const float t = Dot(along, vote.Along);
+        first = std::min(first, t);
+        last = std::max(last, t);
+      }
+    }
+    if (first > FootReach * spacing || last < -FootReach * spacing)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void vtkPointSplatCrease::Find(const vtkPointSplatNeighbors::Neighborhood& around,
+  const vtkPointSplatFace& face, const float n[3], const vtkPointSplatFaces& faces)
+{
+  const float spacing = this->Spacing = face.Members.Spacing;
+  this->Count = this->NumberOfVotes = this->NumberOfUnsound = 0;
+  const float reach = LargestReach * spacing;
+  std::fill_n(this->Side, 3, 0.0f);
+  for (int k = 0; k < face.Members.Count; ++k)
+  {
+    const int i = face.Members.Members[k];
+    this->Side[0] += around.X[i] / face.Members.Count;
+    this->Side[1] += around.Y[i] / face.Members.Count;
+    this->Side[2] += around.Z[i] / face.Members.Count;
+  }
+  int member = 0;
+  for (int i = 0; i < around.Count && around.SquaredDistance[i] <= reach * reach; ++i)
+  {
+    if (member < face.Members.Count && face.Members.Members[member] == i)
+    {
+      ++member;
+      continue;
+    }
+    const vtkPointSplatFaces::Slot j = around.Slots[i];
+    if (!faces.IsSound(j))
+    {
+      this->Unsound[this->NumberOfUnsound++] = i;
+      continue;
+    }
+    const float q[3] = { around.X[i], around.Y[i], around.Z[i] };
+    float C[6];
+    faces.GetTensor(j, C);
+    this->NumberOfVotes += this->GetVote(
+      q, faces.Normals + std::size_t(3) * j, C, n, face, this->Votes[this->NumberOfVotes]);
+  }
+  Line found[MaximumNumberOfFound];
+  int count = 0;
+  while (count < MaximumNumberOfFound)
+  {
+    const int best = this->GetBest();
+    if (best < 0)
+    {
+      break;
+    }
+    const Vote vote = this->Votes[best];
+    count += this->Accept(vote, around, face, n, found[count]);
+    for (int v = 0; v < this->NumberOfVotes; ++v)
+    {
+      this->Votes[v].Open = this->Votes[v].Open && !IsSame(this->Votes[v].At, vote.At, spacing);
+    }
+  }
+  std::stable_sort(found, found + count,
+    [](const Line& a, const Line& b) { return a.Distance < b.Distance; });
+  this->Count = std::min(count, MaximumNumberOfLines);
+  std::copy_n(found, this->Count, this->Lines);
+}
+
+/// The vote for the line that most say, of those that are still open; -1 if too few say any.
+int vtkPointSplatCrease::GetBest() const
+{
+  int best = -1, most = FewestVotes - 1;
+  for (int v = 0; v < this->NumberOfVotes; ++v)
+  {
+    if (!this->Votes[v].Open)
+    {
+      continue;
+    }
+    int same = 0;
+    for (int w = 0; w < this->NumberOfVotes; ++w)
+    {
+      same += this->Votes[w].Open && IsSame(this->Votes[v].At, this->Votes[w].At, this->Spacing);
+    }
+    if (same > most)
+    {
+      most = same;
+      best = v;
+    }
+  }
+  return best;
+}
+
+bool vtkPointSplatCrease::FindMeeting(const vtkPointSplatNeighbors::Neighborhood& around,
+  const float n[3], float spacing, const vtkPointSplatFaces& faces)
+{
+  const float reach = LargestReach * spacing;
+  int members[MaximumNumberOfMeeting];
+  this->NumberOfMeeting = 0;
+  for (int i = 0; i < around.Count && around.SquaredDistance[i] <= reach * reach; ++i)
+  {
+    const vtkPointSplatFaces::Slot j = around.Slots[i];
+    if (!faces.IsSound(j))
+    {
+      continue;
+    }
+    const float* m = faces.Normals + std::size_t(3) * j;
+    const float q[3] = { around.X[i], around.Y[i], around.Z[i] };
+    float C[6], turned[3], normal[3];
+    faces.GetTensor(j, C);
+    vtkPointSplatFace::Multiply(C, q, turned);
+    if (std::abs(0.5f * Dot(q, turned) - Dot(m, q)) > OnLine * spacing)
+    {
+      continue;
+    }
+    for (int c = 0; c < 3; ++c)
+    {
+      normal[c] = m[c] - turned[c];
+    }
+    const float length = std::sqrt(Dot(normal, normal)) * (Dot(normal, n) < 0 ? -1 : 1);
+    int f = 0;
+    for (float& component : normal)
+    {
+      component /= length;
+    }
+    while (f < this->NumberOfMeeting && Dot(normal, this->Meeting[f]) < SameDirection)
+    {
+      ++f;
+    }
+    if (f == MaximumNumberOfMeeting)
+    {
+      continue;
+    }
+    if (f == this->NumberOfMeeting)
+    {
+      // The nearest neighbour on a face says its normal.
+      std::copy(normal, normal + 3, this->Meeting[f]);
+      members[this->NumberOfMeeting++] = 0;
+    }
+    ++members[f];
+  }
+  int count = 0;
+  for (int f = 0; f < this->NumberOfMeeting; ++f)
+  {
+    if (members[f] >= FewestVotes)
+    {
+      std::copy_n(this->Meeting[f], 3, this->Meeting[count++]);
+    }
+  }
+  this->NumberOfMeeting = count;
+  return count > 1;
+}
+
+VTK_ABI_NAMESPACE_END

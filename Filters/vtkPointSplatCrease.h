@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPointSplatCrease
+ * @brief   the lines at which a point's face ends, where others meet it
+ *
+ * An internal helper of vtkPointSplatEstimation; see the stages there.
+ *
+ * A surface that is smooth turns from point to point; at a crease it turns at once. So each
+ * neighbour that is not on the point's own face (vtkPointSplatFace) is asked where its face meets
+ * the point's, and how much is left there of the angle between them:
+ * 1. With a neighbour at q, its normal m and its second fundamental form C, its face is where
+ *    m . (x - q) + (x - q) . C (x - q) / 2 = 0, and the point's own is the same with its normal n
+ *    and form, at its position. Newton steps from where both tangent planes meet, along m's
+ *    direction in the point's tangent plane, find the foot of the common line.
+ * 2. There the normals are m + C (x - q) and the like. If 20 degrees are left between the two, the
+ *    neighbour votes for that line, else against lines in this direction: a fillet bends all
+ *    the way, and its points turn towards the face as they come near it.
+ * 3. Votes for about the same line are averaged, each weighted by how near the neighbour is to the
+ *    line. A line needs three votes, three times as many as are against it, and a neighbour on
+ *    either side of its foot, unless the point's face ends at it everywhere: a face with a reflex
+ *    corner goes on past the ends of its edges. The two nearest lines are kept.
+ *
+ * A point with an average of faces' normals has no face of its own that is spread. It lies on those
+ * of its neighbours' faces whose surfaces pass by it; these are told apart by their normals there.
+ *
+ * Whether the edge is convex or concave makes no difference, nor which side normals point to.
+ */
+#ifndef vtkPointSplatCrease_h
+#define vtkPointSplatCrease_h
+
+#include "vtkPointSplatFace.h"
+
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+/// What is known of the faces of all points.
+struct vtkPointSplatFaces
+{
+  using Slot = vtkPointSplatNeighbors::Slot;
+
+  const float* Normals = nullptr; // 3 a slot, unit length
+  const float* Tensors = nullptr; // 6 a slot, or null: none is known
+  /// Of the slots that were looked at closely: their numbers, in order of slots.
+  std::vector<Slot> Numbers; // a slot; None for others
+  std::vector<float> Fitted; // 6 a number
+  std::vector<unsigned char> Sound; // a number
+
+  bool IsSound(Slot s) const
+  {
+    return this->Numbers[s] == vtkPointSplatNeighbors::None || this->Sound[this->Numbers[s]];
+  }
+  void GetTensor(Slot s, float tensor[6]) const;
+};
+
+class vtkPointSplatCrease
+{
+public:
+  static constexpr int MaximumNumberOfLines = 2;
+
+  /// What of the plane through the centre is kept has Direction . x <= Distance.
+  struct Line
+  {
+    float Direction[3]; // unit length, across the face's normal
+    float Distance;     // at least 0
+  };
+  /// Whether x lies on a line, or by its distance on the edge that bends away from it.
+  static bool IsOn(const Line& line, const float x[3], float spacing);
+
+  Line Lines[MaximumNumberOfLines]; // the nearer one first
+  int Count = 0;
+
+  /// Finds the lines of the centre, with the face that was fitted to it across the normal n.
+  void Find(const vtkPointSplatNeighbors::Neighborhood& around, const vtkPointSplatFace& face,
+    const float n[3], const vtkPointSplatFaces& faces);
+
+  ///@{
+  /**
+   * Finds the faces that meet at the centre itself, if there are two or three, and if n is between
+   * their normals: then it is an average of them.
+   */
+  bool FindMeeting(const vtkPointSplatNeighbors::Neighborhood& around, const float n[3],
+    float spacing, const vtkPointSplatFaces& faces);
+  static constexpr int MaximumNumberOfMeeting = 4;
+  float Meeting[MaximumNumberOfMeeting][3]; // their normals, on the side of n
+  int NumberOfMeeting = 0;
+  ///@}
+
+private:
+  struct Vote
+  {
+    Line At;
+    float Weight;
+    float Along[3]; // to the neighbour
+    bool For;
+    bool Open; // of no line yet
+  };
+  bool GetVote(const float q[3], const float m[3], const float C[6], const float n[3],
+    const vtkPointSplatFace& face, Vote& vote) const;
+  int GetBest() const;
+  bool Accept(const Vote& best, const vtkPointSplatNeighbors::Neighborhood& around,
+    const vtkPointSplatFace& face, const float n[3], Line& line) const;
+
+  float Spacing = 0;
+  float Side[3]; // the mean offset of the face's members
+  Vote Votes[vtkPointSplatNeighbors::MaximumNumberOfNeighbors];
+  int NumberOfVotes = 0;
+  int Unsound[vtkPointSplatNeighbors::MaximumNumberOfNeighbors];
+  int NumberOfUnsound = 0;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

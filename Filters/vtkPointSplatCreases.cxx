@@ -1,0 +1,403 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatCreases.h"
+
+#include "vtkFloatArray.h"
+#include "vtkSMPThreadLocal.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <cstdint>
+#include <tuple>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+using Slot = vtkPointSplatNeighbors::Slot;
+using Neighborhood = vtkPointSplatNeighbors::Neighborhood;
+
+/// Twice as far as the neighbours that disks are made of reach, and some.
+constexpr int NumberOfNeighbors = 32;
+/// How many points with lines must have a point with lines among these neighbours of theirs: of the
+/// dozen or more of them that a strip along a crease has.
+constexpr int LeastCompany = 10;
+/// How far splats reach, of their disks' radius: the kernels' rim, and what joins a layer
+/// (vtkPointSplatMapper.h: SplatClip).
+constexpr float KernelReach = 2.5f;
+/// How far, in spacings, a point on an edge may be off a face that meets there.
+constexpr float OnLine = 0.15f;
+/// The cosine (20 degrees) between a line and the direction of the face behind it.
+constexpr float AcrossCosine = 0.94f;
+
+float Dot(const float a[3], const float b[3])
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// The members of a point's face and what they look like in mirrors at its lines.
+struct Mirrored
+{
+  static constexpr int Capacity = vtkPointSplatNeighbors::MaximumNumberOfNeighbors;
+
+  struct Point
+  {
+    float X[3], Normal[3];
+    float Squared;
+  };
+  Point Points[Capacity];
+  int Count = 0;
+
+  Slot Slots[Capacity];
+  float X[Capacity], Y[Capacity], Z[Capacity], Squared[Capacity];
+  float Normals[3 * (Capacity + 1)];
+
+  void Add(const float x[3], const float n[3])
+  {
+    const float squared = Dot(x, x);
+    if (this->Count < Capacity && squared > 0)
+    {
+      this->Points[this->Count++] = { { x[0], x[1], x[2] }, { n[0], n[1], n[2] }, squared };
+    }
+  }
+
+  void AddImage(const float x[3], const float n[3], const vtkPointSplatCrease& crease, int line)
+  {
+    const vtkPointSplatCrease::Line& at = crease.Lines[line];
+    const float far = Dot(at.Direction, x) - at.Distance, part = Dot(at.Direction, n);
+    float y[3], m[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      y[c] = x[c] - 2 * far * at.Direction[c];
+      m[c] = n[c] - 2 * part * at.Direction[c];
+    }
+    // What is behind a line, where a face goes on past a corner, has its image before it.
+    for (int k = 0; k < crease.Count; ++k)
+    {
+      if (Dot(crease.Lines[k].Direction, y) > crease.Lines[k].Distance)
+      {
+        this->Add(y, m);
+        return;
+      }
+    }
+  }
+
+  /// Adds the points on the lines whose normals are averages: they have a part on this face.
+  void AddMeeting(const Neighborhood& around, const vtkPointSplatFaces& faces, const float n[3],
+    const vtkPointSplatCrease& crease, float spacing)
+  {
+    for (int i = 0; i < around.Count; ++i)
+    {
+      const float x[3] = { around.X[i], around.Y[i], around.Z[i] };
+      if (faces.IsSound(around.Slots[i]) || std::abs(Dot(n, x)) > OnLine * spacing)
+      {
+        continue;
+      }
+      for (int l = 0; l < crease.Count; ++l)
+      {
+        if (vtkPointSplatCrease::IsOn(crease.Lines[l], x, spacing))
+        {
+          this->Add(x, n);
+          break;
+        }
+      }
+    }
+  }
+
+  Neighborhood Fill(const Neighborhood& around, const float* normals, const float n[3],
+    const vtkPointSplatFace& face, const vtkPointSplatCrease& crease)
+  {
+    const float zero[3] = { 0, 0, 0 };
+    for (int l = 0; l < crease.Count; ++l)
+    {
+      this->AddImage(zero, n, crease, l);
+    }
+    for (int k = 0; k < face.Members.Count; ++k)
+    {
+      const int i = face.Members.Members[k];
+      const float x[3] = { around.X[i], around.Y[i], around.Z[i] };
+      const float* m = normals + std::size_t(3) * around.Slots[i];
+      this->Add(x, m);
+      for (int l = 0; l < crease.Count; ++l)
+      {
+        this->AddImage(x, m, crease, l);
+      }
+    }
+    std::stable_sort(this->Points, this->Points + this->Count,
+      [](const Point& a, const Point& b) { return a.Squared < b.Squared; });
+    std::copy(n, n + 3, this->Normals);
+    for (int i = 0; i < this->Count; ++i)
+    {
+      const Point& point = this->Points[i];
+      this->Slots[i] = i + 1;
+      this->X[i] = point.X[0];
+      this->Y[i] = point.X[1];
+      this->Z[i] = point.X[2];
+      this->Squared[i] = point.Squared;
+      std::copy(point.Normal, point.Normal + 3, this->Normals + 3 * (i + 1));
+    }
+    return { 0, this->Count, this->Slots, this->X, this->Y, this->Z, this->Squared };
+  }
+};
+}
+
+vtkPointSplatCreases::vtkPointSplatCreases(const vtkPointSplatNeighbors& neighbors,
+  const float* normals, const float* tensors, float usual, bool elliptical)
+  : Neighbors(neighbors)
+  , Usual(usual)
+  , Elliptical(elliptical)
+{
+  this->Faces.Normals = normals;
+  this->Faces.Tensors = tensors;
+}
+
+/// Fits the faces of slots that are wanted and have none yet.
+bool vtkPointSplatCreases::FitFaces(
+  vtkAlgorithm* self, double from, double to, const std::vector<unsigned char>& wanted)
+{
+  Slot number = static_cast<Slot>(this->Faces.Sound.size());
+  const Slot first = number;
+  for (Slot s = 0; s < wanted.size(); ++s)
+  {
+    if (wanted[s] && this->Faces.Numbers[s] == vtkPointSplatNeighbors::None)
+    {
+      this->Faces.Numbers[s] = number++;
+    }
+  }
+  this->Faces.Fitted.resize(std::size_t(6) * number, 0.0f);
+  this->Faces.Sound.resize(number, 0);
+  auto fit = [this](const Neighborhood& around, int) {
+    const Slot own = this->Faces.Numbers[around.Center];
+    vtkPointSplatFace face;
+    face.Fit(around, this->Faces.Normals, this->Faces.Normals + std::size_t(3) * around.Center,
+      vtkPointSplatSheet::GetSpacing(around));
+    std::copy_n(face.Tensor, 6, this->Faces.Fitted.data() + std::size_t(6) * own);
+    this->Faces.Sound[own] = face.Sound;
+    return true;
+  };
+  return this->Neighbors.Visit(self, from, to, NumberOfNeighbors, fit, [&](Slot s) {
+    const Slot own = this->Faces.Numbers[s];
+    return own != vtkPointSplatNeighbors::None && own >= first;
+  });
+}
+
+bool vtkPointSplatCreases::FindSplat(
+  const Neighborhood& around, const float n[3], Splat& splat) const
+{
+  vtkPointSplatFace face;
+  vtkPointSplatCrease crease;
+  const float spacing = vtkPointSplatSheet::GetSpacing(around);
+  face.Fit(around, this->Faces.Normals, n, spacing);
+  float plane[3] = { n[0], n[1], n[2] };
+  if (!face.Sound)
+  {
+    if (!crease.FindMeeting(around, n, spacing, this->Faces))
+    {
+      return false;
+    }
+    int best = 0;
+    for (int f = 1; f < crease.NumberOfMeeting; ++f)
+    {
+      best = Dot(crease.Meeting[f], n) > Dot(crease.Meeting[best], n) ? f : best;
+    }
+    std::copy_n(crease.Meeting[best], 3, plane);
+    face.Fit(around, this->Faces.Normals, plane, spacing);
+    if (!face.Sound)
+    {
+      return false;
+    }
+  }
+  crease.Find(around, face, plane, this->Faces);
+  if (crease.Count == 0)
+  {
+    return false;
+  }
+  Mirrored mirrored;
+  mirrored.AddMeeting(around, this->Faces, plane, crease, spacing);
+  const Neighborhood whole = mirrored.Fill(around, this->Faces.Normals, plane, face, crease);
+  vtkPointSplatDisk disk;
+  disk.Estimate(whole, mirrored.Normals, this->Elliptical, this->Usual,
+    std::numeric_limits<float>::max());
+  std::copy_n(disk.Axis1, 3, splat.Axis1);
+  std::copy_n(disk.Axis2, 3, splat.Axis2);
+  std::copy_n(disk.Normal, 3, splat.Normal);
+  splat.Length1 = disk.Length1;
+  splat.Length2 = disk.Length2;
+  splat.Gap = disk.Gap;
+  splat.Spacing = disk.Spacing;
+  splat.Strongest = face.Strongest;
+  std::copy_n(face.Tensor, 6, splat.Tensor);
+  std::fill_n(splat.Clip, 6, 0.0f);
+  std::fill_n(splat.Fold, 6, 0.0f);
+  int lines = 0;
+  for (int l = 0; l < crease.Count; ++l)
+  {
+    const vtkPointSplatCrease::Line& line = crease.Lines[l];
+    if (line.Distance <= KernelReach * std::max(disk.Length1, disk.Gap))
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        splat.Clip[3 * lines + c] = line.Direction[c] / line.Distance;
+      }
+      for (int f = 0; f < crease.NumberOfMeeting; ++f)
+      {
+        // The face behind a line is the one whose normal is across it.
+        const float part = Dot(crease.Meeting[f], plane);
+        const float across = Dot(crease.Meeting[f], line.Direction);
+        if (across * across > AcrossCosine * AcrossCosine * (1 - part * part))
+        {
+          std::copy_n(crease.Meeting[f], 3, splat.Fold + 3 * lines);
+        }
+      }
+      ++lines;
+    }
+  }
+  return lines > 0;
+}
+
+/// Appends those of a slot and of its twins.
+void vtkPointSplatCreases::FindSplats(
+  const Neighborhood& around, std::vector<Splat>& splats) const
+{
+  Splat splat;
+  splat.At = around.Center;
+  splat.Id = -1;
+  if (this->FindSplat(around, this->Faces.Normals + std::size_t(3) * around.Center, splat))
+  {
+    splats.push_back(splat);
+  }
+  for (auto twin = std::lower_bound(this->Twins.begin(), this->Twins.end(), around.Center,
+         [](const Twin& a, Slot b) { return a.At < b; });
+       twin != this->Twins.end() && twin->At == around.Center; ++twin)
+  {
+    splat.Id = twin->Id;
+    if (this->FindSplat(around, twin->Normal, splat))
+    {
+      splats.push_back(splat);
+    }
+  }
+}
+
+bool vtkPointSplatCreases::Find(vtkAlgorithm* self, double from, double to,
+  const std::vector<unsigned char>& candidates, std::vector<Twin> twins)
+{
+  const Slot slots = this->Neighbors.GetNumberOfSlots();
+  this->Splats.clear();
+  this->Twins = std::move(twins);
+  std::sort(this->Twins.begin(), this->Twins.end(),
+    [](const Twin& a, const Twin& b) { return std::tie(a.At, a.Id) < std::tie(b.At, b.Id); });
+
+  // Of each slot: whether it is looked at now, and next to how many that have lines.
+  std::vector<unsigned char> wanted(candidates);
+  std::vector<std::atomic<std::uint16_t>> beside(slots);
+  for (const Twin& twin : this->Twins)
+  {
+    wanted[twin.At] = 1;
+  }
+  if (std::find(wanted.begin(), wanted.end(), 1) == wanted.end())
+  {
+    return true;
+  }
+  this->Faces.Numbers.assign(slots, vtkPointSplatNeighbors::None);
+  this->Faces.Fitted.clear();
+  this->Faces.Sound.clear();
+
+  vtkSMPThreadLocal<std::vector<Splat>> found;
+  auto find = [&](const Neighborhood& around, int) {
+    std::vector<Splat>& local = found.Local();
+    const std::size_t before = local.size();
+    this->FindSplats(around, local);
+    for (int i = 0; i < around.Count && local.size() > before; ++i)
+    {
+      beside[around.Slots[i]].fetch_add(1, std::memory_order_relaxed);
+    }
+    return true;
+  };
+  auto isWanted = [&](Slot s) { return wanted[s] != 0; };
+  const double half = 0.5 * (to - from);
+  for (const double start : { from, from + half })
+  {
+    // 1. Faces; 2. and 3. lines, and disks
+    if (!this->FitFaces(self, start, start + 0.5 * half, wanted) ||
+      !this->Neighbors.Visit(
+        self, start + 0.5 * half, start + half, NumberOfNeighbors, find, isWanted))
+    {
+      return false;
+    }
+    // What is near to those with lines, and has none.
+    for (Slot s = 0; s < slots; ++s)
+    {
+      wanted[s] = beside[s].load(std::memory_order_relaxed) > 0;
+    }
+    for (const std::vector<Splat>& local : found)
+    {
+      for (const Splat& splat : local)
+      {
+        wanted[splat.At] = 0;
+      }
+    }
+  }
+  for (const std::vector<Splat>& local : found)
+  {
+    this->Splats.insert(this->Splats.end(), local.begin(), local.end());
+  }
+  // A crease is a line of points: what has hardly any beside it is noise.
+  this->Splats.erase(std::remove_if(this->Splats.begin(), this->Splats.end(),
+                       [&](const Splat& splat) { return beside[splat.At] < LeastCompany; }),
+    this->Splats.end());
+  std::sort(this->Splats.begin(), this->Splats.end(),
+    [](const Splat& a, const Splat& b) { return std::tie(a.At, a.Id) < std::tie(b.At, b.Id); });
+  return true;
+}
+
+void vtkPointSplatCreases::Write(
+  const std::vector<Slot>& slotOf, vtkFloatArray* clips, vtkFloatArray* folds) const
+{
+  const vtkIdType count = static_cast<vtkIdType>(slotOf.size());
+  const bool folded = std::any_of(this->Splats.begin(), this->Splats.end(), [](const Splat& s) {
+    return std::any_of(s.Fold, s.Fold + 6, [](float v) { return v != 0; });
+  });
+  std::vector<const Splat*> splatOf(this->Neighbors.GetNumberOfSlots(), nullptr);
+  for (const Splat& splat : this->Splats)
+  {
+    if (splat.Id < 0)
+    {
+      splatOf[splat.At] = &splat;
+    }
+  }
+  for (vtkFloatArray* array : { clips, folds })
+  {
+    if (array == folds && !folded)
+    {
+      continue;
+    }
+    array->SetNumberOfComponents(6);
+    array->SetNumberOfTuples(count);
+    float* values = array->GetPointer(0);
+    std::fill_n(values, 6 * count, 0.0f);
+    auto write = [&](const Splat& splat, vtkIdType id) {
+      std::copy_n(array == clips ? splat.Clip : splat.Fold, 6, values + 6 * id);
+    };
+    vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        const Slot s = slotOf[id];
+        if (s != vtkPointSplatNeighbors::None && splatOf[s])
+        {
+          write(*splatOf[s], id);
+        }
+      }
+    });
+    for (const Splat& splat : this->Splats)
+    {
+      if (splat.Id >= 0)
+      {
+        write(splat, splat.Id);
+      }
+    }
+  }
+}
+
+VTK_ABI_NAMESPACE_END

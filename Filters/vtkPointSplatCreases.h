@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPointSplatCreases
+ * @brief   the splats at the creases of a cloud: their clip lines and their disks
+ *
+ * An internal helper of vtkPointSplatEstimation; see the stages there.
+ *
+ * 1. The faces of candidates, points with a neighbour whose normal an arc does not explain, are
+ *    fitted, to 32 neighbours (vtkPointSplatFace). Points share a position, but not a normal, where
+ *    a mesh was split at its edges: each such point has a face of its own.
+ * 2. Candidates are asked for their lines (vtkPointSplatCrease). Then both stages are repeated for
+ *    the neighbours of those that have some: a disk may reach farther than the nearest neighbours are,
+ *    and next to a crease the faces of more points are known by then.
+ * 3. The disk of a point with lines is estimated anew, from the neighbours on its own face and from
+ *    their mirror images and its own at the lines: then it is as large as it would be if the face
+ *    went on, and what lies between the points and the line is covered as the rest is, since of a
+ *    point and its image the point itself is nearer to what is on its side. Points on the lines
+ *    with averaged normals count among them, since they have a part of their splat on each face.
+ *
+ * Memory is 25 bytes a candidate and 5 a slot, and nothing without candidates; smooth surfaces have
+ * hardly any.
+ */
+#ifndef vtkPointSplatCreases_h
+#define vtkPointSplatCreases_h
+
+#include "vtkPointSplatCrease.h"
+#include "vtkPointSplatDisk.h"
+
+#include <vector>
+
+class vtkAlgorithm;
+class vtkFloatArray;
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkPointSplatCreases
+{
+public:
+  using Slot = vtkPointSplatNeighbors::Slot;
+
+  /// A point that has a position, but not a normal, in common with the point of a slot.
+  struct Twin
+  {
+    vtkIdType Id;
+    Slot At;
+    float Normal[3];
+  };
+
+  /// What stands in for the disk that was estimated without creases.
+  struct Splat
+  {
+    Slot At;
+    vtkIdType Id; // of a twin; -1 for the slot's own points
+    float Axis1[3], Axis2[3], Normal[3];
+    float Length1, Length2, Gap, Spacing; // as in vtkPointSplatDisk
+    float Tensor[6], Strongest;           // as in vtkPointSplatFace
+    float Clip[6], Fold[6];               // as in the arrays
+  };
+
+  /// normals: 3 floats a slot, unit length; tensors: 6, or null; usual: as in vtkPointSplatSheet.
+  vtkPointSplatCreases(const vtkPointSplatNeighbors& neighbors, const float* normals,
+    const float* tensors, float usual, bool elliptical);
+
+  /// candidates: of each slot, whether it is one. Returns false if self was aborted.
+  bool Find(vtkAlgorithm* self, double from, double to,
+    const std::vector<unsigned char>& candidates, std::vector<Twin> twins);
+
+  /**
+   * Fills the arrays of clip lines and of folds, of 6 components; folds stay empty without any.
+   * slotOf: of each point.
+   */
+  void Write(const std::vector<Slot>& slotOf, vtkFloatArray* clips, vtkFloatArray* folds) const;
+
+  /// What was found, in order of slots and ids.
+  std::vector<Splat> Splats;
+
+private:
+  using Neighborhood = vtkPointSplatNeighbors::Neighborhood;
+
+  bool FitFaces(
+    vtkAlgorithm* self, double from, double to, const std::vector<unsigned char>& wanted);
+  void FindSplats(const Neighborhood& around, std::vector<Splat>& splats) const;
+  bool FindSplat(const Neighborhood& around, const float n[3], Splat& splat) const;
+
+  const vtkPointSplatNeighbors& Neighbors;
+  vtkPointSplatFaces Faces;
+  std::vector<Twin> Twins;
+  float Usual;
+  bool Elliptical;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatDisks.h"
+
+#include <algorithm>
+#include <cmath>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+/// The radius of a point that has no neighbour to compare with.
+constexpr float LoneRadius = 0.1f;
+/// How much larger than its neighbours' disks one may be.
+constexpr float LargestRatio = 2.5f;
+/// Where samplings are as regular as meshes' (the 95th percentile of the disks' sizes, in
+/// spacings, is below RegularSpread medians), a disk of more than HoleFactor such percentiles
+/// reaches over a hole; where they are random (IrregularSpread medians), over a gap to be closed.
+constexpr float RegularSpread = 1.25f;
+constexpr float IrregularSpread = 1.45f;
+constexpr float HoleFactor = 1.3f;
+constexpr float GapFactor = 3.0f;
+/// How far the normal may turn from the centre to the rim of a disk: the kernel's rim, a half
+/// farther out, then stays within a tube's silhouette.
+constexpr float LargestBend = 0.6f;
+/// What is left of a disk at least, however much the surface bends: noise may look like it.
+constexpr float LeastShare = 0.75f;
+/// The radius of a body alone, of the distance to what is nearest.
+constexpr float BodyRadius = 0.5f;
+}
+
+vtkPointSplatDisks::vtkPointSplatDisks(Slot slots, bool elliptical)
+  : Length(slots, 0.0f)
+  , Gap(slots, 0.0f)
+  , Opening(slots, 0.0f)
+  , Whole(slots, 0)
+  , Spacing(slots, 0.0f)
+  , Axes(elliptical ? std::size_t(6) * slots : 0)
+  , Planes(std::size_t(3) * slots, 0.0f)
+  , Curvatures(elliptical ? 0 : std::size_t(6) * slots, 0.0f)
+  , Nearest(slots, 0.0f)
+  , Witnesses(std::size_t(NumberOfWitnesses) * slots, vtkPointSplatNeighbors::None)
+{
+}
+
+void vtkPointSplatDisks::Set(const vtkPointSplatNeighbors::Neighborhood& around,
+  const vtkPointSplatDisk& disk, float largest)
+{
+  const Slot s = around.Center;
+  if (!this->Axes.empty())
+  {
+    const float ratio = disk.Length1 > 0 ? disk.Length2 / disk.Length1 : 1.0f;
+    for (int c = 0; c < 3; ++c)
+    {
+      this->Axes[std::size_t(6) * s + c] = disk.Axis1[c];
+      this->Axes[std::size_t(6) * s + 3 + c] = ratio * disk.Axis2[c];
+    }
+  }
+  this->Length[s] = std::min(disk.Length1, largest);
+  this->Gap[s] = std::min(disk.Gap, largest);
+  this->Opening[s] = disk.Opening;
+  this->Whole[s] = disk.Sheet.Whole;
+  this->Spacing[s] = disk.Spacing;
+  this->Nearest[s] = around.Count > 0 ? std::sqrt(around.SquaredDistance[0]) : 0.0f;
+  for (int w = 0; w < NumberOfWitnesses && around.Count >= NumberOfWitnesses; ++w)
+  {
+    this->Witnesses[std::size_t(NumberOfWitnesses) * s + w] =
+      around.Slots[(w + 1) * around.Count / NumberOfWitnesses - 1];
+  }
+}
+
+void vtkPointSplatDisks::Set(const vtkPointSplatCreases::Splat& splat)
+{
+  const std::size_t s = splat.At;
+  float largest = std::numeric_limits<float>::max();
+  if (this->Axes.empty())
+  {
+    largest = GetLargest(splat.Strongest, splat.Length1);
+    std::copy_n(splat.Normal, 3, this->Planes.data() + 3 * s);
+    std::copy_n(splat.Tensor, 6, this->Curvatures.data() + 6 * s);
+  }
+  else
+  {
+    const float ratio = splat.Length1 > 0 ? splat.Length2 / splat.Length1 : 1.0f;
+    for (int c = 0; c < 3; ++c)
+    {
+      this->Axes[6 * s + c] = splat.Axis1[c];
+      this->Axes[6 * s + 3 + c] = ratio * splat.Axis2[c];
+    }
+  }
+  this->Length[s] = std::min(splat.Length1, largest);
+  this->Gap[s] = std::min(splat.Gap, largest);
+  this->Spacing[s] = splat.Spacing;
+}
+
+float vtkPointSplatDisks::GetLargest(float curvature, float radius)
+{
+  return curvature > 0 ? std::max(LargestBend / curvature, LeastShare * radius)
+                       : std::numeric_limits<float>::max();
+}
+
+float vtkPointSplatDisks::FindHoleLimit() const
+{
+  std::vector<float> sizes;
+  sizes.reserve(this->Opening.size());
+  for (std::size_t s = 0; s < this->Opening.size(); ++s)
+  {
+    if (this->Opening[s] > 0)
+    {
+      sizes.push_back(this->Opening[s] / this->Spacing[s]);
+    }
+  }
+  if (sizes.size() < 100)
+  {
+    return std::numeric_limits<float>::max();
+  }
+  const float usual = GetQuantile(sizes, 0.5), large = GetQuantile(sizes, 0.95);
+  const float t = std::clamp(
+    (large / usual - RegularSpread) / (IrregularSpread - RegularSpread), 0.0f, 1.0f);
+  return large * (HoleFactor + t * (GapFactor - HoleFactor));
+}
+
+void vtkPointSplatDisks::Close(Slot slot)
+{
+  if (this->Gap[slot] <= this->HoleLimit * this->Spacing[slot])
+  {
+    this->Length[slot] = std::max(this->Length[slot], this->Gap[slot]);
+  }
+}
+
+void vtkPointSplatDisks::Finish()
+{
+  std::vector<float> lengths;
+  lengths.reserve(this->Length.size());
+  for (std::size_t s = 0; s < this->Length.size(); ++s)
+  {
+    this->Close(static_cast<Slot>(s));
+    if (this->Length[s] > 0)
+    {
+      lengths.push_back(this->Length[s]);
+    }
+  }
+  this->Body = lengths.empty() ? std::numeric_limits<float>::max() : GetQuantile(lengths, 0.5);
+}
+
+float vtkPointSplatDisks::GetBounded(Slot slot) const
+{
+  if (this->IsAlone(slot))
+  {
+    return this->Nearest[slot] > 0 ? std::min(BodyRadius * this->Nearest[slot], this->Body)
+                                   : LoneRadius;
+  }
+  return std::min(this->Length[slot], this->GetBound(slot));
+}
+
+/// LargestRatio times the second smallest of some neighbours' lengths.
+float vtkPointSplatDisks::GetBound(Slot slot) const
+{
+  float smallest = std::numeric_limits<float>::max(), second = smallest;
+  for (int w = 0; w < NumberOfWitnesses; ++w)
+  {
+    const Slot witness = this->Witnesses[std::size_t(NumberOfWitnesses) * slot + w];
+    if (witness != vtkPointSplatNeighbors::None && !this->IsAlone(witness))
+    {
+      const float length = this->Length[witness];
+      second = std::min(second, std::max(smallest, length));
+      smallest = std::min(smallest, length);
+    }
+  }
+  return LargestRatio * second;
+}
+
+void vtkPointSplatDisks::GetBall(Slot slot, const float n[3], float tensor[6]) const
+{
+  static const int rows[6] = { 0, 1, 2, 0, 1, 0 };
+  static const int columns[6] = { 0, 1, 2, 1, 2, 2 };
+  const float curvature = LargestBend / this->GetBounded(slot);
+  for (int k = 0; k < 6; ++k)
+  {
+    tensor[k] = curvature * ((k < 3 ? 1.0f : 0.0f) - n[rows[k]] * n[columns[k]]);
+  }
+}
+
+float vtkPointSplatDisks::GetQuantile(std::vector<float>& values, double q)
+{
+  auto at = values.begin() + static_cast<std::ptrdiff_t>(q * (values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPointSplatDisks
+ * @brief   the disks of all slots as they are found, and their bounds by one another
+ *
+ * An internal helper of vtkPointSplatEstimation; see the stages there.
+ */
+#ifndef vtkPointSplatDisks_h
+#define vtkPointSplatDisks_h
+
+#include "vtkPointSplatCreases.h"
+#include "vtkPointSplatDisk.h"
+
+#include <limits>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkPointSplatDisks
+{
+public:
+  using Slot = vtkPointSplatNeighbors::Slot;
+
+  vtkPointSplatDisks(Slot slots, bool elliptical);
+
+  /// Takes over what was found for a neighbourhood's centre. largest: length that it may have.
+  void Set(const vtkPointSplatNeighbors::Neighborhood& around, const vtkPointSplatDisk& disk,
+    float largest);
+  /// Takes over what was found at creases.
+  void Set(const vtkPointSplatCreases::Splat& splat);
+
+  /// The radius at which a disk bends as much as it may.
+  static float GetLargest(float curvature, float radius);
+
+  bool IsAlone(Slot slot) const { return !(this->Length[slot] > 0); }
+
+  /**
+   * The distance of a cell's vertex, in spacings, past which it lies in a hole of the surface.
+   */
+  float FindHoleLimit() const;
+
+  /// Makes a disk as large as the gap that it is to close.
+  void Close(Slot slot);
+  /// Closes all gaps, and gives points alone their bodies.
+  void Finish();
+
+  /// The length of the longer axis once all are bounded.
+  float GetBounded(Slot slot) const;
+  /// The second fundamental form of a point alone: a ball's. n: its normal, unit length.
+  void GetBall(Slot slot, const float n[3], float tensor[6]) const;
+
+  /// An element of some order; values are shuffled.
+  static float GetQuantile(std::vector<float>& values, double q);
+
+  std::vector<float> Length;  // of the longer axis; 0 for a point alone
+  std::vector<float> Gap;     // what it must at least be to close the gaps around
+  std::vector<float> Opening; // the distance of its cell's farthest vertex, 0 for an open cell
+  std::vector<unsigned char> Whole; // whether all neighbours are of its sheet
+  std::vector<float> Spacing; // of the neighbours that the disk is made of
+  std::vector<float> Axes;    // both, unless circular
+  std::vector<float> Planes;  // their normals
+  std::vector<float> Curvatures; // tensors, if circular
+  float HoleLimit = std::numeric_limits<float>::max();
+
+private:
+  /// The neighbours, by rank, that bound a disk.
+  static constexpr int NumberOfWitnesses = 4;
+
+  float GetBound(Slot slot) const;
+
+  std::vector<float> Nearest; // the distance to any neighbour
+  std::vector<Slot> Witnesses;
+  float Body = 0; // the largest radius of a point alone
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

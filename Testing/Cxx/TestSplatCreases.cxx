@@ -1,0 +1,290 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// That vtkPointSplatEstimation finds creases where there are some and none elsewhere, and clips
+// splats at them. Where the edges are is known in closed form.
+#include "Expect.h"
+#include "ScatteredFaces.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace
+{
+/// How well lines are those of the scene's edges.
+struct Judged
+{
+  int Lines = 0;   // found
+  int Wrong = 0;   // of these, off every edge by more than a tenth of the spacing or 6 degrees
+  int Needed = 0;  // edges that a point's disk reaches over
+  int Missed = 0;  // of these, without a line
+  int Clipped = 0; // points that have lines
+};
+
+/// Holds each line against the edges of its point: all of them meet what the line would.
+Judged Judge(const ScatteredFaces& scene, const Estimated& splats)
+{
+  Judged judged;
+  for (vtkIdType id = 0; id < scene.GetNumberOfPoints(); ++id)
+  {
+    const std::vector<ScatteredFaces::Edge>& edges = scene.EdgesOf[id];
+    std::vector<bool> found(edges.size(), false);
+    const int before = judged.Lines;
+    for (int k = 0; k < 2; ++k)
+    {
+      double c[3];
+      const double length = splats.GetLine(id, k, c);
+      if (length == 0)
+      {
+        continue;
+      }
+      ++judged.Lines;
+      bool right = false;
+      for (std::size_t e = 0; e < edges.size(); ++e)
+      {
+        const bool same = std::abs(1 / length - edges[e].Distance) < 0.1 * scene.Spacing &&
+          vtkMath::Dot(c, edges[e].Direction) > 0.995 * length;
+        found[e] = found[e] || same;
+        right = right || same;
+      }
+      judged.Wrong += !right;
+    }
+    judged.Clipped += judged.Lines > before;
+    for (std::size_t e = 0; e < edges.size(); ++e)
+    {
+      if (edges[e].Distance < splats.GetRadius(id))
+      {
+        ++judged.Needed;
+        judged.Missed += !found[e];
+      }
+    }
+  }
+  return judged;
+}
+
+/// Lines at the edges and none elsewhere.
+void ExpectLines(const ScatteredFaces& scene, const std::string& what, double mostMissed)
+{
+  const Estimated splats(scene);
+  const Judged judged = Judge(scene, splats);
+  std::cout << what << ": " << judged.Lines << " lines, wrong " << judged.Wrong << ", needed "
+            << judged.Needed << ", missed " << judged.Missed << "\n";
+  Expect(judged.Needed > 50, what + " has edges");
+  AtMost(judged.Wrong, 0, what + ", lines off the edges");
+  AtMost(judged.Missed, mostMissed * judged.Needed, what + ", edges without a line");
+}
+
+/// No more than a share of the points have lines, and without any there is no array.
+void ExpectSmooth(const ScatteredFaces& scene, const std::string& what, double mostLines)
+{
+  const Estimated splats(scene);
+  const Judged judged = Judge(scene, splats);
+  const double rate = double(judged.Clipped) / scene.GetNumberOfPoints();
+  std::cout << what << ": " << judged.Clipped << " of " << scene.GetNumberOfPoints()
+            << " points with lines\n";
+  AtMost(rate, mostLines, what + ", points with lines");
+  Expect(judged.Lines > 0 || !splats.HasLines(), what + ": an array without lines");
+}
+
+void Cube()
+{
+  ScatteredFaces cube;
+  cube.AddCube(5000);
+  ExpectLines(cube, "cube", 0.02);
+  // Two lines at corners.
+  const Estimated splats(cube);
+  int corners = 0, both = 0;
+  for (vtkIdType id = 0; id < cube.GetNumberOfPoints(); ++id)
+  {
+    int near = 0;
+    for (const ScatteredFaces::Edge& edge : cube.EdgesOf[id])
+    {
+      near += edge.Distance < cube.Spacing;
+    }
+    double c[3];
+    corners += near > 1;
+    both += near > 1 && splats.GetLine(id, 0, c) > 0 && splats.GetLine(id, 1, c) > 0;
+  }
+  Expect(corners > 10, "the cube has points at corners");
+  AtMost(corners - both, 0.1 * corners, "points at corners without two lines");
+}
+
+void Prisms()
+{
+  for (int angle = 30; angle <= 150; angle += 30)
+  {
+    for (const bool convex : { true, false })
+    {
+      ScatteredFaces prism;
+      prism.AddFold(angle, convex, 0.0);
+      ExpectLines(prism,
+        (convex ? "convex edge of " : "concave edge of ") + std::to_string(angle) + " degrees",
+        0.02);
+    }
+  }
+}
+
+/// The end of a cylinder of so many spacings' radius: a curved edge, and one curved face.
+void Cylinder()
+{
+  ScatteredFaces cylinder;
+  cylinder.AddCylinder(20);
+  ExpectLines(cylinder, "cylinder", 0.03);
+}
+
+void Smooth()
+{
+  for (const double radius : { 2.5, 3.0, 5.0 })
+  {
+    for (const int angle : { 30, 90, 150 })
+    {
+      ScatteredFaces fillet;
+      fillet.AddFold(angle, true, radius);
+      ExpectSmooth(fillet,
+        "fillet of " + std::to_string(radius) + " spacings at " + std::to_string(angle) +
+          " degrees",
+        0.01);
+    }
+  }
+  for (const double radius : { 1.0, 1.5, 2.0, 4.0 })
+  {
+    ScatteredFaces tube;
+    tube.AddTube(radius);
+    ExpectSmooth(tube, "tube of " + std::to_string(radius) + " spacings", 0);
+  }
+  for (const double noise : { 0.0, 0.1, 0.3, 0.6 })
+  {
+    for (const double turn : { 0.0, 5.0, 10.0, 20.0 })
+    {
+      ScatteredFaces sphere;
+      sphere.AddSphere(10000, noise, turn);
+      ExpectSmooth(sphere,
+        "sphere with noise of " + std::to_string(noise) + " spacings and " + std::to_string(turn) +
+          " degrees",
+        noise + turn > 0 ? 0.001 : 0);
+    }
+  }
+  ScatteredFaces sheets;
+  sheets.AddSheets(0.3);
+  ExpectSmooth(sheets, "sheets", 0);
+}
+
+/// The vertices of a mesh: those on the edge have a normal between the faces', or are there twice.
+void Vertices(bool split)
+{
+  const std::string what = split ? "split vertices" : "vertices";
+  ScatteredFaces mesh;
+  mesh.AddGridFold(split);
+  const Estimated splats(mesh);
+  int wrong = 0, missed = 0, folded = 0, edge = 0;
+  for (vtkIdType id = 0; id < mesh.GetNumberOfPoints(); ++id)
+  {
+    const ScatteredFaces::Edge& truth = mesh.EdgesOf[id][0];
+    double c[3], f[3];
+    const double length = splats.GetLine(id, 0, c);
+    const bool onEdge = truth.Distance == 0;
+    if (length == 0)
+    {
+      missed += truth.Distance < 1.5 * mesh.Spacing;
+      continue;
+    }
+    // What is on the edge may have its line to either side.
+    wrong += std::abs(1 / length - truth.Distance) > 0.1 * mesh.Spacing ||
+      (!onEdge && vtkMath::Dot(c, truth.Direction) < 0.995 * length);
+    edge += onEdge;
+    folded += splats.GetFold(id, 0, f) > 0;
+    Expect(onEdge || splats.GetFold(id, 0, f) == 0, what + ": a fold beside the edge");
+  }
+  Expect(edge > 20, what + ": lines on the edge");
+  Expect(folded == (split ? 0 : edge), what + ": each averaged normal is a fold's");
+  AtMost(wrong, 0, what + ", lines off the edge");
+  AtMost(missed, 0, what + ", points at the edge without a line");
+}
+
+void Threads()
+{
+  ScatteredFaces cube;
+  cube.AddCube(5000);
+  const std::string backend = vtkSMPTools::GetBackend();
+  vtkSMPTools::SetBackend("Sequential");
+  const Estimated one(cube);
+  vtkSMPTools::SetBackend("STDThread");
+  const Estimated many(cube);
+  vtkSMPTools::SetBackend(backend.c_str());
+  bool same = true;
+  for (vtkIdType id = 0; id < cube.GetNumberOfPoints(); ++id)
+  {
+    for (int k = 0; k < 2; ++k)
+    {
+      double a[3], b[3];
+      one.GetLine(id, k, a);
+      many.GetLine(id, k, b);
+      same = same && std::equal(a, a + 3, b);
+    }
+    same = same && one.GetRadius(id) == many.GetRadius(id);
+  }
+  Expect(same, "lines do not depend on threads");
+}
+
+/// Duplicates have the same line; what is bad spoils none.
+void BadInput()
+{
+  ScatteredFaces cube;
+  cube.AddCube(5000);
+  const vtkIdType count = cube.GetNumberOfPoints();
+  for (vtkIdType id = 0; id < count; id += 3)
+  {
+    cube.Repeat(id);
+  }
+  const double nan = vtkMath::Nan();
+  for (int k = 0; k < 20; ++k)
+  {
+    const double x[3] = { 0.5, 0.05 * k - 0.5, k % 2 ? nan : 0.5 };
+    const double n[3] = { k % 3 ? nan : 0.0, 0.0, 0.0 };
+    cube.Add(x, n, {});
+  }
+  const Estimated splats(cube);
+  int different = 0, bad = 0;
+  for (vtkIdType id = 0; id < cube.GetNumberOfPoints(); ++id)
+  {
+    for (int k = 0; k < 2; ++k)
+    {
+      double c[3], d[3];
+      bad += !std::isfinite(splats.GetLine(id, k, c));
+      if (id < count && id % 3 == 0)
+      {
+        splats.GetLine(count + id / 3, k, d);
+        different += !std::equal(c, c + 3, d);
+      }
+    }
+  }
+  AtMost(different, 0, "duplicates with other lines");
+  AtMost(bad, 0, "lines that are not finite");
+  cube.EdgesOf.resize(count);
+  int missed = 0, needed = 0;
+  for (vtkIdType id = 0; id < count; ++id)
+  {
+    double c[3];
+    for (const ScatteredFaces::Edge& edge : cube.EdgesOf[id])
+    {
+      needed += edge.Distance < 0.5 * cube.Spacing;
+      missed += edge.Distance < 0.5 * cube.Spacing && splats.GetLine(id, 0, c) == 0;
+    }
+  }
+  AtMost(missed, 0.02 * needed, "edges without a line beside bad points");
+}
+}
+
+int TestSplatCreases(int, char*[])
+{
+  Cube();
+  Prisms();
+  Cylinder();
+  Smooth();
+  Vertices(false);
+  Vertices(true);
+  Threads();
+  BadInput();
+  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
