@@ -211,7 +211,8 @@ void Spoilt()
   for (const double odd : { nan, infinity, 1e300, 1e-300, -1.0 })
   {
     vtkSmartPointer<vtkPolyData> plain = MakeBox(4);
-    Run(plain, 0, 0, "", "odd spacing",
+    const bool refused = std::isnan(odd);
+    Run(plain, refused ? 1 : 0, 0, refused ? "SetPointSpacing(): NaN" : "", "odd spacing",
       [odd](vtkParticleSurfacePoints* filter) { filter->SetPointSpacing(odd); });
   }
   // A particle as far away as can be, with nothing between.
