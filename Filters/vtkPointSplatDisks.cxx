@@ -69,6 +69,13 @@ void vtkPointSplatDisks::Set(const vtkPointSplatNeighbors::Neighborhood& around,
   }
 }
 
+void vtkPointSplatDisks::Set(Slot slot, const vtkPointSplatFans::Disk& disk)
+{
+  this->Length[slot] = this->Spacing[slot] = disk.Radius;
+  std::copy_n(disk.Plane, 3, this->Planes.data() + std::size_t(3) * slot);
+  std::copy_n(disk.Curvature, 6, this->Curvatures.data() + std::size_t(6) * slot);
+}
+
 void vtkPointSplatDisks::Set(const vtkPointSplatCreases::Splat& splat)
 {
   const std::size_t s = splat.At;

@@ -11,6 +11,7 @@
 
 #include "vtkPointSplatCreases.h"
 #include "vtkPointSplatDisk.h"
+#include "vtkPointSplatFans.h"
 
 #include <limits>
 #include <vector>
@@ -27,6 +28,8 @@ public:
   /// Takes over what was found for a neighbourhood's centre. largest: length that it may have.
   void Set(const vtkPointSplatNeighbors::Neighborhood& around, const vtkPointSplatDisk& disk,
     float largest);
+  /// Takes over what a mesh's triangles say, of circular disks.
+  void Set(Slot slot, const vtkPointSplatFans::Disk& disk);
   /// Takes over what was found at creases.
   void Set(const vtkPointSplatCreases::Splat& splat);
 

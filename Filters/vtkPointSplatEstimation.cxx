@@ -192,7 +192,7 @@ int vtkPointSplatEstimation::RequestData(
     }
 
     // Meshes know their neighbours, but for those that were split at their creases. All other points'
-    // are searched for.
+    // are searched for, and a mesh's where normals tell of creases.
     vtkPointSplatFans fans;
     vtkPolyData* mesh = vtkPolyData::SafeDownCast(input);
     const vtkIdType badCells = mesh && !elliptical ? fans.Read(mesh, used.data()) : 0;
@@ -206,7 +206,20 @@ int vtkPointSplatEstimation::RequestData(
                          "take no part.");
     }
     std::vector<unsigned char> searched = used;
-    if (IsMeshAlone(fans, used, n))
+    const bool meshAlone = IsMeshAlone(fans, used, n);
+    std::vector<vtkPointSplatFans::Disk> corners(meshAlone ? numberOfPoints : 0);
+    std::atomic<bool> anyUneven{ false };
+    vtkSMPTools::For(0, static_cast<vtkIdType>(corners.size()), [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        corners[id] = fans.Has(id) ? fans.GetDisk(id, n) : vtkPointSplatFans::Disk();
+        if (corners[id].Uneven)
+        {
+          anyUneven = true;
+        }
+      }
+    });
+    if (meshAlone && !anyUneven)
     {
       std::fill(searched.begin(), searched.end(), 0);
     }
@@ -338,10 +351,19 @@ int vtkPointSplatEstimation::RequestData(
       return 1;
     }
 
+    for (vtkIdType id = 0; id < static_cast<vtkIdType>(corners.size()); ++id)
+    {
+      if (slotOf[id] != vtkPointSplatNeighbors::None)
+      {
+        disks.Set(slotOf[id], corners[id]);
+        uneven[slotOf[id]] = corners[id].Uneven;
+      }
+    }
+
     // 5. Creases
     vtkPointSplatCreases creases(neighbors, slotNormals.data(),
       elliptical ? nullptr : disks.Curvatures.data(), usual, elliptical);
-    if (given && fans.IsEmpty() && !this->IsNoisy() &&
+    if (given && (fans.IsEmpty() || meshAlone) && !this->IsNoisy() &&
       !creases.Find(this, 0.85, 0.9, uneven, FindTwins(n, slotNormals, neighbors)))
     {
       return 1;
@@ -406,12 +428,19 @@ int vtkPointSplatEstimation::RequestData(
     });
     if (!fans.IsEmpty())
     {
+      std::vector<unsigned char> creased(slots, 0);
+      for (const vtkPointSplatCreases::Splat& splat : creases.Splats)
+      {
+        creased[splat.At] = 1;
+      }
       vtkSMPTools::For(0, numberOfPoints, [&](vtkIdType begin, vtkIdType end) {
         for (vtkIdType id = begin; id < end; ++id)
         {
-          if (fans.Has(id) && !(ghost && (ghost[id] & vtkDataSetAttributes::DUPLICATEPOINT)))
+          const bool drawn = !(ghost && (ghost[id] & vtkDataSetAttributes::DUPLICATEPOINT));
+          const Slot s = slotOf[id];
+          if (fans.Has(id) && drawn && (s == vtkPointSplatNeighbors::None || !creased[s]))
           {
-            const vtkPointSplatFans::Disk disk = fans.GetDisk(id, n);
+            const vtkPointSplatFans::Disk disk = meshAlone ? corners[id] : fans.GetDisk(id, n);
             sizes[0]->SetValue(id, scale * disk.Radius);
             std::copy(disk.Plane, disk.Plane + 3, planes->GetPointer(3 * id));
             std::copy(disk.Curvature, disk.Curvature + 6, curvatures->GetPointer(6 * id));

@@ -298,6 +298,7 @@ vtkPointSplatFans::Disk vtkPointSplatFans::GetDisk(vtkIdType id, const float* no
   vtkPointSplatDisk disk;
   disk.SelectSheet(around, ring.Count, normals, vtkPointSplatSheet::GetSpacing(around));
   std::copy(disk.Normal, disk.Normal + 3, found.Plane);
+  found.Uneven = disk.Sheet.Uneven;
   // Normals that are not the surface's say nothing of its curvature.
   if (std::equal(disk.Normal, disk.Normal + 3, n))
   {
