@@ -47,12 +47,6 @@ vec2 clipBounds(vec2 firstInImage, vec2 secondInImage)
   return 1.0 + ClipMargin * vec2(length(firstInImage), length(secondInImage));
 }
 
-ClipLines clipLinesInImage(vec4 lines)
-{
-  return ClipLines(
-    lines.xy, lines.zw, lines.xy, lines.zw, clipBounds(lines.xy, lines.zw));
-}
-
 ClipLines clipLinesOf(vec4 lines, vec2 s, vec2 t)
 {
   vec2 first = clipLineInImage(lines.xy, s, t);

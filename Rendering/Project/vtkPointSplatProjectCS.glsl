@@ -55,6 +55,8 @@ uniform vec2 BucketScale;      // a depth's bucket: (depth - x) y
 // What bend, and what perspective, may move a pixel by where it is left out: no more than what
 // an edge is moved by when one of 32 samples changes sides.
 const float StillPixels = 1.0 / 32.0;
+// Pixels: of splats that are smaller clip lines are left out.
+const float LeastClipped = 1.0;
 // Of splats whose centres are farther off than this rounding leaves less of a pixel.
 const float FarPixels = 1e5;
 // Splats of more tiles than this along a side are listed by blocks of tiles.
@@ -163,7 +165,20 @@ void main()
     shift + max(bend.highest, -bend.lowest) * length(q.m.xy) <= StillPixels;
   ivec2 tiles = last - first;
   bool isWide = max(tiles.x, tiles.y) >= WideTiles;
-  uint kind = !seen ? NotSeen : isWide ? Wide : isFlat ? Flat : isBent ? Bent : Curved;
+#ifdef CLIP_LINES
+  // Where a splat is less than a pixel large there is nothing to see of them.
+  q.lines = HasClipLines && longest >= LeastClipped
+    ? RadiusScale * texelFetch(ClipLineTexels, int(splat))
+    : vec4(0.0);
+  bool isClipped = any(notEqual(q.lines, vec4(0.0)));
+#else
+  const bool isClipped = false;
+#endif
+  uint kind = !seen          ? NotSeen
+    : isWide                 ? Wide
+    : isFlat && !isClipped   ? Flat
+    : isBent && !isClipped   ? Bent
+                             : Curved;
   uint bucket = uint(clamp((q.depth - deep - BucketScale.x) * BucketScale.y, 0.0,
     float(DepthBuckets - 1u)));
   uint to = invocation - FirstInvocation;
@@ -171,9 +186,6 @@ void main()
     uint(last.x) | uint(last.y) << 12 | (bucket >> 7) << 25 | kind << 28);
   boxes[to] = seen ? box : uvec2(0u);
 
-#ifdef CLIP_LINES
-  q.lines = HasClipLines ? RadiusScale * texelFetch(ClipLineTexels, int(splat)) : vec4(0.0);
-#endif
   uint head = q.tag | (belongsToBothSides(q) ? BothSides : 0u) |
     encodeShort(q.layer / max(q.facing, LeastFacing)) << 16;
   uint normal = encodeNormal(q.normal);
@@ -218,9 +230,7 @@ void main()
   records[record + 3u] = r3;
   records[record + 4u] = r4;
 #ifdef CLIP_LINES
-  recordClipLines[to] = kind == Flat ? vec4(clipLineInImage(q.lines.xy, q.s.xy, q.t.xy),
-                                         clipLineInImage(q.lines.zw, q.s.xy, q.t.xy))
-                                     : q.lines;
+  recordClipLines[to] = q.lines;
 #endif
 #ifdef COLOURS
   recordColours[to] = HasColours ? texelFetch(Colours, int(splat)).r : 0xffffffffu;

@@ -25,21 +25,11 @@ void seeFlat(inout int begin, int end)
     Head h = headOf(texelFetch(Records, at));
     vec4 form = uintBitsToFloat(texelFetch(Records, at + 1));
     float slope = uintBitsToFloat(texelFetch(Records, at + 2).x);
-#ifdef CLIP_LINES
-    ClipLines lines = clipLinesInImage(texelFetch(RecordClipLines, record));
-#endif
     for (int k = 0; k < Pixels; ++k)
     {
       vec2 d = h.from + offsetOf(k);
       float r2 = (form.x * d.x + form.y * d.y) * d.x + form.z * d.y * d.y;
-      bool hit = r2 <= reach;
-      float depth = h.depth + form.w * d.x + slope * d.y;
-#ifdef CLIP_LINES
-      vec2 products = clipProducts(lines, d);
-      hit = hit && isKept(lines, products);
-      depth += marginDelay(products, h.tag, h.layer);
-#endif
-      keepNearest(k, h, hit, depth);
+      keepNearest(k, h, r2 <= reach, h.depth + form.w * d.x + slope * d.y);
     }
     ++i;
   } while (i < end);
@@ -69,18 +59,11 @@ void addFlat(int i, int end, float layerEnd)
     vec3 turnY;
     decodeTurns(texelFetch(Records, at + 4).xyz, turnX, turnY);
     Paint p = paintOf(record, h.tag);
-#ifdef CLIP_LINES
-    p.lines = clipLinesInImage(texelFetch(RecordClipLines, record));
-#endif
     for (int k = 0; k < Pixels; ++k)
     {
       vec2 d = h.from + offsetOf(k);
       float r2 = (form.x * d.x + form.y * d.y) * d.x + form.z * d.y * d.y;
-      float share = 1.0;
-#ifdef CLIP_LINES
-      share = clippedShare(p.lines, clipProducts(p.lines, d));
-#endif
-      addToLayer(k, h, p, share, r2, h.depth + slope.x * d.x + slope.y * d.y,
+      addToLayer(k, h, p, 1.0, r2, h.depth + slope.x * d.x + slope.y * d.y,
         normal + d.x * turnX + d.y * turnY);
     }
     ++i;

@@ -201,7 +201,7 @@ struct Paint
 {
   vec4 kernel;
 #ifdef CLIP_LINES
-  ClipLines lines; // set by who knows the splat's kind
+  ClipLines lines; // of curved splats
 #endif
 #ifdef COLOURS
   vec4 colour;
