@@ -69,7 +69,8 @@ void vtkPointSplatFace::Select(const vtkPointSplatNeighbors::Neighborhood& aroun
       residual += 1 - cosine * cosine / squared;
     }
   }
-  this->Deviation = std::sqrt(residual / std::max(this->Members.Count, 1));
+  // Rounding may leave less than nothing of normals that agree.
+  this->Deviation = std::sqrt(std::max(residual, 0.0f) / std::max(this->Members.Count, 1));
   this->Members.Near = this->Members.Count;
 }
 
