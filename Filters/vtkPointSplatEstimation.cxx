@@ -274,7 +274,7 @@ int vtkPointSplatEstimation::RequestData(
     }
     const float usual = GetUsualSpacing(this, neighbors);
     vtkPointSplatDisks disks(slots, elliptical);
-    std::vector<unsigned char> uneven(slots, 0);
+    std::vector<unsigned char> creased(slots, 0);
     // Slots with a neighbour whose normal is not that of the surface.
     std::vector<std::atomic<bool>> misled(slots);
     std::vector<float> sheetNormals; // of the planes that were found, once they are
@@ -284,7 +284,10 @@ int vtkPointSplatEstimation::RequestData(
       vtkPointSplatDisk disk;
       const bool closed =
         disk.Estimate(around, directions, elliptical, usual, disks.HoleLimit);
-      uneven[s] = uneven[s] || disk.Sheet.Uneven;
+      creased[s] = creased[s] ||
+        (disk.Sheet.Uneven &&
+          vtkPointSplatCrease::IsLikely(around, slotNormals.data(),
+            slotNormals.data() + std::size_t(3) * s, disk.Sheet.Spacing));
       if (round > 0 && !closed)
       {
         // What more neighbours do not close is a border: the first round's disk stands.
@@ -342,7 +345,7 @@ int vtkPointSplatEstimation::RequestData(
     vtkPointSplatCreases creases(neighbors, slotNormals.data(),
       elliptical ? nullptr : disks.Curvatures.data(), usual, elliptical);
     if (given && fans.IsEmpty() && !this->IsNoisy() &&
-      !creases.Find(this, 0.85, 0.9, uneven, FindTwins(n, slotNormals, neighbors)))
+      !creases.Find(this, 0.85, 0.9, creased, FindTwins(n, slotNormals, neighbors)))
     {
       return 1;
     }
