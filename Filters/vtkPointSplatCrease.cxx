@@ -14,21 +14,28 @@ namespace
 /// The sine of the angle (20 degrees) that two faces must be apart at a crease: two thirds of the
 /// least that is promised, 30, for what forms are wrong by.
 constexpr float LeastAngle = 0.342f;
-/// And by how much more where normals deviate from their face: four times the deviation, which
-/// leaves lines to two or three in a thousand points of range scans' meshes.
+/// And by how much more where normals deviate from their face: what random points of a surface with
+/// sharp folds gain by less, the vertices of its mesh, which is rounded there, lose
+/// (Testing/Accuracy/fit_constants.py).
 constexpr float AnglePerDeviation = 4.0f;
 /// How far, in spacings, lines and the neighbours that vote for them are looked for.
 constexpr float LargestReach = 4.0f;
 /// A face may turn by this much, in radians, on the way to the line: farther on a form of second
 /// order is no guess any more.
 constexpr float LargestBend = 0.7f;
+/// A neighbour's normal has turned if it parts by more than this cosine (13 degrees; at an edge of
+/// 30 degrees averaged ones part by 15 from those of its faces) ...
+constexpr float TurnedCosine = 0.974f;
+/// ... and of those that have, unit vectors, the mean is at least that long where they agree.
+constexpr float Agreement = 0.9f;
+/// The fewest neighbours whose normals have not turned.
+constexpr int FewestLevel = 2;
 /// Votes for the same line: their directions' cosine (15 degrees) and, in spacings, distances.
 constexpr float SameDirection = 0.966f;
 constexpr float SameDistance = 0.25f;
 /// Votes against a line have directions of at least this cosine (45 degrees).
 constexpr float AgainstDirection = 0.7f;
-/// The fewest votes, and how many times as many as are against.
-constexpr int FewestVotes = 3;
+/// How many times as many votes as are against.
 constexpr int VotesPerAgainst = 3;
 /// Nearer than this, in spacings, a point is on the line itself.
 constexpr float OnLine = 0.15f;
@@ -79,6 +86,41 @@ bool vtkPointSplatCrease::IsOn(const Line& line, const float x[3], float spacing
 {
   const float off = Dot(line.Direction, x) - line.Distance;
   return std::abs(off) <= OnLine * spacing + EdgeBend * std::sqrt(Dot(x, x));
+}
+
+bool vtkPointSplatCrease::IsLikely(const vtkPointSplatNeighbors::Neighborhood& around,
+  const float* normals, const float n[3], float spacing)
+{
+  const int count = vtkPointSplatSheet::CountNear(around, spacing);
+  float mean[3] = { 0, 0, 0 }, residual = 0;
+  int level = 0, turned = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    const float* m = normals + std::size_t(3) * around.Slots[i];
+    const float cosine = Dot(n, m);
+    if (std::abs(cosine) >= TurnedCosine)
+    {
+      ++level;
+      residual += 1 - cosine * cosine;
+      continue;
+    }
+    ++turned;
+    // Whichever side the neighbour's normal points to.
+    const float side = Dot(mean, m) < 0 ? -1.0f : 1.0f;
+    for (int c = 0; c < 3; ++c)
+    {
+      mean[c] += side * m[c];
+    }
+  }
+  if (level < FewestLevel || turned < FewestVotes)
+  {
+    return false;
+  }
+  const float length2 = Dot(mean, mean), part = Dot(mean, n);
+  const float deviation = std::sqrt(std::max(residual, 0.0f) / level);
+  const float least = std::sqrt(1 - TurnedCosine * TurnedCosine) + AnglePerDeviation * deviation;
+  return length2 >= Agreement * Agreement * turned * turned &&
+    length2 - part * part >= least * least * length2;
 }
 
 /// What a neighbour at q says; false if nothing.

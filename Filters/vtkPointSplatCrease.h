@@ -58,6 +58,8 @@ class vtkPointSplatCrease
 {
 public:
   static constexpr int MaximumNumberOfLines = 2;
+  /// The fewest neighbours that must say the same line.
+  static constexpr int FewestVotes = 3;
 
   /// What of the plane through the centre is kept has Direction . x <= Distance.
   struct Line
@@ -70,6 +72,16 @@ public:
 
   Line Lines[MaximumNumberOfLines]; // the nearer one first
   int Count = 0;
+
+  /**
+   * Whether there may be a line so near that a few neighbours are behind it: a cheap question for
+   * all points, to look closely only around those where it is so. The normals of some neighbours
+   * must be about the centre's, and those of three or more others about the same one, which has
+   * turned by more than the former deviate. On a surface that bends they turn by and by; where normals
+   * contradict one another, to anywhere.
+   */
+  static bool IsLikely(const vtkPointSplatNeighbors::Neighborhood& around, const float* normals,
+    const float n[3], float spacing);
 
   /// Finds the lines of the centre, with the face that was fitted to it across the normal n.
   void Find(const vtkPointSplatNeighbors::Neighborhood& around, const vtkPointSplatFace& face,

@@ -21,9 +21,13 @@ using Neighborhood = vtkPointSplatNeighbors::Neighborhood;
 
 /// Twice as far as the neighbours that disks are made of reach, and some.
 constexpr int NumberOfNeighbors = 32;
-/// How many points with lines must have a point with lines among these neighbours of theirs: of the
-/// dozen or more of them that a strip along a crease has.
+/// How many points with lines a point with lines must have among these neighbours of theirs: of the
+/// dozen or more of them that a strip along a crease has ...
 constexpr int LeastCompany = 10;
+/// ... and how many it, or one among its own neighbours, must have. A fold of a scan that is sharp
+/// over a few points has at most 15: too short to gain from, where each line makes all frames
+/// dearer. Both are from Testing/Accuracy/fit_constants.py.
+constexpr int LeastSureCompany = 16;
 /// How far splats reach, of their disks' radius: the kernels' rim, and what joins a layer
 /// (vtkPointSplatMapper.h: SplatClip).
 constexpr float KernelReach = 2.5f;
@@ -153,9 +157,9 @@ vtkPointSplatCreases::vtkPointSplatCreases(const vtkPointSplatNeighbors& neighbo
   this->Faces.Tensors = tensors;
 }
 
-/// Fits the faces of slots that are wanted and have none yet.
+/// Fits the faces of slots that are wanted and have none yet; those that do not end are not wanted.
 bool vtkPointSplatCreases::FitFaces(
-  vtkAlgorithm* self, double from, double to, const std::vector<unsigned char>& wanted)
+  vtkAlgorithm* self, double from, double to, std::vector<unsigned char>& wanted)
 {
   Slot number = static_cast<Slot>(this->Faces.Sound.size());
   const Slot first = number;
@@ -168,13 +172,18 @@ bool vtkPointSplatCreases::FitFaces(
   }
   this->Faces.Fitted.resize(std::size_t(6) * number, 0.0f);
   this->Faces.Sound.resize(number, 0);
-  auto fit = [this](const Neighborhood& around, int) {
+  auto fit = [&](const Neighborhood& around, int) {
     const Slot own = this->Faces.Numbers[around.Center];
     vtkPointSplatFace face;
     face.Fit(around, this->Faces.Normals, this->Faces.Normals + std::size_t(3) * around.Center,
       vtkPointSplatSheet::GetSpacing(around));
     std::copy_n(face.Tensor, 6, this->Faces.Fitted.data() + std::size_t(6) * own);
     this->Faces.Sound[own] = face.Sound;
+    if (face.Sound && face.NumberOfOthers < vtkPointSplatCrease::FewestVotes &&
+      !this->HasTwins(around.Center))
+    {
+      wanted[around.Center] = 0;
+    }
     return true;
   };
   return this->Neighbors.Visit(self, from, to, NumberOfNeighbors, fit, [&](Slot s) {
@@ -257,6 +266,19 @@ bool vtkPointSplatCreases::FindSplat(
   return lines > 0;
 }
 
+std::vector<vtkPointSplatCreases::Twin>::const_iterator vtkPointSplatCreases::FindTwin(
+  Slot s) const
+{
+  return std::lower_bound(this->Twins.begin(), this->Twins.end(), s,
+    [](const Twin& a, Slot b) { return a.At < b; });
+}
+
+bool vtkPointSplatCreases::HasTwins(Slot s) const
+{
+  const auto twin = this->FindTwin(s);
+  return twin != this->Twins.end() && twin->At == s;
+}
+
 /// Appends those of a slot and of its twins.
 void vtkPointSplatCreases::FindSplats(
   const Neighborhood& around, std::vector<Splat>& splats) const
@@ -268,8 +290,7 @@ void vtkPointSplatCreases::FindSplats(
   {
     splats.push_back(splat);
   }
-  for (auto twin = std::lower_bound(this->Twins.begin(), this->Twins.end(), around.Center,
-         [](const Twin& a, Slot b) { return a.At < b; });
+  for (auto twin = this->FindTwin(around.Center);
        twin != this->Twins.end() && twin->At == around.Center; ++twin)
   {
     splat.Id = twin->Id;
@@ -316,13 +337,30 @@ bool vtkPointSplatCreases::Find(vtkAlgorithm* self, double from, double to,
     return true;
   };
   auto isWanted = [&](Slot s) { return wanted[s] != 0; };
-  const double half = 0.5 * (to - from);
-  for (const double start : { from, from + half })
+  // 1. A first look, of which nothing is kept but where it found lines.
+  const double step = (to - from) / 6;
+  if (!this->Neighbors.Visit(self, from, from + step, NumberOfNeighbors, find, isWanted))
   {
-    // 1. Faces; 2. and 3. lines, and disks
-    if (!this->FitFaces(self, start, start + 0.5 * half, wanted) ||
+    return false;
+  }
+  for (Slot s = 0; s < slots; ++s)
+  {
+    wanted[s] = beside[s].exchange(0, std::memory_order_relaxed) > 0;
+  }
+  for (std::vector<Splat>& local : found)
+  {
+    for (const Splat& splat : local)
+    {
+      wanted[splat.At] = 1;
+    }
+    local.clear();
+  }
+  for (const double start : { from + step, from + 3 * step })
+  {
+    // 2. Faces; 3. and 4. lines, and disks
+    if (!this->FitFaces(self, start, start + step, wanted) ||
       !this->Neighbors.Visit(
-        self, start + 0.5 * half, start + half, NumberOfNeighbors, find, isWanted))
+        self, start + step, start + 2 * step, NumberOfNeighbors, find, isWanted))
     {
       return false;
     }
@@ -343,9 +381,25 @@ bool vtkPointSplatCreases::Find(vtkAlgorithm* self, double from, double to,
   {
     this->Splats.insert(this->Splats.end(), local.begin(), local.end());
   }
-  // A crease is a line of points: what has hardly any beside it is noise.
+  // 5. A crease is a line of points: what has hardly any beside it, or only such, is noise.
+  std::vector<unsigned char> kept(slots, 0), unsure(slots, 0), sure(slots, 0);
+  for (const Splat& splat : this->Splats)
+  {
+    sure[splat.At] = kept[splat.At] = beside[splat.At] >= LeastSureCompany;
+    unsure[splat.At] = !sure[splat.At] && beside[splat.At] >= LeastCompany;
+  }
+  auto confirm = [&](const Neighborhood& around, int) {
+    kept[around.Center] = std::any_of(
+      around.Slots, around.Slots + around.Count, [&sure](Slot s) { return sure[s] != 0; });
+    return true;
+  };
+  if (!this->Neighbors.Visit(self, from + 5 * step, to, NumberOfNeighbors, confirm,
+        [&unsure](Slot s) { return unsure[s] != 0; }))
+  {
+    return false;
+  }
   this->Splats.erase(std::remove_if(this->Splats.begin(), this->Splats.end(),
-                       [&](const Splat& splat) { return beside[splat.At] < LeastCompany; }),
+                       [&kept](const Splat& splat) { return !kept[splat.At]; }),
     this->Splats.end());
   std::sort(this->Splats.begin(), this->Splats.end(),
     [](const Splat& a, const Splat& b) { return std::tie(a.At, a.Id) < std::tie(b.At, b.Id); });

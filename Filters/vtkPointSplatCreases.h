@@ -6,19 +6,23 @@
  *
  * An internal helper of vtkPointSplatEstimation; see the stages there.
  *
- * 1. The faces of candidates, points with a neighbour whose normal an arc does not explain, are
- *    fitted, to 32 neighbours (vtkPointSplatFace). Points share a position, but not a normal, where
- *    a mesh was split at its edges: each such point has a face of its own.
- * 2. Candidates are asked for their lines (vtkPointSplatCrease). Then both stages are repeated for
- *    the neighbours of those that have some: a disk may reach farther than the nearest neighbours are,
- *    and next to a crease the faces of more points are known by then.
- * 3. The disk of a point with lines is estimated anew, from the neighbours on its own face and from
+ * 1. Candidates, by vtkPointSplatCrease::IsLikely for the neighbours that disks are made of, are
+ *    asked for their lines, as if nothing but smooth surface were around. Only these and the 32
+ *    neighbours of those that have some are looked at closely.
+ * 2. Their faces are fitted, to 32 neighbours (vtkPointSplatFace). Points share a position, but not
+ *    a normal, where a mesh was split at its edges: each such point has a face of its own.
+ * 3. Those whose faces end are asked for their lines (vtkPointSplatCrease). Then these two stages
+ *    are repeated for the neighbours of those that have some: a disk may reach farther than the
+ *    nearest neighbours are, and next to a crease the faces of more points are known by then.
+ * 4. The disk of a point with lines is estimated anew, from the neighbours on its own face and from
  *    their mirror images and its own at the lines: then it is as large as it would be if the face
  *    went on, and what lies between the points and the line is covered as the rest is, since of a
  *    point and its image the point itself is nearer to what is on its side. Points on the lines
  *    with averaged normals count among them, since they have a part of their splat on each face.
+ * 5. Lines are kept where at least ten neighbours have some, and sixteen about the point or about
+ *    one of its neighbours.
  *
- * Memory is 25 bytes a candidate and 5 a slot, and nothing without candidates; smooth surfaces have
+ * Memory is 25 bytes a face and 10 a slot, and nothing without candidates; smooth surfaces have
  * hardly any.
  */
 #ifndef vtkPointSplatCreases_h
@@ -79,7 +83,10 @@ private:
   using Neighborhood = vtkPointSplatNeighbors::Neighborhood;
 
   bool FitFaces(
-    vtkAlgorithm* self, double from, double to, const std::vector<unsigned char>& wanted);
+    vtkAlgorithm* self, double from, double to, std::vector<unsigned char>& wanted);
+  /// The first twin of a slot, if it has some.
+  std::vector<Twin>::const_iterator FindTwin(Slot s) const;
+  bool HasTwins(Slot s) const;
   void FindSplats(const Neighborhood& around, std::vector<Splat>& splats) const;
   bool FindSplat(const Neighborhood& around, const float n[3], Splat& splat) const;
 

@@ -22,7 +22,7 @@ constexpr float BorderPerDistance = 0.6f;
 /// it; those of a point on a straight border have about a third.
 constexpr float RowVariance = 0.15f;
 /// How far past the last neighbour, times its distance, a cell may reach where all neighbours are of
-/// one sheet: more of them would cut little off then.
+/// one sheet: more of them would cut little off then (Testing/Accuracy/fit_constants.py).
 constexpr float WholeReach = 1.1f;
 /// The longest ellipse, axis to axis.
 constexpr float LargestAspect = 8.0f;

@@ -7,6 +7,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
+// Those that are fitted by hand are from Testing/Accuracy/fit_constants.py.
 namespace
 {
 /// The radius of a point that has no neighbour to compare with.

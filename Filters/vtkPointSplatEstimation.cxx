@@ -208,18 +208,18 @@ int vtkPointSplatEstimation::RequestData(
     std::vector<unsigned char> searched = used;
     const bool meshAlone = IsMeshAlone(fans, used, n);
     std::vector<vtkPointSplatFans::Disk> corners(meshAlone ? numberOfPoints : 0);
-    std::atomic<bool> anyUneven{ false };
+    std::atomic<bool> anyCreased{ false };
     vtkSMPTools::For(0, static_cast<vtkIdType>(corners.size()), [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType id = begin; id < end; ++id)
       {
         corners[id] = fans.Has(id) ? fans.GetDisk(id, n) : vtkPointSplatFans::Disk();
-        if (corners[id].Uneven)
+        if (corners[id].Creased)
         {
-          anyUneven = true;
+          anyCreased = true;
         }
       }
     });
-    if (meshAlone && !anyUneven)
+    if (meshAlone && !anyCreased)
     {
       std::fill(searched.begin(), searched.end(), 0);
     }
@@ -287,7 +287,7 @@ int vtkPointSplatEstimation::RequestData(
     }
     const float usual = GetUsualSpacing(this, neighbors);
     vtkPointSplatDisks disks(slots, elliptical);
-    std::vector<unsigned char> uneven(slots, 0);
+    std::vector<unsigned char> creased(slots, 0);
     // Slots with a neighbour whose normal is not that of the surface.
     std::vector<std::atomic<bool>> misled(slots);
     std::vector<float> sheetNormals; // of the planes that were found, once they are
@@ -297,7 +297,10 @@ int vtkPointSplatEstimation::RequestData(
       vtkPointSplatDisk disk;
       const bool closed =
         disk.Estimate(around, directions, elliptical, usual, disks.HoleLimit);
-      uneven[s] = uneven[s] || disk.Sheet.Uneven;
+      creased[s] = creased[s] ||
+        (disk.Sheet.Uneven &&
+          vtkPointSplatCrease::IsLikely(around, slotNormals.data(),
+            slotNormals.data() + std::size_t(3) * s, disk.Sheet.Spacing));
       if (round > 0 && !closed)
       {
         // What more neighbours do not close is a border: the first round's disk stands.
@@ -356,7 +359,7 @@ int vtkPointSplatEstimation::RequestData(
       if (slotOf[id] != vtkPointSplatNeighbors::None)
       {
         disks.Set(slotOf[id], corners[id]);
-        uneven[slotOf[id]] = corners[id].Uneven;
+        creased[slotOf[id]] = corners[id].Creased;
       }
     }
 
@@ -364,7 +367,7 @@ int vtkPointSplatEstimation::RequestData(
     vtkPointSplatCreases creases(neighbors, slotNormals.data(),
       elliptical ? nullptr : disks.Curvatures.data(), usual, elliptical);
     if (given && (fans.IsEmpty() || meshAlone) && !this->IsNoisy() &&
-      !creases.Find(this, 0.85, 0.9, uneven, FindTwins(n, slotNormals, neighbors)))
+      !creases.Find(this, 0.85, 0.9, creased, FindTwins(n, slotNormals, neighbors)))
     {
       return 1;
     }
@@ -428,17 +431,17 @@ int vtkPointSplatEstimation::RequestData(
     });
     if (!fans.IsEmpty())
     {
-      std::vector<unsigned char> creased(slots, 0);
+      std::vector<unsigned char> ends(slots, 0); // at a crease
       for (const vtkPointSplatCreases::Splat& splat : creases.Splats)
       {
-        creased[splat.At] = 1;
+        ends[splat.At] = 1;
       }
       vtkSMPTools::For(0, numberOfPoints, [&](vtkIdType begin, vtkIdType end) {
         for (vtkIdType id = begin; id < end; ++id)
         {
           const bool drawn = !(ghost && (ghost[id] & vtkDataSetAttributes::DUPLICATEPOINT));
           const Slot s = slotOf[id];
-          if (fans.Has(id) && drawn && (s == vtkPointSplatNeighbors::None || !creased[s]))
+          if (fans.Has(id) && drawn && (s == vtkPointSplatNeighbors::None || !ends[s]))
           {
             const vtkPointSplatFans::Disk disk = meshAlone ? corners[id] : fans.GetDisk(id, n);
             sizes[0]->SetValue(id, scale * disk.Radius);

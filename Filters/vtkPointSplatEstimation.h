@@ -78,9 +78,9 @@
  *    noise has no curvature, and a tenth of the rest. The normal turns by no more than 0.6 (34
  *    degrees) from the centre to the rim, but the disk keeps three quarters of its radius: it does
  *    not leave a tube or a fold.
- * 5. *Creases.* Points with a near neighbour whose normal has turned by more than an arc between
- *    the two explains are looked at with their 32 nearest neighbours. Those of them whose normals
- *    and heights a surface of second order explains are on the point's own face
+ * 5. *Creases.* Where near neighbours' normals have turned by more than an arc between the two
+ *    explains, and agree where to, points are looked at with their 32 nearest neighbours. Those whose
+ *    normals and heights a surface of second order explains are on the point's own face
  *    (vtkPointSplatFace.h). The others vote where their faces meet it, at what angle: from 20
  *    degrees on, and more where normals are noisy, that is a crease (vtkPointSplatCrease.h); a
  *    fillet of more than two spacings' radius bends all the way, and is none. The nearest two lines

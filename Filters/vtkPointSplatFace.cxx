@@ -41,7 +41,7 @@ void vtkPointSplatFace::Multiply(const float t[6], const float d[3], float resul
 void vtkPointSplatFace::Select(const vtkPointSplatNeighbors::Neighborhood& around,
   const float* normals, const float n[3], float reach)
 {
-  this->Members.Count = 0;
+  this->Members.Count = this->NumberOfOthers = 0;
   float residual = 0;
   for (int i = 0; i < around.Count && around.SquaredDistance[i] <= reach * reach; ++i)
   {
@@ -53,6 +53,7 @@ void vtkPointSplatFace::Select(const vtkPointSplatNeighbors::Neighborhood& aroun
       0.5f * (turned[0] * d[0] + turned[1] * d[1] + turned[2] * d[2]);
     if (height * height > LargestHeight * LargestHeight * around.SquaredDistance[i])
     {
+      ++this->NumberOfOthers;
       continue;
     }
     for (int c = 0; c < 3; ++c)
@@ -68,8 +69,13 @@ void vtkPointSplatFace::Select(const vtkPointSplatNeighbors::Neighborhood& aroun
       this->Members.Members[this->Members.Count++] = i;
       residual += 1 - cosine * cosine / squared;
     }
+    else
+    {
+      ++this->NumberOfOthers;
+    }
   }
-  this->Deviation = std::sqrt(residual / std::max(this->Members.Count, 1));
+  // Rounding may leave less than nothing of normals that agree.
+  this->Deviation = std::sqrt(std::max(residual, 0.0f) / std::max(this->Members.Count, 1));
   this->Members.Near = this->Members.Count;
 }
 

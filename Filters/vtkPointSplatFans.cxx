@@ -5,6 +5,7 @@
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
 #include "vtkDataArrayRange.h"
+#include "vtkPointSplatCrease.h"
 #include "vtkPointSplatCurvature.h"
 #include "vtkPointSplatDisk.h"
 #include "vtkPoints.h"
@@ -19,7 +20,7 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 /// The radius, of the mean distance of the neighbours: below 0.6 holes open, and from 0.7 on
-/// disks stand out at edges.
+/// disks stand out at edges (this and the next are from Testing/Accuracy/fit_constants.py).
 constexpr float LengthPerEdge = 0.62f;
 /// ... and of what the triangles ask for, which kernels need not in full.
 constexpr float LengthPerReach = 0.9f;
@@ -298,7 +299,8 @@ vtkPointSplatFans::Disk vtkPointSplatFans::GetDisk(vtkIdType id, const float* no
   vtkPointSplatDisk disk;
   disk.SelectSheet(around, ring.Count, normals, vtkPointSplatSheet::GetSpacing(around));
   std::copy(disk.Normal, disk.Normal + 3, found.Plane);
-  found.Uneven = disk.Sheet.Uneven;
+  found.Creased = disk.Sheet.Uneven &&
+    vtkPointSplatCrease::IsLikely(around, normals, n, disk.Sheet.Spacing);
   // Normals that are not the surface's say nothing of its curvature.
   if (std::equal(disk.Normal, disk.Normal + 3, n))
   {

@@ -59,7 +59,7 @@ public:
     float Radius = 0;                            // world units
     float Plane[3] = { 0, 0, 0 };                // its normal, unit length
     float Curvature[6] = { 0, 0, 0, 0, 0, 0 };   // as vtkPointSplatCurvature's
-    bool Uneven = false;                         // as vtkPointSplatSheet's
+    bool Creased = false; // whether a crease is likely to be near (vtkPointSplatCrease)
   };
 
   /// The disk of a triangle's corner. normals: 3 floats a point, unit length.

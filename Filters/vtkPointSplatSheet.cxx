@@ -7,6 +7,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
+// Those that are fitted by hand are from Testing/Accuracy/fit_constants.py.
 namespace
 {
 /// Neighbours are near within this many spacings, their own or the cloud's; hardly any edge of a

@@ -1,0 +1,145 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Why the estimation's constants that were fitted by hand are what they are.
+
+  fit_constants.py --scratch FOLDER [--size PIXELS] [--values V,V,...] [CONSTANT ...]
+
+For each constant, or those named, each of some values around its own is written into a copy of
+the sources in the folder, the copy's filters are built (the first build takes minutes), and the
+stand-ins that the constant matters for are estimated and drawn with them, by the Python package
+that runs this script. A line is printed for each value and stand-in: the number of points with
+clip lines (lines), psnr in dB of the views, the last one close up, pixels with holes and the
+largest spill, as in likeness.py. A star marks the value that the sources have. Hours for all constants.
+
+What to look for: a value is right where a step to either side costs one stand-in more than the
+other gains; holes and spill come before decibels.
+"""
+import argparse
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+TOP = os.path.dirname(os.path.dirname(HERE))
+FOLDS = ("drapery", "drapery_vertices")
+PARTS = ("part_random", "part_vertices")
+# The file in Filters, the values to try, and the stand-ins that tell.
+CONSTANTS = {
+    "AnglePerDeviation": ("vtkPointSplatCrease.cxx", (2, 3, 4, 6, 8), FOLDS + PARTS),
+    "LeastAngle": ("vtkPointSplatCrease.cxx", (0.26, 0.342, 0.5, 0.64), FOLDS + PARTS),
+    "Agreement": ("vtkPointSplatCrease.cxx", (0.8, 0.85, 0.9, 0.95), FOLDS + PARTS),
+    "LeastCompany": ("vtkPointSplatCreases.cxx", (6, 8, 10, 12, 16), FOLDS + PARTS),
+    "LeastSureCompany": ("vtkPointSplatCreases.cxx", (10, 13, 16, 20), FOLDS + PARTS),
+    "WholeReach": ("vtkPointSplatDisk.cxx", (1.0, 1.1, 1.2, 1.4), FOLDS + ("tubes_edges",)),
+    "BorderPerDistance": ("vtkPointSplatDisk.cxx", (0.5, 0.6, 0.7, 0.8), FOLDS + PARTS),
+    "LargestRatio": ("vtkPointSplatDisks.cxx", (1.8, 2.5, 3.5), ("tubes_edges", "part_random")),
+    "LargestBend": ("vtkPointSplatDisks.cxx", (0.4, 0.6, 0.8), ("tubes_edges", "drapery")),
+    "LeastShare": ("vtkPointSplatDisks.cxx", (0.6, 0.75, 0.9), ("tubes_edges", "drapery")),
+    "NearReach": ("vtkPointSplatSheet.cxx", (1.6, 2.0, 2.5), ("tubes_edges", "shell_03")),
+    "NearOffset": ("vtkPointSplatSheet.cxx", (0.4, 0.6, 0.8), ("tubes_edges", "shell_03", "scans")),
+    "FarOffset": ("vtkPointSplatSheet.cxx", (0.05, 0.1, 0.2), ("tubes_edges", "grid_lines")),
+    "LengthPerEdge": ("vtkPointSplatFans.cxx", (0.56, 0.62, 0.68),
+                      ("meshes:drapery_vertices", "meshes:part_vertices", "meshes:tubes_edges")),
+    "LengthPerReach": ("vtkPointSplatFans.cxx", (0.8, 0.9, 1.0),
+                       ("meshes:drapery_vertices", "meshes:part_vertices", "meshes:tubes_edges")),
+}
+
+
+def pattern(constant):
+    return re.compile(r"(constexpr (?:float|double|int) %s = )([^;]+);" % constant)
+
+
+def number(text):
+    return float(text.rstrip("f"))
+
+
+class Scratch:
+    """A copy of the sources, of whose filters constants change."""
+
+    def __init__(self, folder):
+        self.sources = os.path.join(folder, "sources")
+        self.build = os.path.join(folder, "build")
+        shutil.rmtree(self.sources, ignore_errors=True)
+        shutil.copytree(TOP, self.sources, symlinks=True,
+                        ignore=shutil.ignore_patterns("build*", ".git", "Testing"))
+        subprocess.run(["cmake", "-S", self.sources, "-B", self.build, "-DBUILD_TESTING=OFF",
+                        "-DCMAKE_BUILD_TYPE=Release"], check=True, stdout=subprocess.DEVNULL)
+
+    def set(self, constant, value):
+        """value: the text of a number."""
+        name = CONSTANTS[constant][0]
+        with open(os.path.join(TOP, "Filters", name)) as file:
+            original = file.read()
+        is_float = pattern(constant).search(original).group(2).endswith("f")
+        text = "%sf" % float(value) if is_float else value
+        changed, count = pattern(constant).subn(lambda m: m.group(1) + text + ";", original)
+        assert count == 1, "%s is not in %s once" % (constant, name)
+        with open(os.path.join(self.sources, "Filters", name), "w") as file:
+            file.write(changed)
+        subprocess.run(["cmake", "--build", self.build, "--target", "FiltersPointSplatting"],
+                       check=True, stdout=subprocess.DEVNULL)
+
+    def restore(self, constant):
+        name = CONSTANTS[constant][0]
+        shutil.copy(os.path.join(TOP, "Filters", name), os.path.join(self.sources, "Filters", name))
+
+    def measure(self, standin, size):
+        """Judges in a process of its own, which loads this build's filters."""
+        libraries = [os.path.join(self.build, "lib"), os.environ.get("LD_LIBRARY_PATH", "")]
+        environment = dict(os.environ, LD_LIBRARY_PATH=":".join(filter(None, libraries)))
+        done = subprocess.run(
+            [sys.executable, os.path.abspath(__file__), "--judge", standin, "--size", str(size)],
+            env=environment, check=True, stdout=subprocess.PIPE, universal_newlines=True)
+        return done.stdout.strip()
+
+
+def judge(name, size):
+    """Prints the figures of a stand-in; meshes: with its triangles."""
+    import numpy as np
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    import likeness
+    import standins
+    standin = standins.ALL[name.split(":")[-1]]()
+    if name.startswith("meshes:"):
+        standin.cloud = standin.mesh
+    clips = likeness.estimated(standin.cloud).GetOutput().GetPointData().GetArray("SplatClip")
+    lines = 0 if clips is None else int(np.any(vtk_to_numpy(clips) != 0, axis=1).sum())
+    print("lines {:6d}, psnr {psnr}, holes {holes}, spill {spill:.4f}".format(
+        lines, **likeness.compare(standin, size)))
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--scratch", help="where the copy is built")
+    parser.add_argument("--size", type=int, default=512)
+    parser.add_argument("--values", help="instead of those that are listed here")
+    parser.add_argument("--judge", help=argparse.SUPPRESS)
+    parser.add_argument("constants", nargs="*", metavar="CONSTANT", help=", ".join(CONSTANTS))
+    options = parser.parse_args()
+    if options.judge:
+        judge(options.judge, options.size)
+        return
+    unknown = [c for c in options.constants if c not in CONSTANTS]
+    if unknown or not options.scratch:
+        parser.error("no such constant: %s" % unknown if unknown else "--scratch is needed")
+    scratch = Scratch(options.scratch)
+    for constant in options.constants or CONSTANTS:
+        name, values, names = CONSTANTS[constant]
+        values = options.values.split(",") if options.values else [str(v) for v in values]
+        with open(os.path.join(TOP, "Filters", name)) as file:
+            own = number(pattern(constant).search(file.read()).group(2))
+        for value in values:
+            scratch.set(constant, value)
+            for standin in names:
+                print("%s %s%s %-24s %s" % (constant, value, "*" if float(value) == own else " ",
+                                            standin, scratch.measure(standin, options.size)),
+                      flush=True)
+        scratch.restore(constant)
+
+
+if __name__ == "__main__":
+    main()
