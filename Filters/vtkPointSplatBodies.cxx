@@ -24,7 +24,7 @@ constexpr float CurveGrowth = 1.7f;
 constexpr float VolumeVariance = 0.08f;
 constexpr float VolumeCosine2 = 0.7f;
 /// ... and if this part of the neighbours is so.
-constexpr float VolumeShare = 0.6f;
+constexpr float VolumeShare = 0.75f;
 /// How many times the spacing of its neighbours an outlier is away from the nearest.
 constexpr float OutlierDistance = 2.0f;
 }
@@ -149,8 +149,10 @@ bool vtkPointSplatBodies::Finish(vtkAlgorithm* self, double from, double to,
   std::vector<unsigned char> body(this->OnCurve.size(), 0);
   for (std::size_t s = 0; s < body.size(); ++s)
   {
+    const Slot slot = static_cast<Slot>(s);
     body[s] = this->Guessed[s] &&
-      (this->OnCurve[s] || disks.IsOutlier(static_cast<Slot>(s), OutlierDistance));
+      ((this->OnCurve[s] && disks.AgreeWitnesses(slot, this->OnCurve)) ||
+        disks.IsOutlier(slot, OutlierDistance));
   }
   auto isVolume = [&](const Neighborhood& around, int) {
     int scattered = 0;

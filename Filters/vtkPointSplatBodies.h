@@ -8,7 +8,8 @@
  * that fill a volume and outliers far from all others have no plane. They are bodies alone.
  *
  * 1. Points without given normals are looked at with their nearest neighbours, whose variances
- *    along their principal axes tell. On a curve the second is next to nothing. In a volume the
+ *    along their principal axes tell. On a curve the second is next to nothing, and with the
+ *    neighbours' neighbours too, since a few points at random may lie in a row. In a volume the
  *    third is not much less than the others, the planes that fit neighbouring points have little to
  *    do with one another, and both is so with most of the neighbours as well, since thick noise about
  *    a surface has such places too. An outlier is farther from the others than these are from one

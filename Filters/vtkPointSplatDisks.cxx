@@ -182,6 +182,18 @@ bool vtkPointSplatDisks::IsOutlier(Slot slot, float times) const
   return largest > 0 && this->Nearest[slot] > times * largest;
 }
 
+bool vtkPointSplatDisks::AgreeWitnesses(
+  Slot slot, const std::vector<unsigned char>& marks) const
+{
+  int marked = 0;
+  for (int w = 0; w < NumberOfWitnesses; ++w)
+  {
+    const Slot witness = this->Witnesses[std::size_t(NumberOfWitnesses) * slot + w];
+    marked += witness == vtkPointSplatNeighbors::None || marks[witness];
+  }
+  return 2 * marked >= NumberOfWitnesses;
+}
+
 void vtkPointSplatDisks::GetBall(Slot slot, float tensor[6]) const
 {
   const float curvature = LargestBend / this->GetBounded(slot);

@@ -37,6 +37,8 @@ public:
   void SetAlone(Slot slot) { this->Length[slot] = this->Gap[slot] = 0; }
   /// Whether a slot is so many times farther from all others than its neighbours are.
   bool IsOutlier(Slot slot, float times) const;
+  /// Whether at least half of the witnesses have a mark, or there are too few neighbours for any.
+  bool AgreeWitnesses(Slot slot, const std::vector<unsigned char>& marks) const;
 
   /**
    * The distance of a cell's vertex, in spacings, past which it lies in a hole of the surface.
