@@ -11,13 +11,13 @@
  *    along their principal axes tell. On a curve the second is next to nothing, and with the
  *    neighbours' neighbours too, since a few points at random may lie in a row. In a volume the
  *    third is not much less than the others, the planes that fit neighbouring points have little to
- *    do with one another, and both is so with most of the neighbours as well, since thick noise about
- *    a surface has such places too. An outlier is farther from the others than these are from one
+ *    do with one another, and both is so with most of the neighbours as well, since thick noise
+ *    about a surface has such places too. An outlier is farther from the others than these are from one
  *    another.
  * 2. Points with given normals are on a curve where no more neighbours than a row of them were
- *    found on any side. So are those of a surface's border row, of scan lines that are many times as
- *    dense along them as from one to the next. But their sheet has points with neighbours all around,
- *    the rows beside: of the nearest one such a border point takes the size.
+ *    found on any side. So are those of a surface's border row, of scan lines that are many times
+ *    as dense along them as from one to the next. But their sheet has points with neighbours all
+ *    around, the rows beside: of the nearest one such a border point takes the size.
  */
 #ifndef vtkPointSplatBodies_h
 #define vtkPointSplatBodies_h
@@ -63,7 +63,8 @@ private:
     Slot Models[NumberOfModels]; // of its sheet, nearest first
   };
 
-  /// The variances along the principal axes, the greatest first, of the centre and so many neighbours.
+  /// The variances along the principal axes, the greatest first, of the centre and so many
+  /// neighbours.
   static void GetVariances(const Neighborhood& around, int count, float variances[3]);
   static bool IsCurve(const Neighborhood& around, int count);
 

@@ -39,7 +39,7 @@ vtkSmartPointer<vtkPolyData> MakeCloud(int count, const double* normal,
   return cloud;
 }
 
-/// How many of the points from `first` on have no drawn pixel whose centre is nearer than 3/4 of one.
+/// How many of the points from `first` on have no drawn pixel whose centre is within 3/4 of one.
 int CountMissing(Window& window, vtkPolyData* cloud, vtkIdType first)
 {
   const Picture picture = window.Draw();
