@@ -31,6 +31,7 @@ constexpr float OutlierDistance = 2.0f;
 
 vtkPointSplatBodies::vtkPointSplatBodies(Slot slots)
   : OnCurve(slots, 0)
+  , InRow(slots, 0)
   , Scattered(slots, 0)
   , Suspected(slots)
   , Guessed(slots, 0)
@@ -93,8 +94,20 @@ bool vtkPointSplatBodies::IsCurve(const Neighborhood& around, int count)
   {
     return false;
   }
-  GetVariances(around, FewNeighbors, variances);
+  return IsRow(around);
+}
+
+bool vtkPointSplatBodies::IsRow(const Neighborhood& around)
+{
+  float variances[3];
+  GetVariances(around, std::min(FewNeighbors, around.Count), variances);
   return variances[1] < FewVariance * variances[0];
+}
+
+bool vtkPointSplatBodies::IsPartOfCurve(Slot slot, const vtkPointSplatDisks& disks) const
+{
+  return (this->OnCurve[slot] || this->InRow[slot]) &&
+    disks.AgreeWitnesses(slot, this->OnCurve);
 }
 
 void vtkPointSplatBodies::Look(const Neighborhood& around, const float* normals)
@@ -102,6 +115,7 @@ void vtkPointSplatBodies::Look(const Neighborhood& around, const float* normals)
   const Slot s = around.Center;
   this->Guessed[s] = 1;
   this->OnCurve[s] = IsCurve(around, around.Count);
+  this->InRow[s] = IsRow(around);
   float variances[3];
   GetVariances(around, around.Count, variances);
   const float* n = normals + std::size_t(3) * s;
@@ -128,6 +142,7 @@ void vtkPointSplatBodies::Look(const Neighborhood& around, const float* normals)
 void vtkPointSplatBodies::LookAtRow(const Neighborhood& around, int nearest)
 {
   this->OnCurve[around.Center] = IsCurve(around, nearest);
+  this->InRow[around.Center] = IsRow(around);
 }
 
 void vtkPointSplatBodies::AddRow(const Neighborhood& around, const vtkPointSplatSheet& sheet)
@@ -151,8 +166,7 @@ bool vtkPointSplatBodies::Finish(vtkAlgorithm* self, double from, double to,
   {
     const Slot slot = static_cast<Slot>(s);
     body[s] = this->Guessed[s] &&
-      ((this->OnCurve[s] && disks.AgreeWitnesses(slot, this->OnCurve)) ||
-        disks.IsOutlier(slot, OutlierDistance));
+      (this->IsPartOfCurve(slot, disks) || disks.IsOutlier(slot, OutlierDistance));
   }
   auto isVolume = [&](const Neighborhood& around, int) {
     int scattered = 0;
@@ -190,7 +204,7 @@ bool vtkPointSplatBodies::Finish(vtkAlgorithm* self, double from, double to,
     }
     else
     {
-      body[row.At] = body[row.At] || this->OnCurve[row.At];
+      body[row.At] = body[row.At] || this->IsPartOfCurve(row.At, disks);
     }
   }
   for (std::size_t s = 0; s < body.size(); ++s)

@@ -68,7 +68,12 @@ private:
   static void GetVariances(const Neighborhood& around, int count, float variances[3]);
   static bool IsCurve(const Neighborhood& around, int count);
 
+  /// Whether the nearest few alone lie in a row.
+  static bool IsRow(const Neighborhood& around);
+  bool IsPartOfCurve(Slot slot, const vtkPointSplatDisks& disks) const;
+
   std::vector<unsigned char> OnCurve;
+  std::vector<unsigned char> InRow; // as are ends of curves, which may have another part beside
   std::vector<unsigned char> Scattered;     // by the look at it alone
   std::vector<std::atomic<bool>> Suspected; // slots with a neighbour that is
   std::vector<unsigned char> Guessed;       // slots without given normal
