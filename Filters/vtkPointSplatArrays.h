@@ -18,10 +18,13 @@ inline constexpr const char* Radius = "SplatRadius";
 inline constexpr const char* Axis1 = "SplatAxis1";
 inline constexpr const char* Axis2 = "SplatAxis2";
 ///@}
-/// 3 floats, unit length: the normal of a disk's plane, where it is not the point normal.
+/// 3 floats, unit length: the normal of a disk's plane, where it is not the point normal. All 0: the
+/// point is a body alone and has no plane; what draws it turns its disk to who looks.
 inline constexpr const char* PlaneNormal = "SplatPlaneNormal";
 /// 6 floats, XX, YY, ZZ, XY, YZ, XZ, 1 / world units: the second fundamental form, by which the
-/// normal changes from point to point, in the tangent plane. Its sign goes by the normal's.
+/// normal changes from point to point, in the tangent plane. Its sign goes by the normal's. Of a body
+/// alone: the unit tensor over a ball's radius, for a ball with its own normals; or 0, for a disk
+/// with the point's.
 inline constexpr const char* Curvature = "SplatCurvature";
 /// 6 floats, two vectors c1 and c2, 1 / world units, in the points' coordinates: clip lines, by
 /// which splats end at creases and borders (Zwicker et al. 2004, Perspective accurate splatting).

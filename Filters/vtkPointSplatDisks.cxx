@@ -178,14 +178,36 @@ float vtkPointSplatDisks::GetBound(Slot slot) const
   return LargestRatio * second;
 }
 
-void vtkPointSplatDisks::GetBall(Slot slot, const float n[3], float tensor[6]) const
+bool vtkPointSplatDisks::IsOutlier(Slot slot, float times) const
 {
-  static const int rows[6] = { 0, 1, 2, 0, 1, 0 };
-  static const int columns[6] = { 0, 1, 2, 1, 2, 2 };
+  float largest = 0;
+  for (int w = 0; w < NumberOfWitnesses; ++w)
+  {
+    const Slot witness = this->Witnesses[std::size_t(NumberOfWitnesses) * slot + w];
+    largest = std::max(
+      largest, witness != vtkPointSplatNeighbors::None ? this->Spacing[witness] : 0.0f);
+  }
+  return largest > 0 && this->Nearest[slot] > times * largest;
+}
+
+bool vtkPointSplatDisks::AgreeWitnesses(
+  Slot slot, const std::vector<unsigned char>& marks) const
+{
+  int marked = 0;
+  for (int w = 0; w < NumberOfWitnesses; ++w)
+  {
+    const Slot witness = this->Witnesses[std::size_t(NumberOfWitnesses) * slot + w];
+    marked += witness == vtkPointSplatNeighbors::None || marks[witness];
+  }
+  return 2 * marked >= NumberOfWitnesses;
+}
+
+void vtkPointSplatDisks::GetBall(Slot slot, float tensor[6]) const
+{
   const float curvature = LargestBend / this->GetBounded(slot);
   for (int k = 0; k < 6; ++k)
   {
-    tensor[k] = curvature * ((k < 3 ? 1.0f : 0.0f) - n[rows[k]] * n[columns[k]]);
+    tensor[k] = k < 3 ? curvature : 0.0f;
   }
 }
 

@@ -37,6 +37,11 @@ public:
   static float GetLargest(float curvature, float radius);
 
   bool IsAlone(Slot slot) const { return !(this->Length[slot] > 0); }
+  void SetAlone(Slot slot) { this->Length[slot] = this->Gap[slot] = 0; }
+  /// Whether a slot is so many times farther from all others than its neighbours are.
+  bool IsOutlier(Slot slot, float times) const;
+  /// Whether at least half of the witnesses have a mark, or there are too few neighbours for any.
+  bool AgreeWitnesses(Slot slot, const std::vector<unsigned char>& marks) const;
 
   /**
    * The distance of a cell's vertex, in spacings, past which it lies in a hole of the surface.
@@ -50,8 +55,8 @@ public:
 
   /// The length of the longer axis once all are bounded.
   float GetBounded(Slot slot) const;
-  /// The second fundamental form of a point alone: a ball's. n: its normal, unit length.
-  void GetBall(Slot slot, const float n[3], float tensor[6]) const;
+  /// The curvature of a point alone that is a ball, as a tensor (vtkPointSplatArrays.h).
+  void GetBall(Slot slot, float tensor[6]) const;
 
   /// An element of some order; values are shuffled.
   static float GetQuantile(std::vector<float>& values, double q);

@@ -11,6 +11,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPointSplatArrays.h"
+#include "vtkPointSplatBodies.h"
 #include "vtkPointSplatCreases.h"
 #include "vtkPointSplatCurvature.h"
 #include "vtkPointSplatDisks.h"
@@ -287,6 +288,7 @@ int vtkPointSplatEstimation::RequestData(
     }
     const float usual = GetUsualSpacing(this, neighbors);
     vtkPointSplatDisks disks(slots, elliptical);
+    vtkPointSplatBodies bodies(slots);
     std::vector<unsigned char> creased(slots, 0);
     // Slots with a neighbour whose normal is not that of the surface.
     std::vector<std::atomic<bool>> misled(slots);
@@ -301,10 +303,24 @@ int vtkPointSplatEstimation::RequestData(
         (disk.Sheet.Uneven &&
           vtkPointSplatCrease::IsLikely(around, slotNormals.data(),
             slotNormals.data() + std::size_t(3) * s, disk.Sheet.Spacing));
+      if (round == 0 && !known[s])
+      {
+        bodies.Look(around, slotNormals.data());
+      }
       if (round > 0 && !closed)
       {
         // What more neighbours do not close is a border: the first round's disk stands.
-        return round == 2 || !disk.InRow(this->NumberOfNeighbors);
+        if (round == 1)
+        {
+          const bool inRow = disk.InRow(this->NumberOfNeighbors);
+          if (inRow && known[s])
+          {
+            bodies.LookAtRow(around, this->NumberOfNeighbors);
+          }
+          return !inRow;
+        }
+        bodies.AddRow(around, disk.Sheet);
+        return true;
       }
       std::copy(disk.Normal, disk.Normal + 3, disks.Planes.data() + std::size_t(3) * s);
       const bool fits =
@@ -349,7 +365,8 @@ int vtkPointSplatEstimation::RequestData(
       }
     }
     directions = sheetNormals.data();
-    if (!neighbors.Visit(this, 0.8, 0.85, this->NumberOfNeighbors, measure, isWanted))
+    if (!neighbors.Visit(this, 0.8, 0.83, this->NumberOfNeighbors, measure, isWanted) ||
+      !bodies.Finish(this, 0.83, 0.85, neighbors, this->NumberOfNeighbors, disks))
     {
       return 1;
     }
@@ -398,14 +415,19 @@ int vtkPointSplatEstimation::RequestData(
         if (!elliptical)
         {
           sizes[0]->SetValue(id, length);
+          const bool alone = drawn && disks.IsAlone(s);
           const float* plane = drawn ? disks.Planes.data() + std::size_t(3) * s : n + 3 * id;
           std::copy(plane, plane + 3, planes->GetPointer(3 * id));
           float* tensor = curvatures->GetPointer(6 * id);
-          if (drawn && disks.IsAlone(s))
+          if (alone)
           {
-            disks.GetBall(s, plane, tensor);
+            std::fill_n(planes->GetPointer(3 * id), 3, 0.0f);
           }
-          else if (drawn)
+          if (alone && !known[s])
+          {
+            disks.GetBall(s, tensor);
+          }
+          else if (drawn && !alone)
           {
             std::copy_n(disks.Curvatures.data() + std::size_t(6) * s, 6, tensor);
           }

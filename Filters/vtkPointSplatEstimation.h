@@ -17,7 +17,8 @@
  * - the active normals (3 floats, unit length): those of the input, normalised and with their
  *   sign, where they are finite and not zero, otherwise estimated;
  * - `SplatRadius` (1 float, world units) and `SplatPlaneNormal` (3 floats, unit length: the
- *   normal of the disk's plane, the point's normal but for stage 4's exception) and
+ *   normal of the disk's plane, the point's normal but for stage 4's exception; 0 for bodies alone,
+ *   stage 6, which have none) and
  *   `SplatCurvature` (6 floats, XX, YY, ZZ, XY, YZ, XZ, 1 / world units: the second fundamental
  *   form as a tensor across the normal, 1 / R on a sphere with outward normals; 0 where it is
  *   not known) if Shape is Circular, or
@@ -65,7 +66,8 @@
  *    covered is each triangle by its three disks together, so that one with an obtuse angle asks
  *    less than its circumcentre's distance. Where the cell stays open, four times as
  *    many neighbours are looked at, and if the nearest lie in a row, one a leaf of the search tree,
- *    which reaches past it; what does not close the cell all around is left out then. Where the
+ *    which reaches past it; what does not close the cell all around is left out then, but for rows
+ *    at borders, which take the size of the points in the next row. Where the
  *    whole cloud is as regular as a mesh's vertices are, gaps much larger than usual are holes in
  *    the surface; in random samplings such are to be closed. What holes and normals that do not fit
  *    tell is known after all points are looked at; so those beside a hole are looked at once more
@@ -94,10 +96,14 @@
  *    triangle's width. Without given normals, or where IsNoisy(), creases are not looked for:
  *    estimated normals turn over the width of their neighbourhood, as on a fillet.
  * 6. *Bound.* No disk is larger than two and a half times those of its neighbours, which keeps
- *    outliers small. A point with no neighbour of its own sheet is a body alone: half of the
- *    distance to what is nearest is its radius, and at most the cloud's median radius; its
- *    curvature is a ball's. GetNumberOfPointsAlone() counts them. With no neighbour at all, for a
- *    lone point, the radius is 0.1.
+ *    outliers small. A point with no neighbour of its own sheet is a body alone, and so are points
+ *    that no surface goes through (vtkPointSplatBodies.h): along a curve with nothing beside it;
+ *    and, without given normals, where points fill a volume, and far from all others. Half of the
+ *    distance to what is nearest is a body's radius, and at most the cloud's median radius. It has
+ *    no plane, and is seen from all sides, since what draws it turns it to who looks. Its
+ *    curvature is a ball's, or 0 where the point's normal is given, which it then shades with.
+ *    GetNumberOfPointsAlone() counts them. With no neighbour at all, for a lone point, the radius
+ *    is 0.1. Ellipses of bodies lie across their points' normals.
  *
  * Bad input: points with a coordinate that is not finite (or beyond 1e37), and hidden ones
  * (vtkGhostType has HIDDENPOINT), take no part; they stay in the output, with radius 0, and
@@ -191,8 +197,8 @@ public:
   ///@}
 
   /**
-   * How many points have no neighbour on a sheet of their own, and are drawn as a small body each
-   * (stage 6); known after Update().
+   * How many points have no neighbour on a sheet of their own, or no surface through them, and are
+   * drawn as a small body each (stage 6); known after Update().
    */
   vtkGetMacro(NumberOfPointsAlone, vtkIdType);
 

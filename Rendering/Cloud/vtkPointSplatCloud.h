@@ -16,7 +16,8 @@
 //   circular:   x y z radius | plane's normal, normal, bend, point id
 //   elliptical: x y z longer axis | plane's normal, normal, 0, point id | axis 1, 0 | axis 2, 0
 // Normals are coded in two times 16 bits on an octahedron; the bend, the matrix K of
-// vtkPointSplatProjection.glsl, in three times 10. Without sizes the radius is 0.
+// vtkPointSplatProjection.glsl, in three times 10, and bit 30 is set for a body alone, whose plane is
+// across the ray that sees it. Without sizes the radius is 0.
 // Clip lines (`SplatClip`): four floats a splat, where any point has some, (c1 . s, c1 . t, c2 . s,
 // c2 . t) with its axes s and t, of circular ones the tangents of vtkPointSplatProjection.glsl: of
 // s u + t v is kept what has dot(c, (u, v)) <= 1.

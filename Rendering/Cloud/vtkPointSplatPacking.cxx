@@ -87,6 +87,7 @@ void TangentsOf(uint32_t planeCode, double s[3], double t[3])
 
 constexpr double LargestBend = 1.0; // as in vtkPointSplatProjection.glsl
 constexpr double BendSteps = 511.0;
+constexpr uint32_t BodyBit = 0x40000000u;
 
 /// Where the parabola meets the circle, in radii of the splat: at the rim of its blending kernel.
 constexpr double MeetingReach = 1.5;
@@ -330,6 +331,7 @@ struct PackWorker
         valid[i] = 1;
         const double normal[3] = { n[0] / length, n[1] / length, n[2] / length };
         double plane[3] = { normal[0], normal[1], normal[2] };
+        bool body = false;
         if (a.Axis1)
         {
           // Whatever side the axes' product has, the plane shows the normal's.
@@ -338,6 +340,7 @@ struct PackWorker
         else if (a.Plane)
         {
           a.Plane->GetTuple(i, plane);
+          body = circular && plane[0] == 0.0 && plane[1] == 0.0 && plane[2] == 0.0;
         }
         if (!(vtkMath::Normalize(plane) > 0.0) || !Finite(plane))
         {
@@ -361,6 +364,7 @@ struct PackWorker
           a.Curvature->GetTuple(i, curvature);
           out[6] = CodeBend(out[4], curvature, radius);
         }
+        out[6] |= body ? BodyBit : 0u;
         out[3] = Bits(radius);
         out[7] = static_cast<uint32_t>(i);
         if (!circular)
@@ -489,6 +493,10 @@ void vtkPointSplatPacking::Estimate(vtkObject* owner, vtkPolyData* bare, bool pr
   }
   vtkPointData* estimated = estimation->GetOutput()->GetPointData();
   this->Normals = estimated->GetNormals();
+  if (sized && !this->Plane)
+  {
+    this->Plane = estimated->GetArray(vtkPointSplatArrays::PlaneNormal);
+  }
   if (!sized)
   {
     this->Radius = estimated->GetArray(vtkPointSplatArrays::Radius);

@@ -15,6 +15,10 @@
 // Guennebaud, Barthe, Paulin 2006, equations 3 to 5, have such a matrix). So single precision
 // suffices however far the window's corner is. Nothing in this needs a perspective: in parallel
 // projection all w are 1.
+//
+// A body alone has no plane: its disk is across the ray from the eye, so that it is seen from all
+// sides, and with K it is a small ball. Nothing else covers the pixels beside it, so it is never
+// smaller than what covers one.
 
 #include "vtkPointSplatOctahedron"
 #include "vtkPointSplatPixels"
@@ -48,6 +52,12 @@ const float OwnSideFacing = 0.7;
 // The strongest bend, as K's eigenvalue: the normal turns 45 degrees at the rim.
 const float LargestBend = 1.0;
 const float BendSteps = 511.0;
+// Bits of K's code: the three elements, and whether the splat is a body alone.
+const uint BendMask = 0x3fffffffu;
+const uint BodyBit = 0x40000000u;
+// Pixels, the least radius of a body: times DiskReach (vtkPointSplatReach.h), 1.15, it is half of a
+// pixel's diagonal, so that no body falls between the pixels' centres.
+const float LeastBody = 0.62;
 // The part of the normal's first-order change that splats add to the mean. Where
 // the normal runs as n(x), the mean over splats at x + d of n(x + d) - a n'(x + d) d
 // is n + (1/2 - a) n'' <d^2> to second order: with none of it the kernel smooths,
@@ -114,7 +124,11 @@ bool placeSplat(vec3 positionMC, uvec3 shape, vec3 axis1MC, vec3 axis2MC, float 
   float reach, out Splat q, out Bend bend)
 {
   vec4 p = MCVC * vec4(positionMC, 1.0);
-  vec3 planeMC = decodeNormal(shape.x);
+  bool body = (shape.z & BodyBit) != 0u;
+  // The normal matrix is the inverse of the transposed one that takes a plane's normal back.
+  vec3 planeMC = body
+    ? normalize((Parallel ? vec3(0.0, 0.0, 1.0) : -p.xyz / max(length(p.xyz), 1e-30)) * mat3(MCVC))
+    : decodeNormal(shape.x);
   vec3 n = normalize(NormalMatrix * planeMC);
   radius = radius > 0.0 ? radius : UsualRadius;
   q.positionVC = p.xyz;
@@ -125,7 +139,12 @@ bool placeSplat(vec3 positionMC, uvec3 shape, vec3 axis1MC, vec3 axis2MC, float 
   float towards = Parallel ? n.z : -dot(n, p.xyz);
   bool back = towards < 0.0;
   q.tag = Tag | (back ? 1u : 0u);
-  q.normal = shape.x == shape.y ? n : normalize(NormalMatrix * decodeNormal(shape.y));
+  q.normal = n;
+  if (body ? (shape.z & BendMask) == 0u : shape.x != shape.y)
+  {
+    q.normal = normalize(NormalMatrix * decodeNormal(shape.y));
+    q.normal = body && dot(q.normal, n) < 0.0 ? -q.normal : q.normal;
+  }
   q.facing = Parallel ? abs(n.z) : abs(towards) / max(abs(p.z), 1e-30);
 
   if (Circular)
@@ -142,6 +161,14 @@ bool placeSplat(vec3 positionMC, uvec3 shape, vec3 axis1MC, vec3 axis2MC, float 
   q.mVC = mat3(MCVC) * (RadiusScale * radius * planeMC);
   float longest = sqrt(max(dot(q.sVC, q.sVC), dot(q.tVC, q.tVC)));
   q.layer = LayerDistance + LayerRadii * longest;
+  if (body)
+  {
+    float least = LeastBody * w / max(length(PixelX.xyz) * longest, 1e-30);
+    float grown = clamp(least, 1.0, 1e6);
+    q.sVC *= grown;
+    q.tVC *= grown;
+    q.mVC *= grown;
+  }
 
   // The larger a splat, the more it bends.
   q.bend = decodeBend(shape.z);

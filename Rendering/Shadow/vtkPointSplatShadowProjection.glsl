@@ -33,6 +33,9 @@ const float LargestReach = 16.0;
 // outlines by half a pixel.
 const float SmallDisk = 1.2;
 
+// Of a splat's bend (vtkPointSplatProjection): it is a body alone.
+const uint BodyBit = 0x40000000u;
+
 struct Seen
 {
   bool inside;  // the map
@@ -94,9 +97,13 @@ Seen seeSplat(int index)
 {
   uvec4 a = texelFetch(Splats, index * TexelsPerSplat);
   vec4 positionMC = vec4(uintBitsToFloat(a.xyz), 1.0);
-  uint plane = texelFetch(Splats, index * TexelsPerSplat + 1).x;
-  vec3 normal = normalize(NormalMatrix * decodeNormal(plane));
+  uvec3 shape = texelFetch(Splats, index * TexelsPerSplat + 1).xyz;
+  uint plane = shape.x;
   vec3 p = (MCLC * positionMC).xyz;
+  // A body alone faces the light, as it does the eye (vtkPointSplatProjection).
+  vec3 normal = TexelsPerSplat == 2 && (shape.z & BodyBit) != 0u
+    ? (Parallel ? vec3(0.0, 0.0, -1.0) : -p / max(length(p), 1e-30))
+    : normalize(NormalMatrix * decodeNormal(plane));
   Seen s;
   s.cut = false;
   for (int i = 0; i < ClipPlaneCount; ++i)

@@ -126,6 +126,8 @@ def sizes(standin, samples=32):
     p = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
     radius = vtk_to_numpy(found.GetArray("SplatRadius")).astype(float)
     n = vtk_to_numpy(found.GetArray("SplatPlaneNormal")).astype(float)
+    # Bodies alone have no plane: any is as good.
+    n[~n.any(1)] = (0, 0, 1)
     c = vtk_to_numpy(found.GetArray("SplatCurvature")).astype(float)
     form = np.stack([c[:, [0, 3, 5]], c[:, [3, 1, 4]], c[:, [5, 4, 2]]], 1)
     s = np.cross(n, np.eye(3)[np.argmin(np.abs(n), 1)])

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 // That disks of vtkPointSplatEstimation keep to their own sheet: on specks, tubes, sheets that lie
-// close, and for points alone. The truth is known in closed form.
+// close, in scan lines, and for points alone. The truth is known in closed form.
 #include "vtkFloatArray.h"
 #include "vtkMath.h"
 #include "vtkMinimalStandardRandomSequence.h"
@@ -125,6 +125,32 @@ void Alone()
   }
   cloud.Expect("droplets", 0.5, 0.76, 9);
 }
+
+/// Lines that are twenty times as far from each other as their points: the outer ones, which have
+/// neighbours on one side only, reach to the next as well.
+void ScanLines()
+{
+  Cloud cloud;
+  for (int i = 0; i < 12 * 400; ++i)
+  {
+    cloud.Add(i % 400, 20 * (i / 400), 0, 0, 0, 1);
+  }
+  cloud.Expect("scan lines", 9.5, 15, 0);
+}
+
+/// A single line, for all that its normals say, and a circle: bodies, since nothing is beside them.
+void Curves()
+{
+  Cloud line, circle;
+  for (int i = 0; i < 500; ++i)
+  {
+    const double angle = 2 * vtkMath::Pi() * i / 500;
+    line.Add(i, 0, 0, 0, 0, 1);
+    circle.Add(std::cos(angle), std::sin(angle), 0, 0, 0, 1);
+  }
+  line.Expect("line", 0.49, 0.51, 500);
+  circle.Expect("circle", 0.0062, 0.0064, 500);
+}
 }
 
 int TestSplatSizes(int, char*[])
@@ -135,5 +161,7 @@ int TestSplatSizes(int, char*[])
   Tube(16);
   Sheets(1.0);
   Alone();
+  ScanLines();
+  Curves();
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

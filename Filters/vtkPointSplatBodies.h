@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPointSplatBodies
+ * @brief   the points that no surface goes through
+ *
+ * An internal helper of vtkPointSplatEstimation; see stage 6 there. Points along a curve, points
+ * that fill a volume and outliers far from all others have no plane. They are bodies alone.
+ *
+ * 1. Points without given normals are looked at with their nearest neighbours, whose variances
+ *    along their principal axes tell. On a curve the second is next to nothing, and with the
+ *    neighbours' neighbours too, since a few points at random may lie in a row. In a volume the
+ *    third is not much less than the others, the planes that fit neighbouring points have little to
+ *    do with one another, and both is so with most of the neighbours as well, since thick noise
+ *    about a surface has such places too. An outlier is farther from the others than these are from one
+ *    another.
+ * 2. Points with given normals are on a curve where no more neighbours than a row of them were
+ *    found on any side. So are those of a surface's border row, of scan lines that are many times
+ *    as dense along them as from one to the next. But their sheet has points with neighbours all
+ *    around, the rows beside: of the nearest one such a border point takes the size.
+ */
+#ifndef vtkPointSplatBodies_h
+#define vtkPointSplatBodies_h
+
+#include "vtkPointSplatDisks.h"
+
+#include <atomic>
+#include <mutex>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkAlgorithm;
+
+class vtkPointSplatBodies
+{
+public:
+  using Slot = vtkPointSplatNeighbors::Slot;
+  using Neighborhood = vtkPointSplatNeighbors::Neighborhood;
+
+  explicit vtkPointSplatBodies(Slot slots);
+
+  /// Looks at a point without given normal. normals: 3 floats a slot, the estimated ones.
+  void Look(const Neighborhood& around, const float* normals);
+
+  /// Looks at the nearest, so many, of a point whose neighbours lie in a row.
+  void LookAtRow(const Neighborhood& around, int nearest);
+  /// Takes a point of a row that has no neighbours all around, with the farthest that were found.
+  void AddRow(const Neighborhood& around, const vtkPointSplatSheet& sheet);
+
+  /**
+   * Makes disks of length 0 of the bodies, and of border rows' as large as those in the next row.
+   * count: of neighbours, as in the looks. Returns false if aborted.
+   */
+  bool Finish(vtkAlgorithm* self, double from, double to,
+    const vtkPointSplatNeighbors& neighbors, int count, vtkPointSplatDisks& disks);
+
+private:
+  static constexpr int NumberOfModels = 8;
+  struct Row
+  {
+    Slot At;
+    Slot Models[NumberOfModels]; // of its sheet, nearest first
+  };
+
+  /// The variances along the principal axes, the greatest first, of the centre and so many
+  /// neighbours.
+  static void GetVariances(const Neighborhood& around, int count, float variances[3]);
+  static bool IsCurve(const Neighborhood& around, int count);
+
+  /// Whether the nearest few alone lie in a row.
+  static bool IsRow(const Neighborhood& around);
+  bool IsPartOfCurve(Slot slot, const vtkPointSplatDisks& disks) const;
+
+  std::vector<unsigned char> OnCurve;
+  std::vector<unsigned char> InRow; // as are ends of curves, which may have another part beside
+  std::vector<unsigned char> Scattered;     // by the look at it alone
+  std::vector<std::atomic<bool>> Suspected; // slots with a neighbour that is
+  std::vector<unsigned char> Guessed;       // slots without given normal
+  std::atomic<bool> AnyScattered{ false };
+  std::vector<Row> Rows;
+  std::mutex RowsMutex;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
