@@ -115,6 +115,7 @@ class TestSession(SplatviewTest):
             hands("key", "r")
             self.wait_for(lambda s: self.covered(s) > 0.9 * self.covered(turned), "seen whole by r")
 
+            hands("mousemove", "--window", self.window, 100, 100)
             for key in ("w", "s", "p", "3", "3", "j", "t", "h", "h", "F1", "Escape"):
                 hands("key", key)
                 self.settled()
