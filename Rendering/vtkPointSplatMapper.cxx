@@ -22,6 +22,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <sstream>
 #include <string>
@@ -42,6 +43,7 @@ public:
   {
   }
   bool Update(const vtkPointSplatSettings& settings) override;
+  using vtkPointSplatSource::GetSettings;
   vtkPointSplatSettings GetSettings() const override;
   /// Brings the splats up to date with an input that is.
   void UpdateCloud(vtkDataObject* data, const vtkPointSplatSettings& settings);
@@ -68,8 +70,11 @@ private:
   vtkPointSplatColours MapColours(vtkDataSet* data);
   vtkPointSplatValues MapValues(vtkDataSet* data);
   std::string GetColourKey();
+  /// Of composite data: how blocks look by the display attributes.
+  void LookAtBlocks(vtkPointSplatCloudInput& input);
 
   vtkPointSplatMapper* Self;
+  std::array<double, 4> ActorColour{ { 1.0, 1.0, 1.0, 1.0 } }; // of the one drawn last
 };
 
 //------------------------------------------------------------------------------
@@ -132,7 +137,27 @@ void vtkPointSplatMapper::vtkInternals::UpdateCloud(
     };
     input.ColourKey = [this] { return this->GetColourKey(); };
   }
+  this->ActorColour = settings.ActorColour.value_or(this->ActorColour);
+  this->LookAtBlocks(input);
   this->GetCloud().Update(input);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatMapper::vtkInternals::LookAtBlocks(vtkPointSplatCloudInput& input)
+{
+  input.ActorColour = this->ActorColour;
+  this->Self->VisitBlockLooks([&input](unsigned int index, const BlockLook& block) {
+    vtkPointSplatBlockLook& look = input.Looks[index];
+    look.Visible = block.Visible;
+    if (block.HasColor)
+    {
+      look.Colour = { block.Color[0], block.Color[1], block.Color[2] };
+    }
+    if (block.HasOpacity)
+    {
+      look.Opacity = block.Opacity;
+    }
+  });
 }
 
 //------------------------------------------------------------------------------
@@ -243,7 +268,7 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   }
   vtkInternals& internals = *this->Internals;
   this->InvokeEvent(vtkCommand::StartEvent, nullptr);
-  const bool some = internals.Update(internals.GetSettings());
+  const bool some = internals.Update(internals.GetSettings(actor));
   this->InvokeEvent(vtkCommand::EndEvent, nullptr);
   if (!some)
   {
@@ -373,6 +398,13 @@ vtkPointSplatValues vtkPointSplatMapper::vtkInternals::MapValues(vtkDataSet* dat
   values.Coordinates = m->GetColorCoordinates();
   values.Table = m->GetColorTextureMap();
   return values;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatMapper::GetVertices(vtkActor* actor, vtkPolyData* vertices)
+{
+  this->Internals->Update(this->Internals->GetSettings(actor));
+  this->Internals->GetCloud().MakeVertices(vertices);
 }
 
 //------------------------------------------------------------------------------

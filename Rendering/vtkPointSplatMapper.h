@@ -28,7 +28,8 @@
  * (SetTransparencyToSorted(), SetTransparencyToNearestExact()).
  *
  * Input: vtkPolyData (or any vtkPointSet), or a composite data set of them. Only points count;
- * cells serve cell selection and cell scalars.
+ * cells serve cell selection and cell scalars. Blocks may be hidden, and have colours and opacities
+ * of their own: vtkPointSplatBlockMapper.
  * - Point normals, 3 components. Missing ones are estimated.
  * - `SplatRadius`, 1 component, world units; or `SplatAxis1` and `SplatAxis2`, 3 components, world
  *   units, in the tangent plane. Missing ones are estimated.
@@ -90,7 +91,7 @@
 #ifndef vtkPointSplatMapper_h
 #define vtkPointSplatMapper_h
 
-#include "vtkPolyDataMapper.h"
+#include "vtkPointSplatBlockMapper.h"
 #include "vtkRenderingPointSplattingModule.h" // For export macro
 
 #include "vtkPointSplatSetMacros.h"
@@ -100,11 +101,11 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
-class VTKRENDERINGPOINTSPLATTING_EXPORT vtkPointSplatMapper : public vtkPolyDataMapper
+class VTKRENDERINGPOINTSPLATTING_EXPORT vtkPointSplatMapper : public vtkPointSplatBlockMapper
 {
 public:
   static vtkPointSplatMapper* New();
-  vtkTypeMacro(vtkPointSplatMapper, vtkPolyDataMapper);
+  vtkTypeMacro(vtkPointSplatMapper, vtkPointSplatBlockMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum MethodType
@@ -523,6 +524,11 @@ public:
   void SetInputDataObject(vtkDataObject* input) { this->SetInputDataObject(0, input); }
   using vtkPolyDataMapper::SetInputDataObject;
   bool HasCompositeInput();
+
+  /**
+   * The points as an actor draws them, as plain vertices: see vtkPointSplatPlainScene.
+   */
+  void GetVertices(vtkActor* actor, vtkPolyData* vertices);
 
   double* GetBounds() VTK_SIZEHINT(6) override;
   void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }

@@ -118,6 +118,14 @@ void vtkPointSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 bool vtkPointSplatMapper::HasTranslucentPolygonalGeometry()
 {
+  bool translucentBlock = false;
+  this->VisitBlockLooks([&translucentBlock](unsigned int, const BlockLook& look) {
+    translucentBlock = translucentBlock || (look.Visible && look.HasOpacity && look.Opacity < 1.0);
+  });
+  if (translucentBlock)
+  {
+    return true;
+  }
   if (!this->ScalarVisibility || !this->GetLookupTable())
   {
     return false;

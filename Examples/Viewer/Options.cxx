@@ -365,6 +365,9 @@ What comes out
   --quiet              no progress bars and no summary
   --help, --version
 
+In the window: h lists the keys; p tells of the point under the pointer its id, coordinates and
+arrays, on the screen and on standard output (unless --quiet).
+
 Examples
   splatview
   splatview bunny.ply --output bunny.png

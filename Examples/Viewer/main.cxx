@@ -6,10 +6,10 @@
 #include "Options.h"
 #include "Report.h"
 #include "Scene.h"
+#include "Session.h"
 
 #include "vtkCamera.h"
 #include "vtkEGLHeadlessRenderWindow.h"
-#include "vtkInteractorStyleTrackballCamera.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 #include "vtkRenderWindow.h"
@@ -140,16 +140,17 @@ int Run(const Options& options)
     window = vtkSmartPointer<vtkEGLHeadlessRenderWindow>::New();
   }
   window->SetSize(options.Size[0], options.Size[1]);
-  window->SetWindowName("splatview");
+  window->SetWindowName(TitleOf(options.Files).c_str());
   window->AddRenderer(scene.Renderer);
   // Before the first Render(): VTK 9.1 crashes at the session's end where the window has opened the
   // X server's connection, and closes it, while the interactor still reads from it.
-  vtkNew<vtkInteractorStyleTrackballCamera> style;
+  vtkNew<Session> style;
   vtkNew<vtkRenderWindowInteractor> interactor;
   if (interactive)
   {
     interactor->SetRenderWindow(window);
     interactor->SetInteractorStyle(style);
+    style->SetScene(scene, options.Quiet);
   }
   window->Render();
   if (ShowMessages() != 0)

@@ -8,6 +8,7 @@
 #include "vtkType.h"
 
 #include <array>
+#include <optional>
 
 struct vtkPointSplatSettings
 {
@@ -65,6 +66,9 @@ struct vtkPointSplatSettings
   double RefractiveIndex = 1.5;
   double Dispersion = 0.0;
   std::array<double, 3> Absorption{ { 0.0, 0.0, 0.0 } };
+
+  /// Diffuse colour and opacity of the actor that is drawn, if that is known.
+  std::optional<std::array<double, 4>> ActorColour;
 
   bool Shadows = false;
   int NumberOfShadowSamples = 16;

@@ -90,6 +90,13 @@ vtkPointSplatCloud::Key vtkPointSplatCloud::SplatKey(const std::vector<Block>& b
 void vtkPointSplatCloud::Update(const vtkPointSplatCloudInput& input)
 {
   std::vector<Block> blocks = vtkPointSplatCloud::Gather(input.Data);
+  this->KeepOnly(input, blocks);
+  blocks.erase(std::remove_if(blocks.begin(), blocks.end(),
+                 [&input](const Block& block) {
+                   const auto look = input.Looks.find(block.FlatIndex);
+                   return look != input.Looks.end() && !look->second.Visible;
+                 }),
+    blocks.end());
   this->Composite = vtkCompositeDataSet::SafeDownCast(input.Data) != nullptr;
   Key splatKey = vtkPointSplatCloud::SplatKey(blocks);
   if (this->SplatTime == 0 || splatKey != this->SplatsMadeFrom ||
@@ -123,8 +130,12 @@ void vtkPointSplatCloud::Update(const vtkPointSplatCloudInput& input)
     factorKey.emplace_back(factors, factors ? factors->GetMTime() : 0);
   }
   auto wanted = [&input] { return input.ColourKey ? input.ColourKey() : std::string(); };
-  if (colourKey != this->ColoursMadeFrom || wanted() != this->ColourKey)
+  const bool looks = input.Looks != this->Looks ||
+    (this->MixedColours && input.ActorColour != this->ActorColour);
+  if (colourKey != this->ColoursMadeFrom || wanted() != this->ColourKey || looks)
   {
+    this->Looks = input.Looks;
+    this->ActorColour = input.ActorColour;
     this->BuildColours(input);
     this->ColoursMadeFrom = std::move(colourKey);
     this->ColourKey = wanted(); // to map colours may change the lookup table's range
@@ -209,8 +220,7 @@ bool vtkPointSplatCloud::BuildSplats(
   bool given = !blocks.empty();
   for (const Block& block : blocks)
   {
-    packings.push_back(vtkPointSplatPacking::Collect(
-      input.Owner, block.Data, input.NeedSizes, input.ProjectNoise));
+    packings.push_back(this->CollectBlock(input, block));
     if (packings.back().Aborted)
     {
       blocks.clear();
@@ -307,49 +317,6 @@ void vtkPointSplatCloud::Measure()
     std::nth_element(radii.begin(), middle, radii.end());
     this->MedianRadius = *middle;
     this->MaximumRadius = *std::max_element(middle, radii.end());
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkPointSplatCloud::BuildColours(const vtkPointSplatCloudInput& input)
-{
-  this->Colours.clear();
-  this->ValueTable.clear();
-  this->CellColours = false;
-  if (!input.MapColours || (input.MapValues && this->BuildValues(input)))
-  {
-    return;
-  }
-  const size_t words = this->GetWordsPerSplat();
-  for (const Block& block : this->Blocks)
-  {
-    const vtkPointSplatColours colours = input.MapColours(block.Data);
-    if (!colours.Array || colours.Array->GetNumberOfComponents() != 4)
-    {
-      continue;
-    }
-    if (this->Colours.empty())
-    {
-      // Blocks without scalars stay white beside those with.
-      this->Colours.assign(static_cast<size_t>(this->Count), 0xffffffffu);
-    }
-    const std::vector<vtkIdType> cells =
-      colours.OfCells ? vtkPointSplatPacking::CellsOfPoints(block.Data) : std::vector<vtkIdType>();
-    this->CellColours = this->CellColours || colours.OfCells;
-    const unsigned char* from = colours.Array->GetPointer(0);
-    const vtkIdType tuples = colours.Array->GetNumberOfTuples();
-    vtkSMPTools::For(block.First, block.First + block.Count, [&](vtkIdType begin, vtkIdType end) {
-      for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
-      {
-        vtkIdType id = this->Splats[words * i + 7];
-        id = colours.OfCells ? cells[static_cast<size_t>(id)] : colours.Only >= 0 ? colours.Only : id;
-        this->Colours[i] = colours.WithoutCell;
-        if (id >= 0 && id < tuples)
-        {
-          std::memcpy(&this->Colours[i], from + 4 * id, 4);
-        }
-      }
-    });
   }
 }
 

@@ -27,6 +27,8 @@
 // Colours of cells: a splat has that of the first cell, by its id, that uses the point, as of a
 // point's vertex; a point without a cell has the table's colour of NaN. They are not blended: a
 // pixel has the colour of the splat with the greatest weight.
+// Looks of blocks: hidden ones have no splats. Where some block has a colour or an opacity of its own,
+// colours hold for all blocks what is to be seen, opacities those of actor and scalars multiplied.
 // Values: where scalars are to be interpolated before they are mapped, there are values in the
 // place of colours. Stages blend these, and map the mean of each pixel through the cloud's table, so that
 // no colour appears that the table has not (vtkPointSplatValue.glsl). A value is a float from 0, the
@@ -41,19 +43,21 @@
 #include "vtkPointSplatBuffer.h"
 #include "vtkPointSplatCloudInput.h"
 #include "vtkPointSplatGroups.h"
+#include "vtkPointSplatPacking.h"
 
 #include "vtkTimeStamp.h"
 
 #include <array>
 #include <list>
+#include <map>
 #include <memory>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkPointSet;
+class vtkPolyData;
 VTK_ABI_NAMESPACE_END
 
-class vtkPointSplatPacking;
 
 class vtkPointSplatCloud
 {
@@ -121,6 +125,12 @@ public:
 
   const vtkPointSplatBlocks& GetBlocks();
 
+  /**
+   * The points that splats were made from, a vertex each, for what draws no splats: in the input's
+   * order, with normals where all blocks have them, and colours (RGBA) where splats have some.
+   */
+  void MakeVertices(vtkPolyData* vertices) const;
+
   vtkIdType GetNumberOfSplats() const { return this->Count; }
   vtkIdType GetNumberOfSkippedPoints() const { return this->Skipped; }
   /// Whether points of some block are drawn where they were projected to.
@@ -142,6 +152,8 @@ public:
   bool HasValues() const { return !this->ValueTable.empty(); }
   /// Whether colours are of cells, and a pixel has that of one splat.
   bool HasCellColours() const { return this->CellColours; }
+  /// Whether the actor's opacity is in the colours already.
+  bool HasOwnOpacity() const { return this->OwnOpacity; }
   /// Colours, packed as those of splats: the table's, and last that of NaN.
   const std::vector<uint32_t>& GetValueTable() const { return this->ValueTable; }
   /// From a value to its place in the table, in entries: its factor, and what is added.
@@ -176,6 +188,11 @@ private:
   static Key SplatKey(const std::vector<Block>& blocks);
   /// False where the estimation of what is missing was aborted: then there are no splats.
   bool BuildSplats(const vtkPointSplatCloudInput& input, std::vector<Block>& blocks);
+  /// The arrays of a block; those of blocks with looks are kept, so that hidden ones come back at once.
+  vtkPointSplatPacking CollectBlock(const vtkPointSplatCloudInput& input, const Block& block);
+  /// Forgets what was kept of blocks that are not among these.
+  void KeepOnly(const vtkPointSplatCloudInput& input, const std::vector<Block>& blocks);
+  static Key KeptKey(const vtkPointSplatCloudInput& input, const Block& block);
   vtkIdType BuildBlock(const vtkPointSplatCloudInput& input, Block& block,
     const vtkPointSplatPacking& packing);
   void BuildClipLines(const Block& block, const vtkPointSplatPacking& packing);
@@ -189,15 +206,21 @@ private:
   double MeasureSpacing() const;
   void Measure();
   void BuildColours(const vtkPointSplatCloudInput& input);
+  void BuildScalarColours(const vtkPointSplatCloudInput& input, std::vector<bool>& scalars);
+  void BuildLooks(const vtkPointSplatCloudInput& input, const std::vector<bool>& scalars);
   bool BuildValues(const vtkPointSplatCloudInput& input);
   void BuildFactors(vtkObject* owner);
   std::vector<uint32_t> MakeIds(IdKind kind) const;
+  /// RGBA, 8 bits each, whether splats have colours or values.
+  uint32_t ColourOf(vtkIdType splat) const;
   Buffers& Fill(ContextBuffers& all, bool grouped);
 
   std::vector<uint32_t> Splats;
   std::vector<uint32_t> ClipLines; // floats, as their bits
   std::vector<uint32_t> Colours;
   bool CellColours = false;
+  bool OwnOpacity = false;
+  bool MixedColours = false; // of the actor beside others
   std::vector<uint32_t> ValueTable;
   std::array<double, 2> ValueScale{ { 0.0, 0.0 } };
   std::vector<uint32_t> Factors;
@@ -219,12 +242,15 @@ private:
   std::array<double, 3> High{ { 0.0, 0.0, 0.0 } };
   std::array<double, 3> Origin{ { 0.0, 0.0, 0.0 } };
   std::array<double, 6> Bounds{ { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 } };
+  std::map<Key, vtkPointSplatPacking> Kept;
   vtkPointSplatGroups Groups;
   vtkPointSplatBlocks SplatBlocks;
   vtkTimeStamp BlockTime;
   Key SplatsMadeFrom;
   Key ColoursMadeFrom;
   std::string ColourKey;
+  std::map<unsigned int, vtkPointSplatBlockLook> Looks;
+  std::array<double, 4> ActorColour{ { 1.0, 1.0, 1.0, 1.0 } };
   Key FactorsMadeFrom;
   vtkTimeStamp SplatTime;
   vtkTimeStamp ColourTime;

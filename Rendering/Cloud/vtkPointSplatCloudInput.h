@@ -10,8 +10,11 @@
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <array>
 #include <cstdint>
 #include <functional>
+#include <map>
+#include <optional>
 #include <string>
 
 /**
@@ -40,6 +43,22 @@ struct vtkPointSplatValues
   vtkSmartPointer<vtkImageData> Table;
 };
 
+/**
+ * How a block looks, where that is not as its actor and its scalars have it.
+ */
+struct vtkPointSplatBlockLook
+{
+  bool Visible = true;
+  std::optional<std::array<double, 3>> Colour;
+  std::optional<double> Opacity;
+
+  bool operator==(const vtkPointSplatBlockLook& other) const
+  {
+    return this->Visible == other.Visible && this->Colour == other.Colour &&
+      this->Opacity == other.Opacity;
+  }
+};
+
 struct vtkPointSplatCloudInput
 {
   /// Points: a point set, or a composite data set of such.
@@ -58,6 +77,10 @@ struct vtkPointSplatCloudInput
   std::function<vtkAbstractArray*(vtkDataSet*, int& cellFlag)> FindScalars;
   /// Changes with whatever colours depend on beside the scalars, or null.
   std::function<std::string()> ColourKey;
+  /// By flat index; those that are missing look as actor and scalars have it.
+  std::map<unsigned int, vtkPointSplatBlockLook> Looks;
+  /// The actor's diffuse colour and opacity, for blocks without their own beside those with.
+  std::array<double, 4> ActorColour{ { 1.0, 1.0, 1.0, 1.0 } };
 };
 
 #endif

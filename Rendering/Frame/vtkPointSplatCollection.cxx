@@ -74,7 +74,7 @@ vtkPointSplatEntry vtkPointSplatCollection::MakeEntry(
   vtkPointSplatEntry entry;
   entry.Actor = actor;
   entry.Source = source;
-  entry.Settings = source->GetSettings();
+  entry.Settings = source->GetSettings(actor);
   if (wishes)
   {
     wishes->Change(entry.Settings);
@@ -262,7 +262,7 @@ void vtkPointSplatCollection::MakeItem(vtkPointSplatEntry& entry, int slot,
     item.LargestLayer = std::max(points.Layer, points.LayerPixels * spacing.LargestPixel);
   }
   const double* colour = property->GetColor();
-  const double opacity = property->GetOpacity();
+  const double opacity = cloud.HasOwnOpacity() ? 1.0 : property->GetOpacity();
   item.Colour = cloud.HasColours() ? glm::vec4(1.0, 1.0, 1.0, opacity)
                                    : glm::vec4(colour[0], colour[1], colour[2], opacity);
   item.Opacities =
@@ -281,7 +281,8 @@ vtkPointSplatMaterials::Entry vtkPointSplatCollection::MakeMaterial(
   const vtkPointSplatEntry& entry)
 {
   const vtkPointSplatSettings& s = entry.Settings;
-  vtkPointSplatMaterials::Entry material{ entry.Actor, entry.Item.Cloud->HasColours(), {} };
+  vtkPointSplatMaterials::Entry material{ entry.Actor, entry.Item.Cloud->HasColours(),
+    entry.Item.Cloud->HasOwnOpacity(), {} };
   if (s.Refraction)
   {
     material.Medium.Refracts = true;

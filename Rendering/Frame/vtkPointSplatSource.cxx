@@ -4,6 +4,7 @@
 
 #include "vtkActor.h"
 #include "vtkMapper.h"
+#include "vtkProperty.h"
 
 #include <map>
 #include <mutex>
@@ -39,6 +40,15 @@ vtkPointSplatSource::~vtkPointSplatSource()
   Registry& registry = Registry::Get();
   const std::lock_guard<std::mutex> lock(registry.Mutex);
   registry.Sources.erase(this->Mapper);
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatSettings vtkPointSplatSource::GetSettings(vtkActor* actor) const
+{
+  vtkPointSplatSettings settings = this->GetSettings();
+  const double* colour = actor->GetProperty()->GetDiffuseColor();
+  settings.ActorColour = { colour[0], colour[1], colour[2], actor->GetProperty()->GetOpacity() };
+  return settings;
 }
 
 //------------------------------------------------------------------------------

@@ -9,6 +9,7 @@
 #include "vtkPointSplatSettings.h"
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkActor;
 class vtkMapper;
 class vtkProp;
 VTK_ABI_NAMESPACE_END
@@ -30,6 +31,8 @@ public:
    */
   virtual bool Update(const vtkPointSplatSettings& settings) = 0;
   virtual vtkPointSplatSettings GetSettings() const = 0;
+  /// The same, with what an actor says.
+  vtkPointSplatSettings GetSettings(vtkActor* actor) const;
 
   vtkPointSplatCloud& GetCloud() { return this->Cloud; }
   vtkMapper* GetMapper() const { return this->Mapper; }

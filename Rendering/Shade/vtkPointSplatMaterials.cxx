@@ -38,7 +38,8 @@ void vtkPointSplatMaterials::Upload(const std::vector<Entry>& entries)
       : front;
     for (vtkProperty* p : { front, back })
     {
-      texels.emplace_back(Multiply(p->GetAmbientColor(), p->GetAmbient()), p->GetOpacity());
+      texels.emplace_back(Multiply(p->GetAmbientColor(), p->GetAmbient()),
+        entry.HasOwnOpacity ? 1.0 : p->GetOpacity());
       texels.emplace_back(Multiply(p->GetDiffuseColor(), p->GetDiffuse()), p->GetSpecularPower());
       texels.emplace_back(Multiply(p->GetSpecularColor(), p->GetSpecular()), 0.0f);
       texels.emplace_back(p->GetAmbient(), p->GetDiffuse(), front->GetLighting() ? 1.0 : 0.0,

@@ -48,6 +48,7 @@ public:
   {
     vtkActor* Actor;
     bool HasColours;
+    bool HasOwnOpacity; // which the colours hold, so that the property's does not count
     vtkPointSplatMedium Medium;
   };
 

@@ -31,17 +31,17 @@ def globe(turns=60, points=40):
 @unittest.skipUnless(is_available() and shutil.which("xdotool"), "no Xvfb or no xdotool here")
 class TestSession(SplatviewTest):
     @contextlib.contextmanager
-    def session(self, *options):
+    def session(self, *options, files=("globe.xyz",)):
         self.write("globe.xyz", globe())
         with VirtualDisplay() as display:
             viewer = subprocess.Popen(
-                [PROGRAM, "globe.xyz", "--size", "200x200", *options], cwd=self.folder,
+                [PROGRAM, *files, "--size", "200x200", *options], cwd=self.folder,
                 env=display.environment(), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
             )  # fmt: skip
             try:
                 self.display = display
                 self.first_line = viewer.stdout.readline()
-                self.window = display.find_window("splatview")
+                self.window = display.find_window(", ".join(files) + " - splatview")
                 display.hands("windowfocus", self.window)
                 yield viewer
             finally:
@@ -49,9 +49,10 @@ class TestSession(SplatviewTest):
                     viewer.kill()
                 viewer.communicate()
 
-    def assert_ends_well(self, viewer):
+    def assert_ends_well(self, viewer, told=""):
         out, err = viewer.communicate(timeout=60)
-        self.assertEqual((viewer.returncode, out, err), (0, "", ""))
+        self.assertEqual((viewer.returncode, err), (0, ""))
+        self.assertRegex(out, "^" + told + "$")
 
     def covered(self, screen):
         """How many pixels of the window, at most 400 x 400, are the ball's."""
@@ -114,10 +115,14 @@ class TestSession(SplatviewTest):
             hands("key", "r")
             self.wait_for(lambda s: self.covered(s) > 0.9 * self.covered(turned), "seen whole by r")
 
-            for key in ("w", "s", "p", "p", "3", "3", "j", "t", "h", "F1", "Escape"):
+            hands("mousemove", "--window", self.window, 100, 100)
+            for key in ("w", "s", "p", "3", "3", "j", "t", "h", "h", "F1", "Escape"):
                 hands("key", key)
                 self.settled()
                 self.assertIsNone(viewer.poll(), key)
+            # Where there is no point, so that few words are left on the screen.
+            hands("mousemove", "--window", self.window, 2, 2)
+            hands("key", "p")
 
             small = self.covered(self.settled())
             hands("windowsize", "--sync", self.window, 400, 400)
@@ -127,7 +132,61 @@ class TestSession(SplatviewTest):
             hands("windowsize", "--sync", self.window, 200, 200)
             self.settled()
             hands("key", "q")
+            self.assert_ends_well(viewer, "globe.xyz: point [0-9]+, at .*\nno point here\n")
+
+    def test_keys_are_listed_and_reach_the_property(self):
+        with self.session("--size", "700x400") as viewer:
+            hands = self.display.hands
+            hands("mousemove", "--window", self.window, 690, 390)
+            plain = self.settled()
+            hands("key", "h")
+            self.wait_for(lambda s: s != plain, "a list of keys")
+            listed = self.settled()
+            # The list tells the representation: its words change, whatever the surface does.
+            def corner(screen):
+                return b"".join(screen[4 * self.display.width * y :][: 4 * 420] for y in range(190))
+
+            hands("key", "w")
+            self.wait_for(lambda s: corner(s) != corner(listed), "wireframe in the list")
+            hands("key", "s")
+            self.wait_for(lambda s: s == listed, "the surface, and its name in the list")
+            hands("key", "h")
+            self.wait_for(lambda s: s == plain, "the list away")
+            hands("key", "q")
             self.assert_ends_well(viewer)
+
+    def test_a_point_is_told(self):
+        self.write("colours.xyz", "".join(
+            f"{x} {y} 0 {100 + x} {50 + y} 7\n" for y in range(21) for x in range(21)
+        ))  # fmt: skip
+        with self.session(files=["colours.xyz"]) as viewer:
+            hands = self.display.hands
+            hands("mousemove", "--window", self.window, 101, 99)
+            before = self.settled()
+            hands("key", "p")
+            self.wait_for(lambda s: s != before, "the point on the screen")
+            hands("mousemove", "--window", self.window, 2, 2)
+            hands("key", "p")
+            self.settled()
+            hands("key", "q")
+            self.assert_ends_well(
+                viewer, "colours.xyz: point 220, at 10 10 0, (.*, )?RGB 110 60 7(, .*)?\nno point here\n"
+            )
+
+    def test_a_legend_for_several_files(self):
+        self.write("other.xyz", globe().replace("\n", " \n"))
+        pictures = {}
+        for files in (["globe.xyz"], ["globe.xyz", "other.xyz"]):
+            with self.session("--size", "500x300", "--color", "#ff00ff;#00ffff", files=files):
+                screen = self.settled()
+                pictures[len(files)] = [
+                    screen[4 * (y * self.display.width + x) :][:3]
+                    for y in range(40) for x in range(320, 500)
+                ]  # fmt: skip
+        # Each file's colour, blue first, and no light on it.
+        for colour in (b"\xff\x00\xff", b"\xff\xff\x00"):
+            self.assertNotIn(colour, pictures[1])
+            self.assertGreater(pictures[2].count(colour), 10)
 
     def test_frames_are_timed_for_a_report_only(self):
         with self.session():

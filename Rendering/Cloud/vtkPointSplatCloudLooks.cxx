@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Of the cloud: colours, by scalars and by the looks of blocks, and what is kept of hidden blocks.
+#include "vtkPointSplatCloud.h"
+
+#include "vtkPointSet.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <set>
+
+//------------------------------------------------------------------------------
+vtkPointSplatCloud::Key vtkPointSplatCloud::KeptKey(
+  const vtkPointSplatCloudInput& input, const Block& block)
+{
+  Key key = vtkPointSplatCloud::SplatKey({ block });
+  key.emplace_back(nullptr, input.NeedSizes);
+  key.emplace_back(nullptr, input.ProjectNoise);
+  return key;
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatPacking vtkPointSplatCloud::CollectBlock(
+  const vtkPointSplatCloudInput& input, const Block& block)
+{
+  const Key key = input.Looks.empty() ? Key() : vtkPointSplatCloud::KeptKey(input, block);
+  const auto found = this->Kept.find(key);
+  if (found != this->Kept.end())
+  {
+    return found->second;
+  }
+  vtkPointSplatPacking packing = vtkPointSplatPacking::Collect(
+    input.Owner, block.Data, input.NeedSizes, input.ProjectNoise);
+  if (!input.Looks.empty() && !packing.Aborted)
+  {
+    this->Kept[key] = packing;
+  }
+  return packing;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatCloud::KeepOnly(
+  const vtkPointSplatCloudInput& input, const std::vector<Block>& blocks)
+{
+  if (input.Looks.empty() || this->Kept.empty())
+  {
+    this->Kept.clear();
+    return;
+  }
+  std::set<Key> there;
+  for (const Block& block : blocks)
+  {
+    there.insert(vtkPointSplatCloud::KeptKey(input, block));
+  }
+  for (auto it = this->Kept.begin(); it != this->Kept.end();)
+  {
+    it = there.count(it->first) ? std::next(it) : this->Kept.erase(it);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatCloud::BuildColours(const vtkPointSplatCloudInput& input)
+{
+  this->Colours.clear();
+  this->ValueTable.clear();
+  this->CellColours = this->OwnOpacity = this->MixedColours = false;
+  const bool looks = std::any_of(input.Looks.begin(), input.Looks.end(),
+    [](const auto& look) { return look.second.Colour || look.second.Opacity; });
+  if (input.MapColours && input.MapValues && !looks && this->BuildValues(input))
+  {
+    return;
+  }
+  std::vector<bool> scalars(this->Blocks.size(), false);
+  if (input.MapColours)
+  {
+    this->BuildScalarColours(input, scalars);
+  }
+  // As VTK has it, blocks without scalars are of the actor's colour beside those with.
+  this->MixedColours = looks ||
+    (std::find(scalars.begin(), scalars.end(), true) != scalars.end() &&
+      std::find(scalars.begin(), scalars.end(), false) != scalars.end());
+  if (this->MixedColours)
+  {
+    this->BuildLooks(input, scalars);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatCloud::BuildScalarColours(
+  const vtkPointSplatCloudInput& input, std::vector<bool>& scalars)
+{
+  const size_t words = this->GetWordsPerSplat();
+  for (size_t b = 0; b < this->Blocks.size(); ++b)
+  {
+    const Block& block = this->Blocks[b];
+    const vtkPointSplatColours colours = input.MapColours(block.Data);
+    if (!colours.Array || colours.Array->GetNumberOfComponents() != 4)
+    {
+      continue;
+    }
+    scalars[b] = true;
+    if (this->Colours.empty())
+    {
+      this->Colours.assign(static_cast<size_t>(this->Count), 0xffffffffu);
+    }
+    const std::vector<vtkIdType> cells =
+      colours.OfCells ? vtkPointSplatPacking::CellsOfPoints(block.Data) : std::vector<vtkIdType>();
+    this->CellColours = this->CellColours || colours.OfCells;
+    const unsigned char* from = colours.Array->GetPointer(0);
+    const vtkIdType tuples = colours.Array->GetNumberOfTuples();
+    vtkSMPTools::For(block.First, block.First + block.Count, [&](vtkIdType begin, vtkIdType end) {
+      for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
+      {
+        vtkIdType id = this->Splats[words * i + 7];
+        id = colours.OfCells ? cells[static_cast<size_t>(id)] : colours.Only >= 0 ? colours.Only : id;
+        this->Colours[i] = colours.WithoutCell;
+        if (id >= 0 && id < tuples)
+        {
+          std::memcpy(&this->Colours[i], from + 4 * id, 4);
+        }
+      }
+    });
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatCloud::BuildLooks(
+  const vtkPointSplatCloudInput& input, const std::vector<bool>& scalars)
+{
+  this->OwnOpacity = std::any_of(input.Looks.begin(), input.Looks.end(),
+    [](const auto& look) { return look.second.Opacity.has_value(); });
+  this->Colours.resize(static_cast<size_t>(this->Count), 0xffffffffu);
+  auto byte = [](double value) {
+    return static_cast<uint32_t>(std::lround(255.0 * std::clamp(value, 0.0, 1.0)));
+  };
+  const std::array<double, 4>& actor = input.ActorColour;
+  for (size_t b = 0; b < this->Blocks.size(); ++b)
+  {
+    const Block& block = this->Blocks[b];
+    const auto found = input.Looks.find(block.FlatIndex);
+    const vtkPointSplatBlockLook look =
+      found == input.Looks.end() ? vtkPointSplatBlockLook() : found->second;
+    const std::array<double, 3> colour = look.Colour.value_or(
+      std::array<double, 3>{ { actor[0], actor[1], actor[2] } });
+    const double opacity = this->OwnOpacity ? look.Opacity.value_or(actor[3]) : 1.0;
+    const bool keeps = scalars[b] && !look.Colour;
+    const uint32_t plain = byte(colour[0]) | byte(colour[1]) << 8 | byte(colour[2]) << 16;
+    vtkSMPTools::For(block.First, block.First + block.Count, [&](vtkIdType begin, vtkIdType end) {
+      for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
+      {
+        const uint32_t was = keeps ? this->Colours[i] : plain | 0xff000000u;
+        this->Colours[i] = (was & 0xffffffu) | byte((was >> 24) / 255.0 * opacity) << 24;
+      }
+    });
+  }
+}
