@@ -16,6 +16,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPointSplatFrame.h"
+#include "vtkPointSplatIgnored.h"
+#include "vtkPointSplatPrimitives.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
@@ -62,6 +64,10 @@ public:
   vtkPointSplatReport Report;
   std::string Choices;
   bool WarnedOfClipPlanes = false;
+  std::string WarnedOf;
+  /// Warns of what of the actor's looks is not shown, whenever that changes.
+  void WarnOfIgnored(vtkActor* actor);
+  vtkPointSplatPrimitives Primitives;
   std::vector<Drawn> AllDrawn;
 
 private:
@@ -249,6 +255,14 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   {
     return;
   }
+  if (vtkPointSplatPrimitives::AreShown(actor))
+  {
+    internals.Report = vtkPointSplatReport();
+    internals.Primitives.Render(this, this->GetExecutive()->GetInputData(0, 0), renderer, actor);
+    this->UpdateProgress(1.0);
+    return;
+  }
+  internals.WarnOfIgnored(actor);
   if (vtkHardwareSelector* selector = renderer->GetSelector())
   {
     // Tells it how many passes the ids need.
@@ -293,6 +307,31 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
     drawn.NoEnvironment = noEnvironment;
   }
   this->UpdateProgress(1.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatMapper::vtkInternals::WarnOfIgnored(vtkActor* actor)
+{
+  const std::string ignored = vtkPointSplatIgnored::Of(actor, this->Self->Method == IMAGE_SPACE);
+  if (!ignored.empty() && ignored != this->WarnedOf)
+  {
+    vtkWarningWithObjectMacro(this->Self,
+      << "Splats do not show these properties of the actor, which have no effect: " << ignored
+      << ".");
+  }
+  this->WarnedOf = ignored;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatMapper::ProcessSelectorPixelBuffers(
+  vtkHardwareSelector* selector, std::vector<unsigned int>& pixelOffsets, vtkProp* prop)
+{
+  // Splats write the ids themselves.
+  vtkActor* actor = vtkActor::SafeDownCast(prop);
+  if (actor && vtkPointSplatPrimitives::AreShown(actor))
+  {
+    this->Internals->Primitives.ProcessSelectorPixelBuffers(selector, pixelOffsets, prop);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -425,6 +464,7 @@ void vtkPointSplatMapper::ReleaseGraphicsResources(vtkWindow* window)
                 [](const vtkInternals::Drawn& drawn) { return !drawn.Frame; }),
       all.end());
   }
+  this->Internals->Primitives.Release(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 

@@ -4,6 +4,7 @@
 
 #include "vtkActor.h"
 #include "vtkMapper.h"
+#include "vtkPointSplatPrimitives.h"
 
 #include <map>
 #include <mutex>
@@ -46,7 +47,7 @@ vtkPointSplatSource* vtkPointSplatSource::Of(vtkProp* prop)
 {
   vtkActor* actor = vtkActor::SafeDownCast(prop);
   vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
-  if (!mapper)
+  if (!mapper || vtkPointSplatPrimitives::AreShown(actor))
   {
     return nullptr;
   }

@@ -69,6 +69,9 @@ void addFlat(int i, int end, float layerEnd)
     vec3 turnY;
     decodeTurns(texelFetch(Records, at + 4).xyz, turnX, turnY);
     Paint p = paintOf(record, h.tag);
+#ifdef FACETS
+    p.facet = normal;
+#endif
 #ifdef CLIP_LINES
     p.lines = clipLinesInImage(texelFetch(RecordClipLines, record));
 #endif
