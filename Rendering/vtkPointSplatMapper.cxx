@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -64,9 +65,7 @@ public:
   vtkPointSplatReport Report;
   std::string Choices;
   bool WarnedOfClipPlanes = false;
-  std::string WarnedOf;
-  /// Warns of what of the actor's looks is not shown, whenever that changes.
-  void WarnOfIgnored(vtkActor* actor);
+  std::set<std::string> WarnedOf; // of what the actors' looks have that is not shown
   vtkPointSplatPrimitives Primitives;
   std::vector<Drawn> AllDrawn;
 
@@ -262,7 +261,7 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
     this->UpdateProgress(1.0);
     return;
   }
-  internals.WarnOfIgnored(actor);
+  vtkPointSplatIgnored::Warn(this, actor, this->Method == IMAGE_SPACE, internals.WarnedOf);
   if (vtkHardwareSelector* selector = renderer->GetSelector())
   {
     // Tells it how many passes the ids need.
@@ -307,19 +306,6 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
     drawn.NoEnvironment = noEnvironment;
   }
   this->UpdateProgress(1.0);
-}
-
-//------------------------------------------------------------------------------
-void vtkPointSplatMapper::vtkInternals::WarnOfIgnored(vtkActor* actor)
-{
-  const std::string ignored = vtkPointSplatIgnored::Of(actor, this->Self->Method == IMAGE_SPACE);
-  if (!ignored.empty() && ignored != this->WarnedOf)
-  {
-    vtkWarningWithObjectMacro(this->Self,
-      << "Splats do not show these properties of the actor, which have no effect: " << ignored
-      << ".");
-  }
-  this->WarnedOf = ignored;
 }
 
 //------------------------------------------------------------------------------

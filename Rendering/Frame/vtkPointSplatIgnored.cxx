@@ -3,13 +3,16 @@
 #include "vtkPointSplatIgnored.h"
 
 #include "vtkActor.h"
+#include "vtkObject.h"
 #include "vtkProperty.h"
 #include "vtkShaderProperty.h"
 
 #include <utility>
 
-//------------------------------------------------------------------------------
-std::string vtkPointSplatIgnored::Of(vtkActor* actor, bool points)
+namespace
+{
+/// The names, or nothing where all is shown.
+std::string NamesOf(vtkActor* actor, bool points)
 {
   vtkProperty* property = actor->GetProperty();
   vtkShaderProperty* shaders = actor->GetShaderProperty();
@@ -32,4 +35,17 @@ std::string vtkPointSplatIgnored::Of(vtkActor* actor, bool points)
     }
   }
   return names;
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatIgnored::Warn(
+  vtkObject* mapper, vtkActor* actor, bool points, std::set<std::string>& warned)
+{
+  const std::string names = NamesOf(actor, points);
+  if (!names.empty() && warned.insert(names).second)
+  {
+    vtkWarningWithObjectMacro(mapper,
+      << "Splats do not show these properties of the actor, which have no effect: " << names << ".");
+  }
 }

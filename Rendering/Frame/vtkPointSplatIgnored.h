@@ -4,19 +4,25 @@
 #ifndef vtkPointSplatIgnored_h
 #define vtkPointSplatIgnored_h
 
+#include <set>
 #include <string>
 
 #include "vtkPointSplattingABI.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
+class vtkObject;
 VTK_ABI_NAMESPACE_END
 
 class vtkPointSplatIgnored
 {
 public:
-  /// Their names, or nothing where all is shown. points: whether it is drawn by points of one pixel.
-  static std::string Of(vtkActor* actor, bool points);
+  /**
+   * Warns of it, if that is none of what was warned of already. points: whether points of one pixel
+   * are drawn.
+   */
+  static void Warn(
+    vtkObject* mapper, vtkActor* actor, bool points, std::set<std::string>& warned);
 };
 
 #endif

@@ -5,8 +5,8 @@
 // Poly data whose cells name points that are there are drawn as they are: points of their cells, or
 // edges. Of others, of data without cells and of other point sets each point is a vertex, which VTK
 // shows as a point in both representations; but for ghosts, points that are not finite and, where
-// there are cells, points that belong to none, as VTK does not draw these. A vertex has the scalars of
-// its point's first cell, and its id; without cells its point's id, as splats have.
+// there are cells, points that belong to none, as VTK does not draw these. A vertex has the scalars
+// of its point's first cell, and its id; without cells its point's id, as splats have.
 #ifndef vtkPointSplatPrimitives_h
 #define vtkPointSplatPrimitives_h
 
