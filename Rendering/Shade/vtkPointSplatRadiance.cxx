@@ -15,10 +15,11 @@ namespace
 {
 /// From an environment's coefficients to those of the light that a diffuse surface reflects: the real
 /// spherical harmonics' constants, times 1, 2/3 and 1/4 by their order (Ramamoorthi, Hanrahan 2001, An
-/// efficient representation for irradiance environment maps, equations 3 and 8).
-constexpr float HarmonicScales[9] = { 0.282095f, 0.488603f * 2.0f / 3.0f, 0.488603f * 2.0f / 3.0f,
-  0.488603f * 2.0f / 3.0f, 1.092548f / 4.0f, 1.092548f / 4.0f, 0.315392f / 4.0f, 1.092548f / 4.0f,
-  0.546274f / 4.0f };
+/// efficient representation for irradiance environment maps, equations 3 and 8); those of odd degree
+/// have the sign that VTK's coefficients have.
+constexpr float HarmonicScales[9] = { 0.282095f, -0.488603f * 2.0f / 3.0f,
+  0.488603f * 2.0f / 3.0f, -0.488603f * 2.0f / 3.0f, 1.092548f / 4.0f, -1.092548f / 4.0f,
+  0.315392f / 4.0f, -1.092548f / 4.0f, 0.546274f / 4.0f };
 
 /// Loads a texture as its filters are to be, and leaves it unbound.
 bool Load(vtkOpenGLTexture* texture, vtkRenderer* renderer)
