@@ -16,6 +16,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPointSplatFrame.h"
+#include "vtkPointSplatIgnored.h"
+#include "vtkPointSplatPrimitives.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
@@ -24,6 +26,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -64,6 +67,8 @@ public:
   vtkPointSplatReport Report;
   std::string Choices;
   bool WarnedOfClipPlanes = false;
+  std::set<std::string> WarnedOf; // of what the actors' looks have that is not shown
+  vtkPointSplatPrimitives Primitives;
   std::vector<Drawn> AllDrawn;
 
 private:
@@ -274,6 +279,14 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   {
     return;
   }
+  if (vtkPointSplatPrimitives::AreShown(actor))
+  {
+    internals.Report = vtkPointSplatReport();
+    internals.Primitives.Render(this, this->GetExecutive()->GetInputData(0, 0), renderer, actor);
+    this->UpdateProgress(1.0);
+    return;
+  }
+  vtkPointSplatIgnored::Warn(this, actor, this->Method == IMAGE_SPACE, internals.WarnedOf);
   if (vtkHardwareSelector* selector = renderer->GetSelector())
   {
     // Tells it how many passes the ids need.
@@ -318,6 +331,18 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
     drawn.NoEnvironment = noEnvironment;
   }
   this->UpdateProgress(1.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatMapper::ProcessSelectorPixelBuffers(
+  vtkHardwareSelector* selector, std::vector<unsigned int>& pixelOffsets, vtkProp* prop)
+{
+  // Splats write the ids themselves.
+  vtkActor* actor = vtkActor::SafeDownCast(prop);
+  if (actor && vtkPointSplatPrimitives::AreShown(actor))
+  {
+    this->Internals->Primitives.ProcessSelectorPixelBuffers(selector, pixelOffsets, prop);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -457,6 +482,7 @@ void vtkPointSplatMapper::ReleaseGraphicsResources(vtkWindow* window)
                 [](const vtkInternals::Drawn& drawn) { return !drawn.Frame; }),
       all.end());
   }
+  this->Internals->Primitives.Release(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 

@@ -66,6 +66,16 @@
  *   data each cell has a tuple, or all have the one of FieldDataTupleId.
  * - Cell normals are not used; a warning says so where there are no others.
  *
+ * The property's representation as points or wireframe is VTK's own: its mapper draws the input's
+ * cells, or, where there are none that it can draw, each point as a vertex (PointSize,
+ * RenderPointsAsSpheres and the rest have their effect), lit and picked as by vtkPolyDataMapper.
+ * Flat interpolation gives a splat one tone: a pixel has the normal of the splat with the greatest
+ * weight. By quads that is not so where scalars are of cells. Physically based interpolation is that of
+ * VTK's meshes without texture coordinates and tangents: metallic, roughness, BaseIOR, edge tint and
+ * coat, lights, and the renderer's image-based lighting. What of the actor's looks splats do not show
+ * is named in a warning: textures, Anisotropy, EdgeVisibility, VertexVisibility, shader code of its
+ * own, and with Method ImageSpace flat interpolation.
+ *
  * Bad input: points that are ghosts, or whose coordinates, normal or size are not finite or not
  * positive, or that lie farther off than a million times what the middle half of all points spans,
  * are left out; their number is reported once, and by GetNumberOfSkippedPoints(). Arrays of a wrong
@@ -98,6 +108,7 @@
 #include "vtkPointSplattingABI.h"
 
 #include <memory> // For std::unique_ptr
+#include <vector> // For std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -538,6 +549,8 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
   void ShallowCopy(vtkAbstractMapper* mapper) override;
   bool GetSupportsSelection() override { return true; }
+  void ProcessSelectorPixelBuffers(vtkHardwareSelector* selector,
+    std::vector<unsigned int>& pixelOffsets, vtkProp* prop) override;
 
 protected:
   vtkPointSplatMapper();

@@ -229,6 +229,8 @@ void vtkPointSplatCollection::MakeItem(vtkPointSplatEntry& entry, int slot,
   item.Slot = slot;
   item.Culling =
     (property->GetBackfaceCulling() ? 1 : 0) | (property->GetFrontfaceCulling() ? 2 : 0);
+  item.IsFlat = property->GetInterpolation() == VTK_FLAT && property->GetLighting() &&
+    !IsPoints(entry);
   item.RadiusScale = s.RadiusScale;
   item.StrideShift = choice.StrideShifts[static_cast<size_t>(slot)];
   if (choice.Transparency > vtkPointSplatSettings::Peeling)

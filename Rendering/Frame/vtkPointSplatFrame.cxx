@@ -251,7 +251,9 @@ bool vtkPointSplatFrame::PresentLayers(Pass& pass, vtkActor* actor, size_t own)
   this->Materials.Upload(materials);
   const vtkPointSplatLights lights(this->Renderer, pass.View);
   const vtkPointSplatShading shading{ pass.View, &lights, &this->Materials,
-    this->HasEnvironment ? &this->Environment : nullptr };
+    this->HasEnvironment ? &this->Environment : nullptr,
+    this->Materials.ArePhysical() && this->Radiance.Prepare(this->Renderer) ? &this->Radiance
+                                                                            : nullptr };
   const vtkPointSplatResolve::Target target{ this->Renderer, actor,
     pass.Entries[own].Source->GetMapper(), window,
     pass.Translucent || pass.Surfaces->GetOutlines().GetCount() == 0 ||

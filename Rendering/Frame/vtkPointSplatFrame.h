@@ -148,6 +148,7 @@ private:
   vtkPointSplatFlat Flat;
   vtkPointSplatResolve Resolve;
   vtkPointSplatMaterials Materials;
+  vtkPointSplatRadiance Radiance;
   vtkPointSplatFrameShadows Shadows;
   vtkPointSplatSceneDepth Scene;
   unsigned long SceneFrame = 0;

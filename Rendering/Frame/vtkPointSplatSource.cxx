@@ -4,6 +4,7 @@
 
 #include "vtkActor.h"
 #include "vtkMapper.h"
+#include "vtkPointSplatPrimitives.h"
 #include "vtkProperty.h"
 
 #include <map>
@@ -56,7 +57,7 @@ vtkPointSplatSource* vtkPointSplatSource::Of(vtkProp* prop)
 {
   vtkActor* actor = vtkActor::SafeDownCast(prop);
   vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
-  if (!mapper)
+  if (!mapper || vtkPointSplatPrimitives::AreShown(actor))
   {
     return nullptr;
   }

@@ -22,7 +22,8 @@ public:
   vtkPointSplatSource(const vtkPointSplatSource&) = delete;
   void operator=(const vtkPointSplatSource&) = delete;
 
-  /// Of the prop, if that is an actor whose mapper draws splats; else null.
+  /// Of the prop, if that is an actor whose mapper draws splats, and that is not shown as points or
+  /// wireframe; else null.
   static vtkPointSplatSource* Of(vtkProp* prop);
 
   /**

@@ -40,7 +40,8 @@ bool vtkPointSplatItem::operator==(const vtkPointSplatItem& other) const
     this->Opacities == other.Opacities && this->CoveringScale == other.CoveringScale &&
     this->Factors == other.Factors &&
     this->FactorCount == other.FactorCount && this->FactorVersion == other.FactorVersion &&
-    this->IsPoints == other.IsPoints && this->Points == other.Points;
+    this->IsFlat == other.IsFlat && this->IsPoints == other.IsPoints &&
+    this->Points == other.Points;
 }
 
 //------------------------------------------------------------------------------
@@ -125,6 +126,7 @@ void vtkPointSplatItem::SetUniforms(
   program.Set("RadiusScale", static_cast<float>(this->RadiusScale * this->GetStrideScale()));
   program.Set("UsualRadius", static_cast<float>(this->UsualRadius));
   program.Set("Culling", this->Culling);
+  program.Set("NormalBend", this->IsFlat ? 0.0f : 1.0f);
   program.Set("Tag", static_cast<unsigned int>(this->Slot) << 1);
   program.Set("LayerDistance", static_cast<float>(this->LayerDistance));
   program.Set("LayerRadii", static_cast<float>(this->LayerRadii / this->GetStrideScale()));

@@ -69,6 +69,7 @@ struct vtkPointSplatItem
   const vtkPointSplatBuffer* Factors = nullptr; // RGBA, 8 bits each, of as many lights, a splat
   int FactorCount = 0;                        // the lights
   unsigned long FactorVersion = 0;            // counts what was in the buffer
+  bool IsFlat = false;                        // a pixel has the normal of one splat
   double CoveringScale = 1.0;                 // how much larger group-sorted splats are drawn
   bool IsPoints = false;                      // projected as single pixels
   vtkPointSplatPoints Points;

@@ -11,7 +11,8 @@
 #include "vtkPointSplatDepthCode"
 #include "vtkPointSplatGroupTexel"
 #include "vtkPointSplatTexel"
-#if defined(VALUES) || defined(CELL_COLOURS)
+#if defined(VALUES) || defined(CELL_COLOURS) || defined(FACETS)
+#define ITEMS
 #include "vtkPointSplatItemTable"
 #include "vtkPointSplatValue"
 #endif
@@ -78,12 +79,15 @@ void main()
   {
     return;
   }
-#if defined(VALUES) || defined(CELL_COLOURS)
+#ifdef ITEMS
   vec4 map = itemValueMap(nearest & TagMask);
 #endif
-#ifdef CELL_COLOURS
+#if defined(CELL_COLOURS) || defined(FACETS)
   float greatest = 0.0;
-  uint ofGreatest = 0u;
+  uint ofGreatest = 0u; // its colour
+#endif
+#ifdef FACETS
+  vec3 facet = vec3(0.0, 0.0, 1.0);
 #endif
   float weights = 0.0;
   vec4 normalAndBehind = vec4(0.0);
@@ -114,8 +118,11 @@ void main()
 #else
         colours += weight * unpackColour(splat.w);
 #endif
-#ifdef CELL_COLOURS
+#if defined(CELL_COLOURS) || defined(FACETS)
         ofGreatest = weight > greatest ? splat.w : ofGreatest;
+#ifdef FACETS
+        facet = weight > greatest ? turnTo(nearest, splat.x) * decodeNormal(splat.y) : facet;
+#endif
         greatest = max(greatest, weight);
 #endif
 #ifdef FACTORS
@@ -131,6 +138,9 @@ void main()
 #endif
 #ifdef CELL_COLOURS
   colour = hasCellColours(map) ? unpackColour(ofGreatest) : colour;
+#endif
+#ifdef FACETS
+  normalAndBehind.xyz = itemIsFlat(nearest & TagMask) ? facet : normalAndBehind.xyz;
 #endif
   texel = packTexel(decodeDepth(nearest) + normalAndBehind.w, normalAndBehind.xyz,
     nearest & TagMask, 1.0, colour);

@@ -30,7 +30,7 @@ vtkPointSplatProgram* vtkPointSplatDeferred::BuildPrograms(const vtkPointSplatRe
   const bool factors = request.GetFactorCount() > 0;
   const bool lines = request.HasClipLines();
   const std::string defines = factors ? "#define FACTORS\n" : "";
-  const std::string colours = request.GetColourDefines(false);
+  const std::string colours = request.GetAppearanceDefines(false);
   vtkPointSplatProgram& geometry = this->Geometry[factors ? 1 : 0][lines ? 1 : 0];
   vtkPointSplatProgram& compositing = this->Compositing[defines + colours];
   this->Composite = &compositing;
@@ -73,7 +73,7 @@ bool vtkPointSplatDeferred::Reconstruct(
   const vtkPointSplatRequest& request, vtkPointSplatLayers& layers)
 {
   const bool factors = request.GetFactorCount() > 0;
-  const std::string colours = request.GetColourDefines(false);
+  const std::string colours = request.GetAppearanceDefines(false);
   const glm::ivec2& size = request.View.Size;
   vtkPointSplatProgram* geometry = this->BuildPrograms(request);
   if (!geometry)

@@ -193,7 +193,7 @@ bool vtkPointSplatFill::Reconstruct(const vtkPointSplatRequest& request,
   const bool ids = request.HasIds && layer == 0;
   const bool factors = layers.GetFactorCount() > 0;
   const std::string colours =
-    request.GetColourDefines(request.Gather && layer == request.MaximumLayers - 1);
+    request.GetAppearanceDefines(request.Gather && layer == request.MaximumLayers - 1);
   vtkPointSplatProgram* program = good
     ? this->Use("vtkPointSplatSmoothFS",
         sums.GetDefines() + colours + (ids ? "#define IDS\n" : ""))

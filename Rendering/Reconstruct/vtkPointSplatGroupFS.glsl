@@ -17,6 +17,7 @@ flat in vec4 diskNarrow;
 flat in vec3 diskLeanAndReach;
 
 uniform vec4 Kernel;        // as kernelWeight() takes it
+uniform float NormalBend;     // 0: a splat has one normal
 uniform float VoronoiScale; // world units; 0: plain depth
 
 layout(location = 0) out uvec4 texel;
@@ -46,7 +47,7 @@ void main()
   // A weight never vanishes inside the support.
   float weight = max(hit.share * kernelWeight(hit.r2, Kernel), 1.0 / 4096.0);
   float along = q.layer / max(q.facing, LeastFacing);
-  texel = uvec4(encodeDepth(onDisk ? onto.depth : hit.depth, q.tag), encodeNormal(normalAt(q, hit.uv)),
+  texel = uvec4(encodeDepth(onDisk ? onto.depth : hit.depth, q.tag), encodeNormal(normalAt(q, NormalBend * hit.uv)),
     encodeHalf(weight, !onDisk) | encodeHalf(along / DepthUnit, !belongsToBothSides(q)) << 16,
     packColour(splatColour));
 #ifdef FACTORS

@@ -12,6 +12,10 @@
 #include "vtkPointSplatPeel"
 #endif
 
+#ifdef FACETS
+#include "vtkPointSplatOctahedron"
+#endif
+
 uniform usampler2D Depths;
 
 layout(location = 0) out uint nearestId;
@@ -30,7 +34,11 @@ void main()
     discard;
   }
 #endif
+#ifdef FACETS
+  nearestId = encodeNormal(turnTo(nearest, f.splat.tag) * normalAt(f.splat, vec2(0.0)));
+#else
   nearestId = tagAndId.y;
+#endif
 #ifdef POINTS
   if (encodeDepth(f.depth, f.splat.tag) != nearest)
   {

@@ -6,7 +6,7 @@
 
 namespace
 {
-constexpr size_t Texels = 11; // as in vtkPointSplatItemTable.glsl
+constexpr size_t Texels = 12; // as in vtkPointSplatItemTable.glsl
 }
 
 //------------------------------------------------------------------------------
@@ -31,6 +31,7 @@ void vtkPointSplatItemTable::Upload(
       item.Points.LayerPixels, item.Points.Spacing, item.Points.Silhouettes ? 1.0f : 0.0f);
     std::copy(planes.begin(), planes.end(), row + 4);
     row[10] = item.GetValueMap(values.size());
+    row[11].x = item.IsFlat ? 1.0f : 0.0f;
     const std::vector<uint32_t>& own = item.Cloud->GetValueTable();
     values.insert(values.end(), own.begin(), own.end());
   }

@@ -6,7 +6,7 @@
 
 uniform samplerBuffer ItemTable;
 
-const int ItemTexels = 11;
+const int ItemTexels = 12;
 
 vec4 itemTexel(uint tag, int texel)
 {
@@ -59,6 +59,12 @@ vec4 itemPoints(uint tag)
 vec4 itemClipPlane(uint tag, int plane)
 {
   return itemTexel(tag, 4 + plane);
+}
+
+// Whether each splat has one tone.
+bool itemIsFlat(uint tag)
+{
+  return itemTexel(tag, 11).x > 0.0;
 }
 
 // How its values are mapped, as mapValue() takes it.

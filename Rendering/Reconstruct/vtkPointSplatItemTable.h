@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What stages ask of an item by its slot: a buffer of eleven texels (RGBA32F) a slot.
+// What stages ask of an item by its slot: a buffer of twelve texels (RGBA32F) a slot.
 //   0  opacity of front and of back faces, number of clipping planes, whether it is
 //     projected as points
 //   1  colour and opacity, by which what is gathered is multiplied
@@ -8,6 +8,7 @@
 //   3  of points: least layer distance in world units, in pixels; spacing; silhouettes
 //   4  to 9: clipping planes, view coordinates
 //   10 how values are mapped (vtkPointSplatValue.glsl)
+//   11 whether each splat has one tone
 // And beside it (R32UI) the tables of colours of all items whose clouds have values, one after the
 // other.
 #ifndef vtkPointSplatItemTable_h

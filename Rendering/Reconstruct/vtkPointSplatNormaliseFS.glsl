@@ -8,7 +8,8 @@
 
 #include "vtkPointSplatSums"
 #include "vtkPointSplatTexel"
-#if defined(VALUES) || defined(CELL_COLOURS)
+#if defined(VALUES) || defined(CELL_COLOURS) || defined(FACETS)
+#define ITEMS
 #include "vtkPointSplatItemTable"
 #include "vtkPointSplatValue"
 #endif
@@ -41,7 +42,7 @@ void main()
     mean.xyz = normalize(vec3(slope, 1.0));
   }
   vec4 colour = summed ? s.colour / s.weight : vec4(1.0);
-#if defined(VALUES) || defined(CELL_COLOURS)
+#ifdef ITEMS
   vec4 map = itemValueMap(empty ? 0u : code & TagMask);
 #endif
 #ifdef VALUES
@@ -49,6 +50,11 @@ void main()
 #endif
 #ifdef CELL_COLOURS
   colour = summed && hasCellColours(map) ? unpackColour(fetchId(pixel)) : colour;
+#endif
+#ifdef FACETS
+  // Where pixels have colours of cells, the place is taken.
+  bool facet = summed && itemIsFlat(empty ? 0u : code & TagMask) && !hasCellColours(map);
+  mean.xyz = facet ? decodeNormal(fetchId(pixel)) : mean.xyz;
 #endif
   texel = empty ? uvec4(0u) : packTexel(depth, mean.xyz, code & TagMask, 1.0, colour);
 #ifdef FACTORS

@@ -28,7 +28,7 @@ bool vtkPointSplatPasses::Reconstruct(
   this->ByCompute = request.Compute && vtkPointSplatPointSums::Fits(size) &&
     std::all_of(request.Items.begin(), request.Items.end(), isPoints);
   const vtkPointSplatSums::Content content{ size, request.HasColours() || request.Gather,
-    request.GetFactorCount(), request.HasIds || request.HasCellColours() };
+    request.GetFactorCount(), request.HasIds || request.ShowsGreatest() };
   this->ByCompute ? this->Sums.AllocateBuffers(content) : this->Sums.AllocateImages(content);
   this->Items.Upload(request.Items, request.View);
   for (vtkPointSplatImage& image : this->Codes)
@@ -116,7 +116,7 @@ bool vtkPointSplatPasses::Normalise(
   const bool factors = layers.GetFactorCount() > 0;
   const bool ids = request.HasIds && layer == 0;
   const std::string colours =
-    request.GetColourDefines(request.Gather && layer == request.MaximumLayers - 1);
+    request.GetAppearanceDefines(request.Gather && layer == request.MaximumLayers - 1);
   const std::string defines =
     (factors ? "#define FACTORS\n" : "") + colours + (ids ? "#define IDS\n" : "");
   vtkPointSplatProgram& program = this->Normalising[defines];

@@ -51,26 +51,27 @@ bool vtkPointSplatRaster::DrawAll(const vtkPointSplatRequest& request,
   const bool sees = file == VisibilityFile;
   const bool identifies = file == IdentifyFile;
   const bool factors = file == AccumulateFile && sums.GetContent().Factors > 0;
-  const bool ofCells = identifies && request.HasCellColours();
+  const bool shows = identifies && request.ShowsGreatest();
   const std::string defines =
-    (identifies && !ofCells ? std::string() : peel.GetDefines()) +
+    (identifies && !shows ? std::string() : peel.GetDefines()) +
     (factors ? "#define FACTORS\n" : "");
   const unsigned int tagMask = request.GetTagMask();
   vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
   const vtkPointSplatPointSizes sizes;
   for (const vtkPointSplatItem& item : request.Items)
   {
-    if (!item.IsInView() || (ofCells && !item.Cloud->HasCellColours()))
+    const bool facets = shows && item.IsFlat && !item.Cloud->HasCellColours();
+    if (!item.IsInView() || (shows && !facets && !item.Cloud->HasCellColours()))
     {
       continue;
     }
-    vtkPointSplatProgram* program = this->Use(item, file, defines);
+    vtkPointSplatProgram* program = this->Use(item, file, defines + (facets ? "#define FACETS\n" : ""));
     if (!program)
     {
       return false;
     }
     vtkPointSplatCloud::Buffers& buffers =
-      identifies && !ofCells ? item.Cloud->UploadIds(request.Ids) : item.Cloud->Upload();
+      identifies && !shows ? item.Cloud->UploadIds(request.Ids) : item.Cloud->Upload();
     vtkPointSplatQuads::SetUniforms(*program, item, request.View, tagMask);
     program->Set(
       "Reach", sees ? vtkPointSplatReach::Disk : static_cast<float>(item.Kernel.Support));
@@ -80,7 +81,7 @@ bool vtkPointSplatRaster::DrawAll(const vtkPointSplatRequest& request,
     program->Set("DepthUnit", static_cast<float>(request.GetDepthUnit()));
     program->Set("ItemColour", peel.Gather ? item.Colour : glm::vec4(1.0f));
     program->Set("ValueMap", item.GetValueMap());
-    if (!identifies || ofCells)
+    if (!identifies || shows)
     {
       peel.Bind(units, *program, request.View.PixelZ);
     }
@@ -90,7 +91,10 @@ bool vtkPointSplatRaster::DrawAll(const vtkPointSplatRequest& request,
       units.Bind(*program, "ValueTables", GL_TEXTURE_BUFFER, buffers.ValueTable.GetTexture());
     }
     vtkPointSplatQuads::Draw(
-      item, buffers, ofCells ? &buffers.Colours : identifies ? &buffers.Ids : nullptr);
+      item, buffers, facets ? nullptr
+        : shows     ? &buffers.Colours
+        : identifies ? &buffers.Ids
+                     : nullptr);
   }
   return true;
 }

@@ -45,11 +45,20 @@ bool vtkPointSplatRequest::HasCellColours() const
 }
 
 //------------------------------------------------------------------------------
-std::string vtkPointSplatRequest::GetColourDefines(bool gathered) const
+std::string vtkPointSplatRequest::GetAppearanceDefines(bool gathered) const
 {
-  // What is gathered has mean colours.
+  // What is gathered has mean colours and normals.
   return std::string(this->HasValues() && !gathered ? "#define VALUES\n" : "") +
-    (this->HasCellColours() && !gathered ? "#define CELL_COLOURS\n" : "");
+    (this->HasCellColours() && !gathered ? "#define CELL_COLOURS\n" : "") +
+    (this->HasFacets() && !gathered ? "#define FACETS\n" : "");
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatRequest::HasFacets() const
+{
+  return !this->HasIds &&
+    std::any_of(this->Items.begin(), this->Items.end(),
+      [](const vtkPointSplatItem& item) { return item.IsFlat; });
 }
 
 //------------------------------------------------------------------------------

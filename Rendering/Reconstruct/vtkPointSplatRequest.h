@@ -48,7 +48,11 @@ struct vtkPointSplatRequest
   /// Whether colours of cells are shown, of which a pixel has that of one splat; not for ids.
   bool HasCellColours() const;
   /// Lines for programs that make texels of sums, of a layer that is or is not gathered.
-  std::string GetColourDefines(bool gathered) const;
+  std::string GetAppearanceDefines(bool gathered) const;
+  /// Whether pixels of some clouds have the normal of one splat; not for ids.
+  bool HasFacets() const;
+  /// Whether something of the splat with the greatest weight is shown: its colour or its normal.
+  bool ShowsGreatest() const { return this->HasCellColours() || this->HasFacets(); }
   bool HasClipLines() const;
   int GetFactorCount() const;
   /// The bits that tags of the items need (vtkPointSplatDepthCode.glsl).

@@ -18,7 +18,8 @@
 #include "vtkPointSplatTexel"
 #include "vtkPointSplatFilled"
 #include "vtkPointSplatMasks"
-#if defined(VALUES) || defined(CELL_COLOURS)
+#if defined(VALUES) || defined(CELL_COLOURS) || defined(FACETS)
+#define ITEMS
 #include "vtkPointSplatValue"
 #endif
 
@@ -141,7 +142,7 @@ void main()
   bool empty = !(mean.weight > 0.0);
   vec4 n = empty ? vec4(0.0, 0.0, 1.0, 0.0) : mean.normalAndBehind / mean.weight;
   vec4 colour = empty ? vec4(1.0) : mean.colour / mean.weight;
-#if defined(VALUES) || defined(CELL_COLOURS)
+#ifdef ITEMS
   vec4 map = itemValueMap(code & TagMask);
   bool single = hasValues(map) || hasCellColours(map);
 #else
@@ -152,6 +153,11 @@ void main()
 #endif
 #ifdef CELL_COLOURS
   colour = hasCellColours(map) ? unpackColour(fetchId(sourcePixel(filled.y))) : colour;
+#endif
+#ifdef FACETS
+  // As in vtkPointSplatNormaliseFS: of splats beside points.
+  bool facet = !empty && itemIsFlat(code & TagMask) && !hasCellColours(map);
+  n.xyz = facet ? decodeNormal(fetchId(sourcePixel(filled.y))) : n.xyz;
 #endif
 #ifdef FACTORS
   vec4 lit = empty ? vec4(1.0) : mean.factors / mean.weight;

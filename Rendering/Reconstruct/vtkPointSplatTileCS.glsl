@@ -9,7 +9,7 @@
 // 3. With LAYERS, the next layer, until each pixel has no further hit, or so little light comes
 //    through the layers before that what is behind could not be seen.
 // Variants: LAYERS, GATHER (the last layer takes all that is left, weighted by opacity), COLOURS,
-// VALUES (of some clouds in the place of colours), CELL_COLOURS (of some), FACTORS, IDS (names the
+// VALUES (of some clouds in the place of colours), CELL_COLOURS (of some), FACETS (some are flat), FACTORS, IDS (names the
 // splat of the greatest weight), KERNELS, PLATEAU, CURVED (some splats need exact rays), CLIPPING,
 // CLIP_LINES (some splats are clipped).
 // Reads: Records, RecordClipLines, Lists, Tiles, SceneDepth. Writes: Texels, FactorTexels,
@@ -92,6 +92,13 @@ void writeLayer(ivec2 first, int layer)
 #endif
     float depth = nearest[k] + behinds[k] * share * (DepthUnit / DepthScale);
     vec3 normal = weights[k] > 0.0 ? normals[k] * share : vec3(0.0, 0.0, 1.0);
+#ifdef FACETS
+    bool facet = weights[k] > 0.0 && hit && itemIsFlat(tags[k]);
+#ifdef GATHER
+    facet = facet && !gathering;
+#endif
+    normal = facet ? normals[k] : normal;
+#endif
     uvec4 texel = hit ? packTexel(depth, normal, tags[k], 1.0, colour) : uvec4(0u);
     ivec2 pixel = first + placeOf(k);
     int row = pixel.y - FirstRow;

@@ -237,6 +237,9 @@ void addCap(int k, Head h, Paint p, bool met, vec2 uv, float behind, Widened w, 
   // One step of Newton's towards unit length: the turn is small.
   normal *= 1.5 - 0.5 * dot(normal, normal);
   share = !cut || isWithin(k, h.tag, h.depth + behind) ? share : 0.0;
+#ifdef FACETS
+  p.facet = n.centre;
+#endif
   addToLayer(k, h, p, share, r2, h.depth + behind, normal);
 }
 

@@ -59,6 +59,9 @@ void addFlat(int i, int end, float layerEnd)
     vec3 turnY;
     decodeTurns(texelFetch(Records, at + 4).xyz, turnX, turnY);
     Paint p = paintOf(record, h.tag);
+#ifdef FACETS
+    p.facet = normal;
+#endif
     for (int k = 0; k < Pixels; ++k)
     {
       vec2 d = h.from + offsetOf(k);

@@ -67,8 +67,11 @@ vec4 colours[Pixels];
 #endif
 LightFactors factors[Pixels];
 #endif
-#if defined(IDS) || defined(CELL_COLOURS)
+#if defined(IDS) || defined(CELL_COLOURS) || defined(FACETS)
+#define GREATEST
 float greatest[Pixels]; // kernel, and who has it: the id, or the colour
+#endif
+#if defined(IDS) || defined(CELL_COLOURS)
 uint ids[Pixels];
 #endif
 #ifdef LAYERS
@@ -215,6 +218,10 @@ struct Paint
 #if defined(IDS) || defined(CELL_COLOURS)
   uint id;
 #endif
+#ifdef FACETS
+  bool isFacet; // of one tone, by the normal of its centre, which is set by who knows it
+  vec3 facet;
+#endif
 };
 
 Paint paintOf(int record, uint tag)
@@ -252,6 +259,12 @@ Paint paintOf(int record, uint tag)
 #ifdef IDS
   p.id = texelFetch(RecordIds, record).r;
 #endif
+#ifdef FACETS
+  p.isFacet = itemIsFlat(tag);
+#ifdef GATHER
+  p.isFacet = p.isFacet && !gathering;
+#endif
+#endif
   return p;
 }
 
@@ -279,8 +292,17 @@ void addToLayer(int k, Head h, Paint p, float share, float r2, float depth, vec3
   // Turned to the side that the nearest splat shows: with those of a thin wall's far side, or that
   // point the wrong way, the sum would cancel.
   float turned = (different & 1u) != 0u ? -weight : weight;
+#ifdef GREATEST
+  bool names = mine && kernel > greatest[k];
+  greatest[k] = names ? kernel : greatest[k];
+#endif
   weights[k] += weight;
+#ifdef FACETS
+  vec3 facet = names ? sign(turned) * p.facet : normals[k];
+  normals[k] = p.isFacet ? facet : normals[k] + round(turned * normal);
+#else
   normals[k] += round(turned * normal);
+#endif
   behinds[k] += round(weight * (mine ? behind : 0.0) * (DepthScale / DepthUnit));
 #ifdef COLOURS
 #ifdef VALUES
@@ -295,8 +317,6 @@ void addToLayer(int k, Head h, Paint p, float share, float r2, float depth, vec3
 #if defined(IDS) || defined(CELL_COLOURS)
   // Of equal ones the first in the list, which is the same splat whatever kind of id is wanted: a
   // selection asks for a block and for a point in it one after the other.
-  bool names = mine && kernel > greatest[k];
-  greatest[k] = names ? kernel : greatest[k];
   ids[k] = names ? p.id : ids[k];
 #endif
 }
@@ -314,8 +334,10 @@ void clearLayer()
 #ifdef FACTORS
     factors[k] = LightFactors(0.0);
 #endif
-#if defined(IDS) || defined(CELL_COLOURS)
+#ifdef GREATEST
     greatest[k] = -1.0;
+#endif
+#if defined(IDS) || defined(CELL_COLOURS)
     ids[k] = 0xffffffffu;
 #endif
   }

@@ -103,7 +103,7 @@ vtkPointSplatTiles::Variant vtkPointSplatTiles::VariantOf(
   const bool layers = request.IsPeeled();
   v.Project = both;
   v.Walk = clips + (layers ? "#define LAYERS\n" : "");
-  v.Tile = both + request.GetColourDefines(false) + (layers ? "#define LAYERS\n" : "") +
+  v.Tile = both + request.GetAppearanceDefines(false) + (layers ? "#define LAYERS\n" : "") +
     (request.Gather ? "#define GATHER\n" : "") +
     (plateau ? "#define PLATEAU\n" : "") + (kernels ? "#define KERNELS\n" : "");
   if (request.OnDevice)

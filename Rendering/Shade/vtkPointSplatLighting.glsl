@@ -30,6 +30,37 @@ struct Material
   bool lit;
 };
 
+#if LIGHT_LEVEL > 1
+// How much of a light arrives at a point; direction: from the light.
+float lightAt(int i, vec3 positionVC, out vec3 direction)
+{
+  direction = LightDirection[i].xyz;
+  float attenuation = 1.0;
+#if LIGHT_LEVEL > 2
+  if (LightColour[i].w > 0.0)
+  {
+    vec3 from = positionVC - LightPosition[i].xyz;
+    float distance = length(from);
+    vec3 axis = direction;
+    direction = from / distance;
+    attenuation = 1.0 / dot(LightAttenuation[i].xyz, vec3(1.0, distance, distance * distance));
+    if (LightPosition[i].w < 90.0)
+    {
+      float coneDot = dot(direction, axis);
+      attenuation *= coneDot >= cos(radians(LightPosition[i].w))
+        ? pow(coneDot, LightAttenuation[i].w)
+        : 0.0;
+    }
+  }
+#endif
+#ifdef FACTORS
+  int component = int(LightDirection[i].w);
+  attenuation *= component < 0 ? 1.0 : lightFactors[component];
+#endif
+  return attenuation;
+}
+#endif
+
 // positionVC, normalVC: view coordinates, the normal of unit length and towards
 // the viewer.
 vec3 shade(Material m, vec3 positionVC, vec3 normalVC)
@@ -50,30 +81,8 @@ vec3 shade(Material m, vec3 positionVC, vec3 normalVC)
   vec3 view = normalize(-positionVC);
   for (int i = 0; i < LIGHT_COUNT; ++i)
   {
-    vec3 direction = LightDirection[i].xyz;
-    float attenuation = 1.0;
-#if LIGHT_LEVEL > 2
-    if (LightColour[i].w > 0.0)
-    {
-      vec3 from = positionVC - LightPosition[i].xyz;
-      float distance = length(from);
-      vec3 axis = direction;
-      direction = from / distance;
-      attenuation =
-        1.0 / dot(LightAttenuation[i].xyz, vec3(1.0, distance, distance * distance));
-      if (LightPosition[i].w < 90.0)
-      {
-        float coneDot = dot(direction, axis);
-        attenuation *= coneDot >= cos(radians(LightPosition[i].w))
-          ? pow(coneDot, LightAttenuation[i].w)
-          : 0.0;
-      }
-    }
-#endif
-#ifdef FACTORS
-    int component = int(LightDirection[i].w);
-    attenuation *= component < 0 ? 1.0 : lightFactors[component];
-#endif
+    vec3 direction;
+    float attenuation = lightAt(i, positionVC, direction);
     float df = max(0.0, attenuation * dot(normalVC, -direction));
     diffuse += df * LightColour[i].rgb;
 #ifdef SPECULAR

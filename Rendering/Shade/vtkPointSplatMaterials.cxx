@@ -7,11 +7,28 @@
 #include "vtkPointSplatUnits.h"
 #include "vtkProperty.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace
 {
-constexpr size_t TexelsPerSlot = 10; // as in vtkPointSplatMaterials.glsl
+constexpr size_t AbsorptionTexel = 9;
+
+void AddPhysical(vtkProperty* property, std::vector<glm::vec4>& texels)
+{
+  if (property->GetInterpolation() != VTK_PBR)
+  {
+    texels.resize(texels.size() + 3, glm::vec4(0.0f));
+    return;
+  }
+  const double* tint = property->GetEdgeTint();
+  const double* coat = property->GetCoatColor();
+  texels.emplace_back(property->GetMetallic(), property->GetRoughness(),
+    property->ComputeReflectanceOfBaseLayer(),
+    1.0 + vtkProperty::ComputeReflectanceFromIOR(property->GetCoatIOR(), 1.0));
+  texels.emplace_back(tint[0], tint[1], tint[2], property->GetCoatStrength());
+  texels.emplace_back(coat[0], coat[1], coat[2], property->GetCoatRoughness());
+}
 
 glm::vec3 Multiply(const double colour[3], double intensity)
 {
@@ -20,10 +37,20 @@ glm::vec3 Multiply(const double colour[3], double intensity)
 }
 
 //------------------------------------------------------------------------------
+size_t vtkPointSplatMaterials::GetTexelsPerSlot() const
+{
+  return this->HasPhysical ? 13 : 10; // as in vtkPointSplatMaterials.glsl
+}
+
+//------------------------------------------------------------------------------
 void vtkPointSplatMaterials::Upload(const std::vector<Entry>& entries)
 {
   std::vector<glm::vec4> texels;
   this->HasColours = this->HasMedia = this->HasDispersion = false;
+  this->HasPhysical = std::any_of(entries.begin(), entries.end(), [](const Entry& entry) {
+    return entry.Actor->GetProperty()->GetInterpolation() == VTK_PBR;
+  });
+  const size_t perSlot = this->GetTexelsPerSlot();
   bool specular = false;
   bool unlit = false;
   bool twoSided = false;
@@ -53,24 +80,28 @@ void vtkPointSplatMaterials::Upload(const std::vector<Entry>& entries)
     texels.emplace_back(m.Index, 0.5 * m.Index * m.Dispersion, glm::length(m.High - m.Low),
       m.Refracts ? 1.0 : 0.0);
     texels.emplace_back(glm::vec3(m.Absorption), 0.0f);
+    if (this->HasPhysical)
+    {
+      AddPhysical(front, texels);
+    }
     low = m.Refracts ? glm::min(low, m.Low) : low;
     high = m.Refracts ? glm::max(high, m.High) : high;
     this->HasMedia = this->HasMedia || m.Refracts;
     this->HasDispersion = this->HasDispersion || (m.Refracts && m.Dispersion > 0.0);
   }
-  for (size_t i = TexelsPerSlot - 1; this->HasMedia && i < texels.size(); i += TexelsPerSlot)
+  for (size_t i = AbsorptionTexel; this->HasMedia && i < texels.size(); i += perSlot)
   {
     texels[i].w = static_cast<float>(glm::length(high - low));
   }
-  if (texels.size() > TexelsPerSlot && (texels != this->Texels || !this->Table.IsMade()))
+  if (texels.size() > perSlot && (texels != this->Texels || !this->Table.IsMade()))
   {
     this->Table.Upload(texels);
   }
   this->Texels = std::move(texels);
   this->Defines =
-    std::string(this->Texels.size() == TexelsPerSlot ? "#define ONE_MATERIAL\n" : "") +
+    std::string(this->Texels.size() == perSlot ? "#define ONE_MATERIAL\n" : "") +
     (specular ? "#define SPECULAR\n" : "") + (unlit ? "#define UNLIT\n" : "") +
-    (twoSided ? "#define TWO_SIDED\n" : "");
+    (twoSided ? "#define TWO_SIDED\n" : "") + (this->HasPhysical ? "#define PHYSICAL\n" : "");
 }
 
 //------------------------------------------------------------------------------
@@ -82,7 +113,7 @@ std::string vtkPointSplatMaterials::GetDefines(bool gathered) const
 //------------------------------------------------------------------------------
 void vtkPointSplatMaterials::Bind(vtkPointSplatUnits& units, vtkPointSplatProgram& program) const
 {
-  if (this->Texels.size() == TexelsPerSlot)
+  if (this->Texels.size() == this->GetTexelsPerSlot())
   {
     program.Set("OneMaterial", this->Texels);
   }

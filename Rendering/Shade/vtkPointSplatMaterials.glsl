@@ -3,12 +3,19 @@
 //
 // What a surface looks like: the materials of the actors (vtkPointSplatMaterials.h), and their
 // light. ONE_MATERIAL: there is one actor, whose material comes as uniforms. TWO_SIDED: some actor's
-// back faces look otherwise. COLOURED: some points have colours of their own.
+// back faces look otherwise. COLOURED: some points have colours of their own. PHYSICAL: some actor's
+// interpolation is physically based.
 
 #include "vtkPointSplatLighting"
 #include "vtkPointSplatRay"
+#ifdef PHYSICAL
+#include "vtkPointSplatPhysical"
+
+const int MaterialTexels = 13;
+#else
 
 const int MaterialTexels = 10;
+#endif
 
 #ifdef ONE_MATERIAL
 uniform vec4 OneMaterial[MaterialTexels];
@@ -70,5 +77,17 @@ vec4 shadeSurface(
   m.diffuse = coloured ? plain.y * colour.rgb : m.diffuse;
   opacity = own ? colour.a : coloured ? opacity * colour.a : opacity;
 #endif
-  return vec4(shade(m, positionVC, normalVC), opacity);
+  vec3 shaded = shade(m, positionVC, normalVC);
+#ifdef PHYSICAL
+  // These formulas are not for unlit surfaces, nor for scenes without any light.
+#if LIGHT_LEVEL > 0 || defined(RADIANCE)
+  vec4 physical[3] =
+    vec4[3](materialTexel(slot, 10), materialTexel(slot, 11), materialTexel(slot, 12));
+  if (physical[0].w > 0.0 && m.lit)
+  {
+    shaded = shadePhysical(physicalOf(physical), m.diffuse, positionVC, normalVC);
+  }
+#endif
+#endif
+  return vec4(shaded, opacity);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The materials of a frame's splat actors, which layers name by their slots. A buffer (RGBA32F) of
-// ten texels a slot:
+// ten or 13 texels a slot:
 //   0  of front faces: ambient colour times intensity; opacity
 //   1  diffuse colour times intensity; specular power
 //   2  specular colour times intensity; 0
@@ -10,6 +10,10 @@
 //   8  of a dielectric: index of refraction; its spread; the longest way through the body; whether
 //      it refracts
 //   9  of a dielectric: absorption; the longest way from a dielectric to another one
+// and where some actor's interpolation is physically based, of such, else 0:
+//   10 metallic; roughness; reflectance at normal incidence of what is no metal; that of the coat + 1
+//   11 edge tint; strength of the coat
+//   12 colour of the coat; its roughness
 #ifndef vtkPointSplatMaterials_h
 #define vtkPointSplatMaterials_h
 
@@ -56,6 +60,7 @@ public:
   void Upload(const std::vector<Entry>& entries);
   bool Refracts() const { return this->HasMedia; }
   bool Disperses() const { return this->HasDispersion; }
+  bool ArePhysical() const { return this->HasPhysical; }
 
   /// Lines for programs that include vtkPointSplatMaterials.glsl. gathered: whether a layer holds
   /// colours of all.
@@ -64,12 +69,15 @@ public:
   void Release() { this->Table.Release(); }
 
 private:
+  size_t GetTexelsPerSlot() const;
+
   std::vector<glm::vec4> Texels;
   vtkPointSplatBuffer Table{ GL_RGBA32F };
   std::string Defines; // but for COLOURED
   bool HasColours = false;
   bool HasMedia = false;
   bool HasDispersion = false;
+  bool HasPhysical = false;
 };
 
 #endif

@@ -9,6 +9,7 @@
 std::string vtkPointSplatShading::GetDefines(bool gathered) const
 {
   return this->Lights->GetDefines() + this->Materials->GetDefines(gathered) +
+    (this->Radiance ? this->Radiance->GetDefines() : std::string()) +
     (this->Reflects() ? "#define REFLECTION\n" + this->Environment->GetDefines() : std::string());
 }
 
@@ -19,6 +20,10 @@ void vtkPointSplatShading::Bind(
   vtkPointSplatShading::SetRay(this->View, program);
   this->Lights->SetUniforms(program, factors);
   this->Materials->Bind(units, program);
+  if (this->Radiance)
+  {
+    this->Radiance->Bind(this->View, units, program);
+  }
   if (this->Reflects())
   {
     this->Environment->Bind(this->View, program);

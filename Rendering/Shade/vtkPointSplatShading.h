@@ -7,6 +7,7 @@
 #include "vtkPointSplatEnvironment.h"
 #include "vtkPointSplatLights.h"
 #include "vtkPointSplatMaterials.h"
+#include "vtkPointSplatRadiance.h"
 #include "vtkPointSplatView.h"
 
 struct vtkPointSplatShading
@@ -15,6 +16,7 @@ struct vtkPointSplatShading
   const vtkPointSplatLights* Lights = nullptr;
   const vtkPointSplatMaterials* Materials = nullptr;
   const vtkPointSplatEnvironment* Environment = nullptr; // that is reflected and refracted, or null
+  const vtkPointSplatRadiance* Radiance = nullptr; // of image-based lighting, or null
 
   bool Reflects() const { return this->Environment && this->Materials->Refracts(); }
   /// As vtkPointSplatMaterials has them, and more.

@@ -21,6 +21,7 @@ uniform bool KeepNearest;
 uniform bool HasSceneDepth;
 uniform sampler2D SceneDepth; // of the opaque scene, as OpenGL has it
 uniform float DiskReach;      // radii
+uniform float NormalBend;       // 0: a splat has one normal
 uniform float CoarseDepth;    // world units: the step of the tested depth
 
 layout(location = 0) out vec4 blended; // premultiplied
@@ -55,7 +56,7 @@ void main()
   }
 #endif
   vec3 position = q.positionVC + hit.uv.x * q.sVC + hit.uv.y * q.tVC;
-  vec3 normal = normalAt(q, hit.uv);
+  vec3 normal = normalAt(q, NormalBend * hit.uv);
 #ifdef FACTORS
   lightFactors = splatFactors;
 #endif

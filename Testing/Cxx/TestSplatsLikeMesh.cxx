@@ -6,8 +6,13 @@
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkLookupTable.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkPBRIrradianceTexture.h"
+#include "vtkPBRPrefilterTexture.h"
+#include "vtkTexture.h"
 
 namespace
 {
@@ -133,6 +138,103 @@ void CompareColours(Checks& checks, bool lit)
     std::string(lit ? "ambient" : "unlit") + " colours: psnr");
 }
 
+/// Red to the right, green above, blue behind.
+void AddEnvironment(vtkRenderer* renderer, bool harmonics)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(64, 32, 1);
+  image->AllocateScalars(VTK_FLOAT, 3);
+  for (int y = 0; y < 32; ++y)
+  {
+    for (int x = 0; x < 64; ++x)
+    {
+      image->SetScalarComponentFromFloat(x, y, 0, 0, x < 32 ? 0.1f : 1.5f);
+      image->SetScalarComponentFromFloat(x, y, 0, 1, y / 32.0f);
+      image->SetScalarComponentFromFloat(x, y, 0, 2, 0.5f + 0.5f * std::cos(0.2f * x));
+    }
+  }
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  texture->SetColorModeToDirectScalars();
+  texture->InterpolateOn();
+  texture->MipmapOn();
+  renderer->SetEnvironmentTexture(texture);
+  renderer->UseImageBasedLightingOn();
+  renderer->SetEnvironmentRight(0.6, 0.0, 0.8);
+  auto own = static_cast<vtkOpenGLRenderer*>(renderer);
+  own->SetUseSphericalHarmonics(harmonics);
+  // Without a GPU VTK takes minutes for as many as it has by default.
+  own->GetEnvMapIrradiance()->SetIrradianceSize(16);
+  own->GetEnvMapIrradiance()->SetIrradianceStep(0.1f);
+  own->GetEnvMapPrefiltered()->SetPrefilterMaxSamples(64);
+}
+
+void SetPhysical(vtkActor* actor, double metallic, double roughness)
+{
+  vtkProperty* property = actor->GetProperty();
+  property->SetInterpolationToPBR();
+  property->SetMetallic(metallic);
+  property->SetRoughness(roughness);
+  property->SetEdgeTint(0.6, 0.8, 1.0);
+}
+
+void ComparePhysical(Checks& checks)
+{
+  Compare(checks, "physical, headlight", [](vtkRenderer*, vtkActor* a) {
+    SetPhysical(a, 0.3, 0.4);
+    a->GetProperty()->SetBaseIOR(2.0);
+  });
+  Compare(checks, "physical, scalars", [](vtkRenderer*, vtkActor* a) {
+    SetPhysical(a, 0.9, 0.3);
+    a->GetMapper()->ScalarVisibilityOn();
+  });
+  auto coat = [](vtkActor* a) {
+    SetPhysical(a, 0.5, 0.6);
+    a->GetProperty()->SetCoatStrength(0.7);
+    a->GetProperty()->SetCoatRoughness(0.2);
+    a->GetProperty()->SetCoatIOR(1.8);
+    a->GetProperty()->SetCoatColor(0.6, 0.9, 0.7);
+  };
+  Compare(checks, "physical, coat", [coat](vtkRenderer* r, vtkActor* a) {
+    coat(a);
+    r->GetActiveCamera()->ParallelProjectionOn();
+  });
+  Compare(checks, "physical, lights", [coat](vtkRenderer* r, vtkActor* a) {
+    coat(a);
+    for (int i = 0; i < 2; ++i)
+    {
+      vtkNew<vtkLight> light;
+      light->SetLightTypeToSceneLight();
+      light->SetPosition(i ? -1.0 : 2.0, 1.0, 3.0);
+      light->SetColor(1.0, 0.8, i ? 1.0 : 0.3);
+      light->SetPositional(i);
+      light->SetConeAngle(40);
+      r->AddLight(light);
+    }
+  });
+  for (const bool harmonics : { true, false })
+  {
+    const std::string name =
+      std::string("physical, environment by ") + (harmonics ? "harmonics" : "a cube map");
+    Compare(checks, name, [harmonics](vtkRenderer* r, vtkActor* a) {
+      SetPhysical(a, 0.4, 0.3);
+      AddEnvironment(r, harmonics);
+    });
+    Compare(checks, name + ", coat", [coat, harmonics](vtkRenderer* r, vtkActor* a) {
+      coat(a);
+      AddEnvironment(r, harmonics);
+      r->GetActiveCamera()->Azimuth(40);
+    });
+  }
+  Compare(checks, "physical, translucent", [](vtkRenderer* r, vtkActor* a) {
+    SetPhysical(a, 0.2, 0.3);
+    a->GetProperty()->SetOpacity(0.5);
+    a->GetProperty()->BackfaceCullingOn();
+    r->UseDepthPeelingOn();
+    r->GetRenderWindow()->AlphaBitPlanesOn();
+  });
+}
+
 vtkLight* AddLight(vtkRenderer* renderer)
 {
   vtkNew<vtkLight> light;
@@ -220,6 +322,7 @@ int TestSplatsLikeMesh(int, char*[])
     a->SetPosition(0.1, 0.2, -0.3);
     r->ResetCamera();
   }, false, 40.0); // its outline is some pixels off
+  ComparePhysical(checks);
   CompareColours(checks, false);
   CompareColours(checks, true);
   return checks.Result();

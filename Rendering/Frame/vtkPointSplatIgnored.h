@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What of an actor's looks splats do not show.
+#ifndef vtkPointSplatIgnored_h
+#define vtkPointSplatIgnored_h
+
+#include <set>
+#include <string>
+
+#include "vtkPointSplattingABI.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkActor;
+class vtkObject;
+VTK_ABI_NAMESPACE_END
+
+class vtkPointSplatIgnored
+{
+public:
+  /**
+   * Warns of it, if that is none of what was warned of already. points: whether points of one pixel
+   * are drawn.
+   */
+  static void Warn(
+    vtkObject* mapper, vtkActor* actor, bool points, std::set<std::string>& warned);
+};
+
+#endif
