@@ -233,8 +233,9 @@ public:
    * second differences two samples wide, which are the central differences of GetGradient's and
    * average noise, and half of what ones that are one sample wide add to them: these follow thin
    * parts. But where they differ by more than the wide ones' own size, as in values rounded to
-   * integers, they are mostly noise, and no more than that counts. Mixed ones are central differences of central differences. Where the volume ends they are those of the
-   * next sample inside, and where a sample is not to be used, the narrow ones or zero.
+   * integers, they are mostly noise, and no more than that counts. Mixed ones are central
+   * differences of central differences. Where the volume ends they are those of the next sample
+   * inside, and where a sample is not to be used, the narrow ones or zero.
    */
   void GetHessian(const vtkIdType ijk[3], double hessian[6]) const
   {

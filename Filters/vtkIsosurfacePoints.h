@@ -95,7 +95,8 @@
  *
  * Isovalues that are not finite are left out and reported. A missing array, or an image that is
  * no volume (of less than two samples along an axis, or whose origin, spacing or direction is not
- * finite or leaves voxels without volume), is an error, and the output empty; less than two samples are a warning.
+ * finite or leaves voxels without volume), is an error, and the output empty; less than two samples
+ * are a warning.
  *
  * The filter reports progress and can be aborted, with an empty output then.
  */

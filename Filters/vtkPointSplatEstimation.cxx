@@ -404,14 +404,18 @@ int vtkPointSplatEstimation::RequestData(
       this->NumberOfPointsAlone +=
         s != vtkPointSplatNeighbors::None && disks.IsAlone(s) && !fans.Has(id);
     }
-    const float scale = static_cast<float>(this->RadiusScale);
+    // Coordinates may be so large that lengths overflow.
+    const auto scaled = [scale = static_cast<float>(this->RadiusScale)](float length) {
+      constexpr float largest = std::numeric_limits<float>::max();
+      return std::min(scale * std::min(length, largest), largest);
+    };
     vtkSMPTools::For(0, numberOfPoints, [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType id = begin; id < end; ++id)
       {
         const Slot s = slotOf[id];
         const bool drawn = s != vtkPointSplatNeighbors::None &&
           !(ghost && (ghost[id] & vtkDataSetAttributes::DUPLICATEPOINT));
-        const float length = drawn ? scale * disks.GetBounded(s) : 0.0f;
+        const float length = drawn ? scaled(disks.GetBounded(s)) : 0.0f;
         if (!elliptical)
         {
           sizes[0]->SetValue(id, length);
@@ -466,7 +470,7 @@ int vtkPointSplatEstimation::RequestData(
           if (fans.Has(id) && drawn && (s == vtkPointSplatNeighbors::None || !ends[s]))
           {
             const vtkPointSplatFans::Disk disk = meshAlone ? corners[id] : fans.GetDisk(id, n);
-            sizes[0]->SetValue(id, scale * disk.Radius);
+            sizes[0]->SetValue(id, scaled(disk.Radius));
             std::copy(disk.Plane, disk.Plane + 3, planes->GetPointer(3 * id));
             std::copy(disk.Curvature, disk.Curvature + 6, curvatures->GetPointer(6 * id));
           }
@@ -485,7 +489,7 @@ int vtkPointSplatEstimation::RequestData(
         // A twin takes its slot for the time of its own output.
         disks.Set(splat);
         disks.Close(splat.At);
-        const float length = scale * disks.GetBounded(splat.At);
+        const float length = scaled(disks.GetBounded(splat.At));
         for (int c = 0; c < 6 && elliptical; ++c)
         {
           sizes[c / 3]->SetValue(

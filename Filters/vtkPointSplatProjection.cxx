@@ -147,8 +147,8 @@ bool vtkPointSplatProjection::Run::Begin(vtkDataArray* given)
   {
     vtkWarningWithObjectMacro(this->Self,
       "Of " << points << " points " << left.NotFinite
-            << " have coordinates that are not finite and " << left.Hidden << " are hidden (" << vtkDataSetAttributes::GhostArrayName()
-            << "); they take no part and stay where they are.");
+            << " have coordinates that are not finite and " << left.Hidden << " are hidden ("
+            << vtkDataSetAttributes::GhostArrayName() << "); they take no part and stay where they are.");
   }
   this->Neighbors.Build(this->Input->GetPoints()->GetData(), used.data());
   const Slot slots = this->Neighbors.GetNumberOfSlots();

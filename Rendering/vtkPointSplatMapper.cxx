@@ -15,9 +15,8 @@
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPlaneCollection.h"
-#include "vtkPointSplatFrame.h"
 #include "vtkPointSplatIgnored.h"
-#include "vtkPointSplatPrimitives.h"
+#include "vtkPointSplatMapperInternals.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
@@ -26,61 +25,12 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkPointSplatMapper);
-
-/**
- * What the frame knows of the mapper.
- */
-class vtkPointSplatMapper::vtkInternals : public vtkPointSplatSource
-{
-public:
-  explicit vtkInternals(vtkPointSplatMapper* mapper)
-    : vtkPointSplatSource(mapper)
-    , Self(mapper)
-  {
-  }
-  bool Update(const vtkPointSplatSettings& settings) override;
-  using vtkPointSplatSource::GetSettings;
-  vtkPointSplatSettings GetSettings() const override;
-  /// Brings the splats up to date with an input that is.
-  void UpdateCloud(vtkDataObject* data, const vtkPointSplatSettings& settings);
-
-  /**
-   * A renderer that the mapper was drawn in, and what the user was told of that: once, not at every
-   * frame.
-   */
-  struct Drawn
-  {
-    std::shared_ptr<vtkPointSplatFrame> Frame;
-    std::string Error;
-    bool Refused = false;       // deferred blending
-    bool NoEnvironment = false;
-  };
-  Drawn& DrawnIn(vtkRenderer* renderer);
-
-  vtkPointSplatReport Report;
-  std::string Choices;
-  bool WarnedOfClipPlanes = false;
-  std::set<std::string> WarnedOf; // of what the actors' looks have that is not shown
-  vtkPointSplatPrimitives Primitives;
-  std::vector<Drawn> AllDrawn;
-
-private:
-  vtkPointSplatColours MapColours(vtkDataSet* data);
-  vtkPointSplatValues MapValues(vtkDataSet* data);
-  std::string GetColourKey();
-  /// Of composite data: how blocks look by the display attributes.
-  void LookAtBlocks(vtkPointSplatCloudInput& input);
-
-  vtkPointSplatMapper* Self;
-  std::array<double, 4> ActorColour{ { 1.0, 1.0, 1.0, 1.0 } }; // of the one drawn last
-};
 
 //------------------------------------------------------------------------------
 vtkPointSplatMapper::vtkInternals::Drawn& vtkPointSplatMapper::vtkInternals::DrawnIn(
@@ -484,137 +434,6 @@ void vtkPointSplatMapper::ReleaseGraphicsResources(vtkWindow* window)
   }
   this->Internals->Primitives.Release(window);
   this->Superclass::ReleaseGraphicsResources(window);
-}
-
-//------------------------------------------------------------------------------
-const char* vtkPointSplatMapper::GetMethodUsed()
-{
-  return this->Internals->Report.Method;
-}
-
-//------------------------------------------------------------------------------
-const char* vtkPointSplatMapper::GetMethodReason()
-{
-  return this->Internals->Report.Choice.MethodReason.c_str();
-}
-
-//------------------------------------------------------------------------------
-const char* vtkPointSplatMapper::GetProjectionUsed()
-{
-  return this->Internals->Report.Projection;
-}
-
-//------------------------------------------------------------------------------
-const char* vtkPointSplatMapper::GetTransparencyUsed()
-{
-  return this->Internals->Report.Transparency;
-}
-
-//------------------------------------------------------------------------------
-int vtkPointSplatMapper::GetNumberOfLayersDrawn()
-{
-  return this->Internals->Report.Layers;
-}
-
-//------------------------------------------------------------------------------
-const char* vtkPointSplatMapper::GetChoices()
-{
-  const vtkPointSplatReport& r = this->Internals->Report;
-  std::ostringstream text;
-  text << "method: " << r.Method << ", " << r.Choice.MethodReason
-       << "\nprojection: " << r.Projection << ", " << r.Choice.ProjectionReason
-       << "\ntransparency: " << r.Transparency << ", " << r.Choice.TransparencyReason
-       << "\nlayers: " << r.Layers << ", " << r.Choice.LayersReason
-       << "\nlayer distance: " << this->GetLayerDistanceUsed() << ", "
-       << (r.Settings.LayerDistance > 0.0         ? "it was asked for"
-              : r.Settings.Method == IMAGE_SPACE ? "the spacing of points, and at least three pixels"
-                                               : "the radius of each splat; this is the median")
-       << "\nsplats: one of " << this->GetStride() << ", " << r.Choice.SplatsReason
-       << "\nfill steps: " << r.FillSteps << ", " << r.Choice.FillReason
-       << "\nshadow samples: " << r.ShadowSamples << ", "
-       << (this->Shadows ? r.ShadowReason : "shadows are off")
-       << "\npoints: "
-       << (this->Internals->GetCloud().IsProjected()
-              ? "projected, their normals contradict their neighbours"
-              : "as given")
-       << "\nerror allowed: " << vtkPointSplatChoices::Text(r.Choice.Tolerance) << ", "
-       << r.Choice.BudgetReason;
-  this->Internals->Choices = text.str();
-  return this->Internals->Choices.c_str();
-}
-
-//------------------------------------------------------------------------------
-int vtkPointSplatMapper::GetNumberOfFillSteps()
-{
-  return this->Internals->Report.FillSteps;
-}
-
-//------------------------------------------------------------------------------
-double vtkPointSplatMapper::GetProjectedSpacing()
-{
-  return this->Internals->Report.ProjectedSpacing;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkPointSplatMapper::GetNumberOfPointsProjected()
-{
-  return this->Internals->Report.PointsProjected;
-}
-
-//------------------------------------------------------------------------------
-int vtkPointSplatMapper::GetNumberOfShadowSamplesUsed()
-{
-  return this->Shadows ? this->Internals->Report.ShadowSamples : 0;
-}
-
-//------------------------------------------------------------------------------
-unsigned long vtkPointSplatMapper::GetNumberOfShadowUpdates()
-{
-  return this->Internals->Report.ShadowUpdates;
-}
-
-//------------------------------------------------------------------------------
-int vtkPointSplatMapper::GetNumberOfGroups()
-{
-  return this->Internals->GetCloud().GetGroups().GetNumberOfGroups();
-}
-
-//------------------------------------------------------------------------------
-vtkMTimeType vtkPointSplatMapper::GetGroupMTime()
-{
-  return this->Internals->GetCloud().GetGroups().GetMTime();
-}
-
-//------------------------------------------------------------------------------
-double vtkPointSplatMapper::GetLayerDistanceUsed()
-{
-  const vtkPointSplatReport& r = this->Internals->Report;
-  return vtkPointSplatCollection::LayerDistanceOf(
-    r.Settings, r.Choice, this->Internals->GetCloud());
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkPointSplatMapper::GetNumberOfSplats()
-{
-  return this->Internals->GetCloud().GetNumberOfSplats();
-}
-
-//------------------------------------------------------------------------------
-int vtkPointSplatMapper::GetStride()
-{
-  return 1 << this->Internals->Report.StrideShift;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkPointSplatMapper::GetNumberOfSkippedPoints()
-{
-  return this->Internals->GetCloud().GetNumberOfSkippedPoints();
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkPointSplatMapper::GetImageMemorySize()
-{
-  return this->Internals->Report.ImageMemory;
 }
 
 VTK_ABI_NAMESPACE_END

@@ -141,8 +141,9 @@ void vtkPointSplatCloud::BuildLooks(
   {
     const Block& block = this->Blocks[b];
     const auto found = input.Looks.find(block.FlatIndex);
-    const vtkPointSplatBlockLook look =
-      found == input.Looks.end() ? vtkPointSplatBlockLook() : found->second;
+    static const vtkPointSplatBlockLook plainLook;
+    const vtkPointSplatBlockLook& look =
+      found == input.Looks.end() ? plainLook : found->second;
     const std::array<double, 3> colour = look.Colour.value_or(
       std::array<double, 3>{ { actor[0], actor[1], actor[2] } });
     const double opacity = this->OwnOpacity ? look.Opacity.value_or(actor[3]) : 1.0;

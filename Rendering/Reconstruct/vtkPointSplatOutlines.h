@@ -60,7 +60,10 @@ public:
   /// Binds all of these to a program in use.
   void Bind(vtkPointSplatUnits& units, vtkPointSplatProgram& program) const;
 
-  vtkIdType GetMemorySize() const { return this->Pixels.GetSize() + this->Choices.GetSize() + this->Indices.GetSize(); }
+  vtkIdType GetMemorySize() const
+  {
+    return this->Pixels.GetSize() + this->Choices.GetSize() + this->Indices.GetSize();
+  }
   const std::string& GetError() const { return this->Error; }
   void Release();
 

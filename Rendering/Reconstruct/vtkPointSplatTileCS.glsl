@@ -9,8 +9,8 @@
 // 3. With LAYERS, the next layer, until each pixel has no further hit, or so little light comes
 //    through the layers before that what is behind could not be seen.
 // Variants: LAYERS, GATHER (the last layer takes all that is left, weighted by opacity), COLOURS,
-// VALUES (of some clouds in the place of colours), CELL_COLOURS (of some), FACETS (some are flat), FACTORS, IDS (names the
-// splat of the greatest weight), KERNELS, PLATEAU, CURVED (some splats need exact rays), CLIPPING,
+// VALUES (of some clouds in the place of colours), CELL_COLOURS (of some), FACETS (some are flat),
+// FACTORS, IDS (names the splat of the greatest weight), KERNELS, PLATEAU, CURVED (some splats need exact rays), CLIPPING,
 // CLIP_LINES (some splats are clipped).
 // Reads: Records, RecordClipLines, Lists, Tiles, SceneDepth. Writes: Texels, FactorTexels,
 // IdTexels, Counts.

@@ -48,8 +48,8 @@ vec4 absorptionOf(int slot)
 
 // How bright a mean of unit normals is, by its length, which tells whether they agree: where a
 // patch of normals that point outward meets one that points inward they cancel, and a mesh of
-// these points is dark, but for ambient light. From the mean of unit normals that stand 53 degrees off it on, all is:
-// any crease keeps its light.
+// these points is dark, but for ambient light. From the mean of unit normals that stand 53 degrees
+// off it on, all is: any crease keeps its light.
 const float FullAgreement = 0.6;
 
 // The shaded colour and opacity of a surface point. normalVC: any; it is turned to the viewer, as

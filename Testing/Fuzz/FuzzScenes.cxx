@@ -456,6 +456,8 @@ void FuzzScenes::Implementation::RunNeighbour(FuzzRandom& random)
   wild.Mapper->SetMethodToTwoPass();
   wild.Mapper->SetProjection(mapper->GetProjection());
   wild.Mapper->SetMaximumImageMemory(mapper->GetMaximumImageMemory());
+  // VTK's points and lines are wider than what clipping planes leave of them.
+  wild.Actor->GetProperty()->SetRepresentationToSurface();
   wild.Mapper->RemoveAllClippingPlanes();
   vtkNew<vtkPlane> plane;
   plane->SetNormal(1, 0, 0);

@@ -27,8 +27,10 @@ set(Shadow GL Cloud Project Reconstruct)
 set(Frame GL Cloud Project Select Reconstruct Shade Shadow Choice)
 set(Rendering ${Frame} Frame Filters)
 set(without_opengl Filters Choice)
-# Public headers are installed, and the private ones are not.
+# Public headers are installed, and the private ones are not: of Rendering/'s root those that a class
+# has for its own files.
 set(public_headers)
+set(internals "Internals\\.h$")
 # Names that are made when the project is configured, or that all may use.
 set(everywhere
   "^vtkPointSplat(SetMacros|tingABI|tingConfigure|tingFeatures)\\.h$")
@@ -49,7 +51,7 @@ foreach (_folder IN ITEMS Filters Rendering)
   foreach (_file IN LISTS _found)
     get_filename_component(_name "${_file}" NAME)
     set("in_${_name}" "${_folder}")
-    if (_name MATCHES "\\.h$" AND _folder STREQUAL "Rendering")
+    if (_name MATCHES "\\.h$" AND NOT _name MATCHES "${internals}" AND _folder STREQUAL "Rendering")
       set(_folder_of_file public_headers)
     else ()
       set(_folder_of_file "${_folder}")
@@ -76,7 +78,8 @@ function (check folder file name line)
   elseif (DEFINED "in_${name}")
     set(_to "${in_${name}}")
     if (NOT (_to STREQUAL folder OR _to IN_LIST ${folder} OR name IN_LIST ${folder} OR
-        (folder STREQUAL "public_headers" AND _to STREQUAL "Rendering")))
+        (folder STREQUAL "public_headers" AND _to STREQUAL "Rendering" AND
+          NOT name MATCHES "${internals}")))
       set(_fault "${folder} may not use ${_to}")
     endif ()
   elseif (folder IN_LIST without_opengl AND name MATCHES "${opengl}")
