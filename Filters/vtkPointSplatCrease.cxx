@@ -37,6 +37,9 @@ constexpr float SameDistance = 0.25f;
 constexpr float AgainstDirection = 0.7f;
 /// How many times as many votes as are against.
 constexpr int VotesPerAgainst = 3;
+/// Points at the same position whose normals part by more than this cosine (15 degrees) are of two
+/// faces.
+constexpr float SplitCosine = 0.966f;
 /// Nearer than this, in spacings, a point is on the line itself.
 constexpr float OnLine = 0.15f;
 /// What is farther may be off the line by this part of its distance: an edge of a radius of 20
@@ -52,15 +55,10 @@ constexpr float FootReach = 0.3f;
 /// Keeps weights of neighbours on the line finite, in spacings.
 constexpr float Softening = 0.3f;
 
-float Dot(const float a[3], const float b[3])
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 bool IsSame(
   const vtkPointSplatCrease::Line& a, const vtkPointSplatCrease::Line& b, float spacing)
 {
-  return Dot(a.Direction, b.Direction) >= SameDirection &&
+  return vtkMath::Dot(a.Direction, b.Direction) >= SameDirection &&
     std::abs(a.Distance - b.Distance) <= SameDistance * spacing;
 }
 }
@@ -84,8 +82,13 @@ void vtkPointSplatFaces::GetTensor(Slot s, float tensor[6]) const
 
 bool vtkPointSplatCrease::IsOn(const Line& line, const float x[3], float spacing)
 {
-  const float off = Dot(line.Direction, x) - line.Distance;
-  return std::abs(off) <= OnLine * spacing + EdgeBend * std::sqrt(Dot(x, x));
+  const float off = vtkMath::Dot(line.Direction, x) - line.Distance;
+  return std::abs(off) <= OnLine * spacing + EdgeBend * std::sqrt(vtkMath::Dot(x, x));
+}
+
+bool vtkPointSplatCrease::Parts(const float n[3], const float m[3])
+{
+  return std::abs(vtkMath::Dot(n, m)) < SplitCosine;
 }
 
 bool vtkPointSplatCrease::IsLikely(const vtkPointSplatNeighbors::Neighborhood& around,
@@ -97,7 +100,7 @@ bool vtkPointSplatCrease::IsLikely(const vtkPointSplatNeighbors::Neighborhood& a
   for (int i = 0; i < count; ++i)
   {
     const float* m = normals + std::size_t(3) * around.Slots[i];
-    const float cosine = Dot(n, m);
+    const float cosine = vtkMath::Dot(n, m);
     if (std::abs(cosine) >= TurnedCosine)
     {
       ++level;
@@ -106,7 +109,7 @@ bool vtkPointSplatCrease::IsLikely(const vtkPointSplatNeighbors::Neighborhood& a
     }
     ++turned;
     // Whichever side the neighbour's normal points to.
-    const float side = Dot(mean, m) < 0 ? -1.0f : 1.0f;
+    const float side = vtkMath::Dot(mean, m) < 0 ? -1.0f : 1.0f;
     for (int c = 0; c < 3; ++c)
     {
       mean[c] += side * m[c];
@@ -116,7 +119,7 @@ bool vtkPointSplatCrease::IsLikely(const vtkPointSplatNeighbors::Neighborhood& a
   {
     return false;
   }
-  const float length2 = Dot(mean, mean), part = Dot(mean, n);
+  const float length2 = vtkMath::Dot(mean, mean), part = vtkMath::Dot(mean, n);
   const float deviation = std::sqrt(std::max(residual, 0.0f) / level);
   const float least = std::sqrt(1 - TurnedCosine * TurnedCosine) + AnglePerDeviation * deviation;
   return length2 >= Agreement * Agreement * turned * turned &&
@@ -128,7 +131,7 @@ bool vtkPointSplatCrease::GetVote(const float q[3], const float m[3], const floa
   const float n[3], const vtkPointSplatFace& face, Vote& vote) const
 {
   const float spacing = face.Members.Spacing;
-  const float cosine = Dot(n, m);
+  const float cosine = vtkMath::Dot(n, m);
   const float sine = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
   if (sine < 0.5f * LeastAngle)
   {
@@ -139,7 +142,7 @@ bool vtkPointSplatCrease::GetVote(const float q[3], const float m[3], const floa
   {
     g[c] = (m[c] - cosine * n[c]) / sine;
   }
-  float d = Dot(m, q) / sine;
+  float d = vtkMath::Dot(m, q) / sine;
   float x[3], own[3], other[3], normal[3], otherNormal[3];
   for (int step = 0; step < 3; ++step)
   {
@@ -152,7 +155,7 @@ bool vtkPointSplatCrease::GetVote(const float q[3], const float m[3], const floa
       x[c] = d * g[c];
     }
     vtkPointSplatFace::Multiply(face.Tensor, x, own);
-    const float height = -0.5f * Dot(x, own);
+    const float height = -0.5f * vtkMath::Dot(x, own);
     float e[3];
     for (int c = 0; c < 3; ++c)
     {
@@ -161,7 +164,7 @@ bool vtkPointSplatCrease::GetVote(const float q[3], const float m[3], const floa
       vote.Along[c] = -e[c];
     }
     vtkPointSplatFace::Multiply(C, e, other);
-    const float off = Dot(m, e) + 0.5f * Dot(e, other);
+    const float off = vtkMath::Dot(m, e) + 0.5f * vtkMath::Dot(e, other);
     for (int c = 0; c < 3; ++c)
     {
       normal[c] = n[c] + own[c];
@@ -169,20 +172,21 @@ bool vtkPointSplatCrease::GetVote(const float q[3], const float m[3], const floa
     }
     if (step < 2)
     {
-      const float slope = Dot(otherNormal, g) - Dot(otherNormal, n) * Dot(own, g);
+      const float slope =
+        vtkMath::Dot(otherNormal, g) - vtkMath::Dot(otherNormal, n) * vtkMath::Dot(own, g);
       d -= off / slope;
     }
   }
   float cross[3];
   vtkMath::Cross(normal, otherNormal, cross);
   const float least = LeastAngle + AnglePerDeviation * face.Deviation;
-  const float left2 = Dot(cross, cross);
-  vote.Open = vote.For = Dot(own, own) < LargestBend * LargestBend &&
-    Dot(other, other) < LargestBend * LargestBend &&
-    left2 >= least * least * Dot(normal, normal) * Dot(otherNormal, otherNormal);
+  const float left2 = vtkMath::Dot(cross, cross);
+  vote.Open = vote.For = vtkMath::Dot(own, own) < LargestBend * LargestBend &&
+    vtkMath::Dot(other, other) < LargestBend * LargestBend &&
+    left2 >= least * least * vtkMath::Dot(normal, normal) * vtkMath::Dot(otherNormal, otherNormal);
 
   // The line across the plane of n.
-  const float part = Dot(otherNormal, n);
+  const float part = vtkMath::Dot(otherNormal, n);
   float length2 = 0;
   for (int c = 0; c < 3; ++c)
   {
@@ -198,10 +202,10 @@ bool vtkPointSplatCrease::GetVote(const float q[3], const float m[3], const floa
   {
     component /= length;
   }
-  vote.At.Distance = Dot(vote.At.Direction, x);
+  vote.At.Distance = vtkMath::Dot(vote.At.Direction, x);
   // Away from the centre, or if that is on the line, from its face's points.
   const bool on = std::abs(vote.At.Distance) < OnLine * spacing;
-  if (on ? Dot(vote.At.Direction, this->Side) > vote.At.Distance : vote.At.Distance < 0)
+  if (on ? vtkMath::Dot(vote.At.Direction, this->Side) > vote.At.Distance : vote.At.Distance < 0)
   {
     for (float& component : vote.At.Direction)
     {
@@ -210,7 +214,7 @@ bool vtkPointSplatCrease::GetVote(const float q[3], const float m[3], const floa
     vote.At.Distance = -vote.At.Distance;
   }
   const float soft = Softening * spacing;
-  vote.Weight = 1 / (Dot(vote.Along, vote.Along) + soft * soft);
+  vote.Weight = 1 / (vtkMath::Dot(vote.Along, vote.Along) + soft * soft);
   for (int c = 0; c < 3; ++c)
   {
     vote.Along[c] = q[c];
@@ -230,7 +234,7 @@ bool vtkPointSplatCrease::Accept(const Vote& best,
   for (int v = 0; v < this->NumberOfVotes; ++v)
   {
     const Vote& vote = this->Votes[v];
-    const float cosine = Dot(vote.At.Direction, best.At.Direction);
+    const float cosine = vtkMath::Dot(vote.At.Direction, best.At.Direction);
     if (!vote.For)
     {
       against += cosine > AgainstDirection ? 1 : 0;
@@ -248,7 +252,7 @@ bool vtkPointSplatCrease::Accept(const Vote& best,
     }
     line.Distance += vote.Weight * vote.At.Distance;
   }
-  const float length = std::sqrt(Dot(line.Direction, line.Direction));
+  const float length = std::sqrt(vtkMath::Dot(line.Direction, line.Direction));
   for (float& component : line.Direction)
   {
     component /= length;
@@ -272,7 +276,7 @@ bool vtkPointSplatCrease::Accept(const Vote& best,
   {
     const int i = face.Members.Members[k];
     const float x[3] = { around.X[i], around.Y[i], around.Z[i] };
-    behind = Dot(line.Direction, x) > line.Distance + OnLine * spacing;
+    behind = vtkMath::Dot(line.Direction, x) > line.Distance + OnLine * spacing;
   }
   if (behind)
   {
@@ -282,9 +286,9 @@ bool vtkPointSplatCrease::Accept(const Vote& best,
     for (int v = 0; v < this->NumberOfVotes; ++v)
     {
       const Vote& vote = this->Votes[v];
-      if (vote.For && Dot(vote.At.Direction, line.Direction) >= SameDirection)
+      if (vote.For && vtkMath::Dot(vote.At.Direction, line.Direction) >= SameDirection)
       {
-        const float t = Dot(along, vote.Along);
+        const float t = vtkMath::Dot(along, vote.Along);
         first = std::min(first, t);
         last = std::max(last, t);
       }
@@ -395,7 +399,7 @@ bool vtkPointSplatCrease::FindMeeting(const vtkPointSplatNeighbors::Neighborhood
     float C[6], turned[3], normal[3];
     faces.GetTensor(j, C);
     vtkPointSplatFace::Multiply(C, q, turned);
-    if (std::abs(0.5f * Dot(q, turned) - Dot(m, q)) > OnLine * spacing)
+    if (std::abs(0.5f * vtkMath::Dot(q, turned) - vtkMath::Dot(m, q)) > OnLine * spacing)
     {
       continue;
     }
@@ -403,13 +407,14 @@ bool vtkPointSplatCrease::FindMeeting(const vtkPointSplatNeighbors::Neighborhood
     {
       normal[c] = m[c] - turned[c];
     }
-    const float length = std::sqrt(Dot(normal, normal)) * (Dot(normal, n) < 0 ? -1 : 1);
+    const float length =
+      std::sqrt(vtkMath::Dot(normal, normal)) * (vtkMath::Dot(normal, n) < 0 ? -1 : 1);
     int f = 0;
     for (float& component : normal)
     {
       component /= length;
     }
-    while (f < this->NumberOfMeeting && Dot(normal, this->Meeting[f]) < SameDirection)
+    while (f < this->NumberOfMeeting && vtkMath::Dot(normal, this->Meeting[f]) < SameDirection)
     {
       ++f;
     }

@@ -73,6 +73,9 @@ public:
   Line Lines[MaximumNumberOfLines]; // the nearer one first
   int Count = 0;
 
+  /// Whether points at the same position with these normals, of unit length or 0, are of two faces.
+  static bool Parts(const float n[3], const float m[3]);
+
   /**
    * Whether there may be a line so near that a few neighbours are behind it: a cheap question for
    * all points, to look closely only around those where it is so. The normals of some neighbours

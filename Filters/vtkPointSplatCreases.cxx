@@ -3,6 +3,7 @@
 #include "vtkPointSplatCreases.h"
 
 #include "vtkFloatArray.h"
+#include "vtkMath.h"
 #include "vtkSMPThreadLocal.h"
 
 #include <algorithm>
@@ -36,11 +37,6 @@ constexpr float OnLine = 0.15f;
 /// The cosine (20 degrees) between a line and the direction of the face behind it.
 constexpr float AcrossCosine = 0.94f;
 
-float Dot(const float a[3], const float b[3])
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /// The members of a point's face and what they look like in mirrors at its lines.
 struct Mirrored
 {
@@ -60,7 +56,7 @@ struct Mirrored
 
   void Add(const float x[3], const float n[3])
   {
-    const float squared = Dot(x, x);
+    const float squared = vtkMath::Dot(x, x);
     if (this->Count < Capacity && squared > 0)
     {
       this->Points[this->Count++] = { { x[0], x[1], x[2] }, { n[0], n[1], n[2] }, squared };
@@ -70,7 +66,8 @@ struct Mirrored
   void AddImage(const float x[3], const float n[3], const vtkPointSplatCrease& crease, int line)
   {
     const vtkPointSplatCrease::Line& at = crease.Lines[line];
-    const float far = Dot(at.Direction, x) - at.Distance, part = Dot(at.Direction, n);
+    const float far = vtkMath::Dot(at.Direction, x) - at.Distance;
+    const float part = vtkMath::Dot(at.Direction, n);
     float y[3], m[3];
     for (int c = 0; c < 3; ++c)
     {
@@ -80,7 +77,7 @@ struct Mirrored
     // What is behind a line, where a face goes on past a corner, has its image before it.
     for (int k = 0; k < crease.Count; ++k)
     {
-      if (Dot(crease.Lines[k].Direction, y) > crease.Lines[k].Distance)
+      if (vtkMath::Dot(crease.Lines[k].Direction, y) > crease.Lines[k].Distance)
       {
         this->Add(y, m);
         return;
@@ -95,7 +92,7 @@ struct Mirrored
     for (int i = 0; i < around.Count; ++i)
     {
       const float x[3] = { around.X[i], around.Y[i], around.Z[i] };
-      if (faces.IsSound(around.Slots[i]) || std::abs(Dot(n, x)) > OnLine * spacing)
+      if (faces.IsSound(around.Slots[i]) || std::abs(vtkMath::Dot(n, x)) > OnLine * spacing)
       {
         continue;
       }
@@ -209,7 +206,7 @@ bool vtkPointSplatCreases::FindSplat(
     int best = 0;
     for (int f = 1; f < crease.NumberOfMeeting; ++f)
     {
-      best = Dot(crease.Meeting[f], n) > Dot(crease.Meeting[best], n) ? f : best;
+      best = vtkMath::Dot(crease.Meeting[f], n) > vtkMath::Dot(crease.Meeting[best], n) ? f : best;
     }
     std::copy_n(crease.Meeting[best], 3, plane);
     face.Fit(around, this->Faces.Normals, plane, spacing);
@@ -253,8 +250,8 @@ bool vtkPointSplatCreases::FindSplat(
       for (int f = 0; f < crease.NumberOfMeeting; ++f)
       {
         // The face behind a line is the one whose normal is across it.
-        const float part = Dot(crease.Meeting[f], plane);
-        const float across = Dot(crease.Meeting[f], line.Direction);
+        const float part = vtkMath::Dot(crease.Meeting[f], plane);
+        const float across = vtkMath::Dot(crease.Meeting[f], line.Direction);
         if (across * across > AcrossCosine * AcrossCosine * (1 - part * part))
         {
           std::copy_n(crease.Meeting[f], 3, splat.Fold + 3 * lines);

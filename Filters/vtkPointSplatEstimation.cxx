@@ -37,9 +37,6 @@ namespace
 {
 using Slot = vtkPointSplatNeighbors::Slot;
 
-/// Points at the same position whose normals part by more than this cosine (15 degrees) are of two
-/// faces.
-constexpr float TwinCosine = 0.966f;
 /// The sixth neighbour's distance, of the third one's, for points at random in a plane (1.43) and a
 /// little: it is the neighbour of another body where most bodies have few points.
 constexpr float SixthPerThird = 1.5f;
@@ -101,8 +98,7 @@ Twins FindTwins(const float* normals, const std::vector<float>& slotNormals,
     {
       continue;
     }
-    const float* m = slotNormals.data() + std::size_t(3) * s;
-    if (std::abs(n[0] * m[0] + n[1] * m[1] + n[2] * m[2]) < TwinCosine)
+    if (vtkPointSplatCrease::Parts(n, slotNormals.data() + std::size_t(3) * s))
     {
       twins.push_back({ static_cast<vtkIdType>(id), s, { n[0], n[1], n[2] } });
     }
@@ -292,7 +288,6 @@ int vtkPointSplatEstimation::RequestData(
     std::vector<unsigned char> creased(slots, 0);
     // Slots with a neighbour whose normal is not that of the surface.
     std::vector<std::atomic<bool>> misled(slots);
-    std::vector<float> sheetNormals; // of the planes that were found, once they are
     const float* directions = slotNormals.data();
     auto measure = [&](const vtkPointSplatNeighbors::Neighborhood& around, int round) {
       const Slot s = around.Center;
@@ -353,7 +348,7 @@ int vtkPointSplatEstimation::RequestData(
     }
     // Again where that tells more: neighbours across holes and normals that are not the surface's.
     disks.HoleLimit = disks.FindHoleLimit();
-    sheetNormals = slotNormals;
+    std::vector<float> sheetNormals = slotNormals;
     for (Slot s = 0; s < slots; ++s)
     {
       if (wanted[s])

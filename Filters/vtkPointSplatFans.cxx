@@ -5,6 +5,7 @@
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
 #include "vtkDataArrayRange.h"
+#include "vtkMath.h"
 #include "vtkPointSplatCrease.h"
 #include "vtkPointSplatCurvature.h"
 #include "vtkPointSplatDisk.h"
@@ -27,10 +28,6 @@ constexpr float LengthPerReach = 0.9f;
 
 /// How many neighbours tell the curvature: as many as are searched for without a mesh.
 constexpr int EnoughNeighbors = 12;
-
-/// Points at the same position whose normals part by more than this cosine (15 degrees) are of two
-/// faces.
-constexpr float SplitCosine = 0.966f;
 
 constexpr int MaximumNumberOfNeighbors = vtkPointSplatNeighbors::MaximumNumberOfNeighbors;
 
@@ -220,9 +217,8 @@ bool vtkPointSplatFans::IsSplit(const float* normals) const
       position(a), position(a) + 3, position(b), position(b) + 3);
   });
   return std::adjacent_find(border.begin(), border.end(), [&](vtkIdType a, vtkIdType b) {
-    const float *n = normals + 3 * a, *m = normals + 3 * b;
     return std::equal(position(a), position(a) + 3, position(b)) &&
-      std::abs(n[0] * m[0] + n[1] * m[1] + n[2] * m[2]) < SplitCosine;
+      vtkPointSplatCrease::Parts(normals + 3 * a, normals + 3 * b);
   }) != border.end();
 }
 
@@ -246,10 +242,8 @@ vtkPointSplatFans::Disk vtkPointSplatFans::GetDisk(vtkIdType id, const float* no
       }
       ring.Add(static_cast<Slot>(others[k]), d[k]);
     }
-    const auto dot = [](const float a[3], const float b[3]) {
-      return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    };
-    const float aa = dot(d[0], d[0]), bb = dot(d[1], d[1]), ab = dot(d[0], d[1]);
+    const float aa = vtkMath::Dot(d[0], d[0]), bb = vtkMath::Dot(d[1], d[1]),
+                ab = vtkMath::Dot(d[0], d[1]);
     if (!(aa > 0) || !(bb > 0))
     {
       continue;

@@ -80,17 +80,14 @@
  * positive, or that lie farther off than a million times what the middle half of all points spans,
  * are left out; their number is reported once, and by GetNumberOfSkippedPoints(). Arrays of a wrong
  * shape are refused with an error that names them. Cells may name points that are not there. Clip
- * lines that are not finite cut nothing, and those nearer to a splat's centre than a millionth of its
- * size are taken for so near.
- * Given radii that do not belong to points as far apart as these (the median radius less than a
- * quarter of the spacing, or more than four times that, and as little in keeping with the distance
- * of nearest points) are drawn as they are, with a warning: no
- * filter of VTK's scales `SplatRadius` and `SplatCurvature` with the points, so that after a
- * vtkTransformFilter that scales they must be estimated anew. An actor's scale acts on all alike.
- * NaN is refused by all setters. In a window without an OpenGL context nothing is drawn. Windows
- * of more than 11,500 x 11,500 pixels, of 7,500 x 7,500 where splats are not drawn by tiles, are
- * refused with an error, since their images would take more than 4 GiB:
- * vtkWindowToImageFilter::SetScale() draws larger pictures part by part.
+ * lines that are not finite cut nothing; a line counts as at least a millionth of a radius away.
+ * Given radii of less than a quarter of the points' spacing, or more than four times that, in the
+ * median, and as far off the nearest points' distances, are drawn with a warning: no filter of VTK's
+ * scales `SplatRadius` and `SplatCurvature`, so that after a vtkTransformFilter that scales they
+ * must be estimated anew. An actor's scale acts on all alike. NaN is refused by all setters. In a
+ * window without an OpenGL context nothing is drawn. Windows of more than 11,500 x 11,500 pixels,
+ * of 7,500 x 7,500 without tiles, are refused with an error, since their images would take more
+ * than 4 GiB: vtkWindowToImageFilter::SetScale() draws larger pictures part by part.
  *
  * Progress: while sizes and normals are estimated, ProgressEvent tells how much is done, and
  * AbortExecuteOn() ends it; nothing is drawn then, and the next Render() begins anew.

@@ -3,26 +3,19 @@
 #include "vtkPointSplatFolds.h"
 
 #include "vtkMath.h"
-#include "vtkPointSplatPacking.h"
 
 #include <algorithm>
 #include <cmath>
 
-vtkPointSplatFolds::vtkPointSplatFolds(const vtkPointSplatPacking& arrays, vtkIdType id)
+vtkPointSplatFolds::vtkPointSplatFolds(
+  const double fold[6], const double clip[6], const double normal[3], const double plane[3])
 {
-  if (!arrays.Fold || !arrays.Clip || !arrays.Plane)
-  {
-    return;
-  }
-  double fold[6], normal[3];
-  arrays.Fold->GetTuple(id, fold);
   if (std::all_of(fold, fold + 6, [](double v) { return v == 0.0; }))
   {
     return;
   }
-  arrays.Clip->GetTuple(id, this->Clip);
-  arrays.Normals->GetTuple(id, normal);
-  arrays.Plane->GetTuple(id, this->Plane);
+  std::copy_n(clip, 6, this->Clip);
+  std::copy_n(plane, 3, this->Plane);
   if (!Turn(this->Plane, normal))
   {
     return;

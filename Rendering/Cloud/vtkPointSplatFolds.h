@@ -5,15 +5,14 @@
 #ifndef vtkPointSplatFolds_h
 #define vtkPointSplatFolds_h
 
-#include "vtkType.h"
-
-class vtkPointSplatPacking;
-
 class vtkPointSplatFolds
 {
 public:
-  /// Of one point of a block.
-  vtkPointSplatFolds(const vtkPointSplatPacking& arrays, vtkIdType id);
+  /// Of a point without any.
+  vtkPointSplatFolds() = default;
+  /// Of a point's SplatFold, SplatClip, normal and SplatPlaneNormal.
+  vtkPointSplatFolds(const double fold[6], const double clip[6], const double normal[3],
+    const double plane[3]);
 
   /// The clip lines of a part, as in the array SplatClip.
   void GetLines(int part, double c[6]) const;

@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <initializer_list>
 
 namespace
@@ -392,12 +393,27 @@ void vtkPointSplatPacking::Pack(const std::array<double, 3>& origin, bool circul
 }
 
 //------------------------------------------------------------------------------
+vtkPointSplatFolds vtkPointSplatPacking::GetFolds(vtkIdType id) const
+{
+  if (!this->Fold || !this->Clip || !this->Plane)
+  {
+    return vtkPointSplatFolds();
+  }
+  double fold[6], clip[6], normal[3], plane[3];
+  this->Fold->GetTuple(id, fold);
+  this->Clip->GetTuple(id, clip);
+  this->Normals->GetTuple(id, normal);
+  this->Plane->GetTuple(id, plane);
+  return vtkPointSplatFolds(fold, clip, normal, plane);
+}
+
+//------------------------------------------------------------------------------
 size_t vtkPointSplatPacking::PackFolds(std::vector<uint32_t>& splats, size_t kept) const
 {
   splats.resize(8 * kept);
   for (size_t i = 0; i < kept; ++i)
   {
-    const vtkPointSplatFolds folds(*this, splats[8 * i + 7]);
+    const vtkPointSplatFolds folds = this->GetFolds(splats[8 * i + 7]);
     for (int part = 0; part < 2; ++part)
     {
       if (folds.Has[part])
@@ -459,7 +475,7 @@ void vtkPointSplatPacking::PackClipLines(
         std::copy_n(axes + 4, 3, t);
       }
       double c[6];
-      const vtkPointSplatFolds folds(*this, splat[7]);
+      const vtkPointSplatFolds folds = this->GetFolds(splat[7]);
       const int part = circular ? FindPart(folds, splat[4]) : -1;
       if (part >= 0)
       {

@@ -20,6 +20,8 @@ class vtkPointSet;
 class vtkPolyData;
 VTK_ABI_NAMESPACE_END
 
+class vtkPointSplatFolds;
+
 class vtkPointSplatPacking
 {
 public:
@@ -77,6 +79,7 @@ public:
   static std::vector<vtkIdType> CellsOfPoints(vtkPointSet* data);
 
 private:
+  vtkPointSplatFolds GetFolds(vtkIdType id) const;
   /// Takes what is missing from an estimation of points with what there is of normals.
   void Estimate(vtkObject* owner, vtkPolyData* bare, bool projectNoise);
 };

@@ -101,12 +101,18 @@ bool vtkPointSplatEnvironment::Prepare(vtkRenderer* renderer)
   glSamplerParameteri(sampler, GL_TEXTURE_WRAP_S, GL_REPEAT);
   glSamplerParameteri(sampler, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 
+  this->FromWorld = FromWorldOf(renderer);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+glm::dmat3 vtkPointSplatEnvironment::FromWorldOf(vtkRenderer* renderer)
+{
   glm::dvec3 up;
   glm::dvec3 right;
   renderer->GetEnvironmentUp(&up.x);
   renderer->GetEnvironmentRight(&right.x);
-  this->FromWorld = glm::transpose(glm::dmat3(right, up, glm::cross(right, up)));
-  return true;
+  return glm::transpose(glm::dmat3(right, up, glm::cross(right, up)));
 }
 
 //------------------------------------------------------------------------------

@@ -37,6 +37,9 @@ public:
    */
   bool Prepare(vtkRenderer* renderer);
 
+  /// From world coordinates to those of a renderer's environment.
+  static glm::dmat3 FromWorldOf(vtkRenderer* renderer);
+
   /// Lines for programs that include vtkPointSplatEnvironmentMap.glsl.
   const std::string& GetDefines() const { return this->Defines; }
 

@@ -7,6 +7,7 @@
 #include "vtkPBRIrradianceTexture.h"
 #include "vtkPBRLUTTexture.h"
 #include "vtkPBRPrefilterTexture.h"
+#include "vtkPointSplatEnvironment.h"
 #include "vtkPointSplatProgram.h"
 #include "vtkPointSplatUnits.h"
 #include "vtkTextureObject.h"
@@ -62,11 +63,7 @@ bool vtkPointSplatRadiance::Prepare(vtkRenderer* renderer)
   {
     return false;
   }
-  glm::dvec3 up;
-  glm::dvec3 right;
-  renderer->GetEnvironmentUp(&up.x);
-  renderer->GetEnvironmentRight(&right.x);
-  this->FromWorld = glm::transpose(glm::dmat3(right, up, glm::cross(right, up)));
+  this->FromWorld = vtkPointSplatEnvironment::FromWorldOf(renderer);
   return true;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Splats in the pipelines that users have: blocks, viewports, windows, clipping, far
 // coordinates, other actors, passes, both projections.
+#include "SplatPassChain.h"
 #include "SplatScene.h"
 
 #include "vtkAssembly.h"
@@ -291,18 +292,7 @@ int TestSplatsInPipelines(int, char*[])
       window.Renderer->SetPass(edl);
     };
     Same(checks, "eye-dome lighting", DrawOne(Mesh(mesh), lit), DrawOne(Splats(cloud), lit), 46.0, 300);
-    auto byPass = [](Window& window, vtkActor*) {
-      vtkNew<vtkLightsPass> lights;
-      vtkNew<vtkPointSplatPass> splats;
-      vtkNew<vtkRenderPassCollection> passes;
-      passes->AddItem(lights);
-      passes->AddItem(splats);
-      vtkNew<vtkSequencePass> sequence;
-      sequence->SetPasses(passes);
-      vtkNew<vtkCameraPass> camera;
-      camera->SetDelegatePass(sequence);
-      window.Renderer->SetPass(camera);
-    };
+    auto byPass = [](Window& window, vtkActor*) { DrawByPass(window); };
     Same(checks, "by the pass", alone, DrawOne(Splats(cloud), byPass), 60.0, 0);
     checks.AtMost(DrawOne(Mesh(mesh), byPass).CountDrawn(), 0, "the pass draws no meshes");
     // What the pass wants holds while it draws, and the mappers' own settings stay.

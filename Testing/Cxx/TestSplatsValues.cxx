@@ -2,19 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // InterpolateScalarsBeforeMapping: values are blended and then mapped, as on a mesh with the same
 // flag, and no colour appears that the table has not.
+#include "SplatPassChain.h"
 #include "SplatTables.h"
 
-#include "vtkCameraPass.h"
 #include "vtkDiscretizableColorTransferFunction.h"
 #include "vtkDoubleArray.h"
-#include "vtkLightsPass.h"
 #include "vtkLookupTable.h"
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPlaneSource.h"
-#include "vtkPointSplatPass.h"
-#include "vtkRenderPassCollection.h"
-#include "vtkSequencePass.h"
 
 #include <limits>
 
@@ -467,16 +463,7 @@ void TestOthers(Checks& checks)
   checks.AtLeast(LargestDifference(on, window.Draw()), 50, "switched off");
   actor->GetMapper()->InterpolateScalarsBeforeMappingOn();
   checks.AtMost(LargestDifference(on, window.Draw()), 0, "switched on again");
-  vtkNew<vtkLightsPass> lights;
-  vtkNew<vtkPointSplatPass> splats;
-  vtkNew<vtkRenderPassCollection> passes;
-  passes->AddItem(lights);
-  passes->AddItem(splats);
-  vtkNew<vtkSequencePass> sequence;
-  sequence->SetPasses(passes);
-  vtkNew<vtkCameraPass> camera;
-  camera->SetDelegatePass(sequence);
-  window.Renderer->SetPass(camera);
+  DrawByPass(window);
   checks.AtMost(LargestDifference(on, window.Draw()), 1, "by vtkPointSplatPass");
 }
 }
