@@ -103,6 +103,7 @@ public:
     float Low[3];
     float High[3];  // of the bounding box of the centres
     float Radius;   // the largest
+    float MeanRadius;
     float Cone[3];  // the axis of a cone that holds all normals, unit length
     float Angle;    // and the angle from it to the cone's side
     float Deviation; // rms, of normals from their linear change over the splats: how rough it is

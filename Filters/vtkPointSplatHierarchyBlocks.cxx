@@ -91,6 +91,7 @@ void vtkPointSplatHierarchy::Summarise(const Source& source, Block& block) const
   std::fill_n(block.High, 3, -most);
   double cone[3] = { 0.0, 0.0, 0.0 };
   double variance = 0.0;
+  double radii = 0.0;
   std::vector<float> normals;
   normals.reserve(3 * static_cast<size_t>(block.Count));
   for (Index i = block.First; i < block.First + block.Count; ++i)
@@ -116,7 +117,9 @@ void vtkPointSplatHierarchy::Summarise(const Source& source, Block& block) const
       normals.push_back(point.Normal[k]);
     }
     block.Radius = std::max(block.Radius, point.Radius);
+    radii += point.Radius;
   }
+  block.MeanRadius = static_cast<float>(radii / std::max<Index>(block.Count, 1));
   block.Deviation = static_cast<float>(std::sqrt(variance / std::max<Index>(block.Count, 1)));
   vtkMath::Normalize(cone);
   double least = 1.0;

@@ -373,7 +373,7 @@ void CopyBlocks(const Hierarchy& hierarchy, const Reader& reader, vtkFieldData* 
   auto* children = Add<vtkIdTypeArray>(data, "SplatBlockChildren", 2, count);
   auto* bounds = Add<vtkFloatArray>(data, "SplatBlockBounds", 6, count);
   auto* cones = Add<vtkFloatArray>(data, "SplatBlockCone", 4, count);
-  auto* sizes = Add<vtkFloatArray>(data, "SplatBlockSize", 2, count);
+  auto* sizes = Add<vtkFloatArray>(data, "SplatBlockSize", 3, count);
   for (vtkIdType i = 0; i < count; ++i)
   {
     const Hierarchy::Block& b = blocks[i];
@@ -381,7 +381,7 @@ void CopyBlocks(const Hierarchy& hierarchy, const Reader& reader, vtkFieldData* 
     const vtkIdType child[2] = { b.FirstChild, b.ChildCount };
     const float box[6] = { b.Low[0], b.High[0], b.Low[1], b.High[1], b.Low[2], b.High[2] };
     const float cone[4] = { b.Cone[0], b.Cone[1], b.Cone[2], b.Angle };
-    const float size[2] = { b.Radius, b.Deviation };
+    const float size[3] = { b.Radius, b.MeanRadius, b.Deviation };
     ranges->SetTypedTuple(i, range);
     children->SetTypedTuple(i, child);
     bounds->SetTypedTuple(i, box);

@@ -35,7 +35,7 @@
  * - `SplatBlockBounds` (6 floats): the box about the centres, relative to `SplatBlockOrigin` (1
  *   tuple of 3 doubles); a sphere about it has half its diagonal;
  * - `SplatBlockCone` (4 floats): axis and half angle, radians, of a cone about all normals;
- * - `SplatBlockSize` (2 floats): the largest radius, and the deviation of normals as above.
+ * - `SplatBlockSize` (3 floats): the largest and the mean radius, the deviation of normals as above.
  * A block and those below it hold the same points: who goes from the first blocks down, taking a
  * block or those below it, has each point once.
  *

@@ -372,6 +372,16 @@ public:
 
   ///@{
   /**
+   * Whether splats of levels stand for points that are much denser than pixels, as far as TargetError
+   * allows; on by default.
+   */
+  vtkSetMacro(LevelOfDetail, bool);
+  vtkGetMacro(LevelOfDetail, bool);
+  vtkBooleanMacro(LevelOfDetail, bool);
+  ///@}
+
+  ///@{
+  /**
    * The groups that the splats are divided into, 0 before deferred blending was first used;
    * and when that was done, which is once for all frames until points or OverlapFactor change.
    */
@@ -576,6 +586,7 @@ private:
   vtkIdType MaximumImageMemory = vtkIdType(1) << 30;
   int MaximumNumberOfFillSteps = 2;
   bool AntiAliasing = true;
+  bool LevelOfDetail = true;
   bool ProjectNoise = true;
   bool Shadows = false;
   int NumberOfShadowSamples = 16;

@@ -102,6 +102,7 @@ void vtkPointSplatCloud::Update(const vtkPointSplatCloudInput& input)
   if (this->SplatTime == 0 || splatKey != this->SplatsMadeFrom ||
     (input.NeedSizes && !this->Sized) || input.ProjectNoise != this->MayProject)
   {
+    this->Levels.Clear();
     const bool whole = this->BuildSplats(input, blocks);
     this->Blocks = std::move(blocks);
     // What was aborted is made the next time.
@@ -115,6 +116,7 @@ void vtkPointSplatCloud::Update(const vtkPointSplatCloudInput& input)
     {
       this->Blocks[b].Data = blocks[b].Data;
     }
+    this->TakeLevels();
   }
 
   Key colourKey{ { nullptr, this->SplatTime.GetMTime() } };
@@ -137,6 +139,9 @@ void vtkPointSplatCloud::Update(const vtkPointSplatCloudInput& input)
     this->Looks = input.Looks;
     this->ActorColour = input.ActorColour;
     this->BuildColours(input);
+    this->HasValues()         ? this->Levels.AppendValues(this->Colours)
+      : this->HasCellColours() ? this->Levels.AppendFirst(this->Colours)
+                               : this->Levels.AppendBytes(this->Colours);
     this->ColoursMadeFrom = std::move(colourKey);
     this->ColourKey = wanted(); // to map colours may change the lookup table's range
     this->ColourTime.Modified();
@@ -144,6 +149,7 @@ void vtkPointSplatCloud::Update(const vtkPointSplatCloudInput& input)
   if (factorKey != this->FactorsMadeFrom)
   {
     this->BuildFactors(input.Owner);
+    this->Levels.AppendBytes(this->Factors);
     this->FactorsMadeFrom = std::move(factorKey);
     this->FactorTime.Modified();
   }
