@@ -13,7 +13,7 @@ namespace
 {
 // Where points lie on a line, nothing tells how normals change across it: the share of the greater
 // variance that is added to both.
-constexpr double Ridge = 0.02;
+constexpr double Ridge = 0.005;
 // Of an ellipse the axes differ by no more than this.
 constexpr double LeastRatio = 0.25;
 
@@ -36,6 +36,7 @@ void vtkPointSplatMoments::Add(const vtkPointSplatHierarchy::Point& point)
   const double area = radius > 0.0 ? radius * radius : 1.0;
   const float* p = point.Position;
   const float* n = point.Normal;
+  this->Count += 1.0;
   this->Area += area;
   for (int i = 0; i < 3; ++i)
   {
@@ -65,6 +66,7 @@ void vtkPointSplatMoments::Add(const vtkPointSplatHierarchy::Point& point)
 //------------------------------------------------------------------------------
 void vtkPointSplatMoments::Add(const vtkPointSplatMoments& other)
 {
+  this->Count += other.Count;
   this->Area += other.Area;
   this->Spread += other.Spread;
   for (int i = 0; i < 3; ++i)
@@ -159,8 +161,24 @@ void vtkPointSplatMoments::Describe(
       sag += 0.5 * k[a][b] * q[a][b];
     }
   }
-  splat.Variance = static_cast<float>(std::max(0.0,
-    1.0 - mean[0] * mean[0] - mean[1] * mean[1] - mean[2] * mean[2] - std::max(0.0, explained)));
+  explained = std::max(0.0, explained);
+  const double variance = std::max(0.0,
+    1.0 - mean[0] * mean[0] - mean[1] * mean[1] - mean[2] * mean[2] - explained);
+  splat.Variance = static_cast<float>(variance);
+  if (spread <= 0.0)
+  {
+    // By chance alone three parameters explain a part of what two components of n normals have
+    // beside two means; what is not four times as much may be noise.
+    const double freedom = 2.0 * this->Count - 5.0;
+    const double chance = freedom > 0.0 ? 12.0 * variance / freedom : explained;
+    const double kept = explained > chance ? (explained - chance) / explained : 0.0;
+    sag *= kept;
+    for (auto& row : k)
+    {
+      row[0] *= kept;
+      row[1] *= kept;
+    }
+  }
 
   // The ellipse's axes: the eigenvectors of Q, in the ratio of the deviations along them.
   const double half = 0.5 * (q[0][0] - q[1][1]);

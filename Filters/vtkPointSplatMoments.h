@@ -30,6 +30,7 @@ public:
   void Describe(vtkPointSplatHierarchy::Splat& splat, bool ellipse, const float fallback[3]) const;
 
 private:
+  double Count = 0.0;
   double Area = 0.0;
   double Position[3] = { 0.0, 0.0, 0.0 };
   double Products[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }; // XX, YY, ZZ, XY, YZ, XZ

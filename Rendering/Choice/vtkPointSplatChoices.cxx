@@ -20,7 +20,7 @@ constexpr int MostQuadShift = 5;
 
 // Pixels, of the radii of splats that stand for others, at full quality: wherever they are, as much
 // as the prefilter averages; and of smooth surfaces.
-constexpr double FilterPixels = 1.0;
+constexpr double FilterPixels = 0.6;
 constexpr double SmoothPixels = 2.5;
 // What normals of smooth surfaces may deviate from their linear change over a splat.
 constexpr double SmoothDeviation = 0.02;

@@ -142,6 +142,7 @@ void vtkPointSplatCloud::Update(const vtkPointSplatCloudInput& input)
     this->HasValues()         ? this->Levels.AppendValues(this->Colours)
       : this->HasCellColours() ? this->Levels.AppendFirst(this->Colours)
                                : this->Levels.AppendBytes(this->Colours);
+    this->Levels.MeasureDeviations(this->Colours, this->HasValues());
     this->ColoursMadeFrom = std::move(colourKey);
     this->ColourKey = wanted(); // to map colours may change the lookup table's range
     this->ColourTime.Modified();

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstring>
 
 namespace
@@ -107,6 +108,7 @@ void vtkPointSplatLevels::Clear()
   }
   this->Hierarchy = vtkPointSplatHierarchy();
   this->Blocks.clear();
+  this->Deviations.clear();
   this->Starts.clear();
   this->Firsts.clear();
   this->Roots = this->Points = 0;
@@ -203,6 +205,61 @@ void vtkPointSplatLevels::AppendSplats(std::vector<uint32_t>& splats, size_t wor
 }
 
 //------------------------------------------------------------------------------
+uint32_t vtkPointSplatLevels::GetEnd(int level, uint32_t splat) const
+{
+  // The last one's end is where its own level begins.
+  return splat + 1 < this->Starts[static_cast<size_t>(level) + 1]
+    ? this->Firsts[splat + 1 - this->Points]
+    : this->Starts[static_cast<size_t>(level)];
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatLevels::MeasureDeviations(const std::vector<uint32_t>& data, bool values)
+{
+  this->Deviations.clear();
+  if (data.empty() || this->Blocks.empty())
+  {
+    return;
+  }
+  auto square = [values](uint32_t a, uint32_t b) {
+    double sum = 0.0;
+    if (values)
+    {
+      float x;
+      float y;
+      std::memcpy(&x, &a, sizeof(x));
+      std::memcpy(&y, &b, sizeof(y));
+      return double(x - y) * (x - y);
+    }
+    for (int shift = 0; shift < 32; shift += 8)
+    {
+      const double d = (double(a >> shift & 255u) - double(b >> shift & 255u)) / 255.0;
+      sum = std::max(sum, d * d);
+    }
+    return sum;
+  };
+  this->Deviations.assign(this->Blocks.size(), 0.0f);
+  vtkSMPTools::For(
+    0, static_cast<vtkIdType>(this->Blocks.size()), 64, [&](vtkIdType begin, vtkIdType end) {
+      for (size_t b = static_cast<size_t>(begin); b < static_cast<size_t>(end); ++b)
+      {
+        const Block& block = this->Blocks[b];
+        double sum = 0.0;
+        uint32_t count = 0;
+        for (uint32_t i = block.First; block.Level > 0 && i < block.First + block.Count; ++i)
+        {
+          for (uint32_t c = this->Firsts[i - this->Points]; c < this->GetEnd(block.Level, i); ++c)
+          {
+            sum += square(data[i], data[c]);
+            ++count;
+          }
+        }
+        this->Deviations[b] = static_cast<float>(std::sqrt(sum / std::max(count, 1u)));
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
 template <typename Mean>
 void vtkPointSplatLevels::Append(std::vector<uint32_t>& data, const Mean& mean) const
 {
@@ -213,16 +270,12 @@ void vtkPointSplatLevels::Append(std::vector<uint32_t>& data, const Mean& mean) 
   data.resize(this->Starts.back());
   for (size_t level = 1; level + 1 < this->Starts.size(); ++level)
   {
-    // The last one's end is where its own level begins.
-    const size_t end = this->Starts[level + 1];
-    vtkSMPTools::For(this->Starts[level], static_cast<vtkIdType>(end),
-      [&](vtkIdType begin, vtkIdType last) {
-        for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(last); ++i)
+    vtkSMPTools::For(this->Starts[level], this->Starts[level + 1],
+      [&](vtkIdType begin, vtkIdType end) {
+        for (uint32_t i = static_cast<uint32_t>(begin); i < static_cast<uint32_t>(end); ++i)
         {
           const uint32_t first = this->Firsts[i - this->Points];
-          const uint32_t after =
-            i + 1 < end ? this->Firsts[i + 1 - this->Points] : this->Starts[level];
-          data[i] = mean(data.data() + first, after - first);
+          data[i] = mean(data.data() + first, this->GetEnd(static_cast<int>(level), i) - first);
         }
       });
   }

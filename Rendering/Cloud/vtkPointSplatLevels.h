@@ -51,6 +51,16 @@ public:
   /// Splats of all levels above the first.
   size_t GetNumberOfSplats() const { return this->Firsts.size(); }
 
+  /**
+   * How much what a word a splat holds differs between the splats that one stands for and their
+   * mean: rms over each block's splats, bytes and values as from 0 to 1. Empty without data.
+   */
+  void MeasureDeviations(const std::vector<uint32_t>& data, bool values);
+  float GetDeviation(size_t block) const
+  {
+    return this->Deviations.empty() ? 0.0f : this->Deviations[block];
+  }
+
   ///@{
   /// Appends what the levels' splats have, where data has a word a splat: means of four bytes, means
   /// of values (vtkPointSplatCloud.h), or what the first of those below has.
@@ -60,6 +70,7 @@ public:
   ///@}
 
 private:
+  uint32_t GetEnd(int level, uint32_t splat) const;
   template <typename Mean>
   void Append(std::vector<uint32_t>& data, const Mean& mean) const;
   void AppendSplats(std::vector<uint32_t>& splats, size_t words);
@@ -70,6 +81,7 @@ private:
   std::vector<Block> Blocks;
   size_t Roots = 0;
   size_t Points = 0;
+  std::vector<float> Deviations; // of blocks
   std::vector<uint32_t> Starts; // of each level in the buffers, and the end
   std::vector<uint32_t> Firsts; // of each splat above the points: the first one below, in the buffers
 };

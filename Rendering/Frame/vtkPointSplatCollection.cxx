@@ -309,7 +309,10 @@ void vtkPointSplatCollection::UseLevels(
     }
     return;
   }
-  item.Levels = { choice.LevelPixels, choice.SmoothLevelPixels, choice.LevelDeviation };
+  // Nothing is known of how smooth shadows are that points have.
+  item.Levels = { choice.LevelPixels,
+    item.Cloud->GetFactorCount() > 0 ? choice.LevelPixels : choice.SmoothLevelPixels,
+    choice.LevelDeviation };
   item.StrideShift = 0;
   // What is drawn is larger than the points' splats, but never by more than some pixels.
   const double largest = LevelExcess * choice.SmoothLevelPixels;

@@ -27,12 +27,8 @@ vtkPointSplatLevelSelection::vtkPointSplatLevelSelection(
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatLevelSelection::IsTurnedAway(const Block& block) const
+vtkPointSplatLevelSelection::Sides vtkPointSplatLevelSelection::SidesOf(const Block& block) const
 {
-  if (this->Item.Culling == 0)
-  {
-    return false;
-  }
   const glm::dvec3 low(block.Low[0], block.Low[1], block.Low[2]);
   const glm::dvec3 high(block.High[0], block.High[1], block.High[2]);
   const glm::dvec3 centre = 0.5 * (low + high);
@@ -45,7 +41,7 @@ bool vtkPointSplatLevelSelection::IsTurnedAway(const Block& block) const
     const double distance = glm::length(towards);
     if (distance <= radius)
     {
-      return false;
+      return { true, true };
     }
     width = std::asin(radius / distance);
   }
@@ -54,13 +50,11 @@ bool vtkPointSplatLevelSelection::IsTurnedAway(const Block& block) const
     std::acos(glm::clamp(glm::dot(axis, glm::normalize(towards)), -1.0, 1.0));
   const double spread = block.Angle + width + AngleMargin;
   const double quarter = 0.5 * std::acos(-1.0);
-  const bool back = angle - spread > quarter;
-  const bool front = angle + spread < quarter;
-  return (back && (this->Item.Culling & 1) != 0) || (front && (this->Item.Culling & 2) != 0);
+  return { angle - spread <= quarter, angle + spread >= quarter };
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatLevelSelection::IsFine(const Block& block) const
+bool vtkPointSplatLevelSelection::IsFine(const Block& block, const Sides& sides) const
 {
   double w = this->RowW.w;
   for (int k = 0; k < 3; ++k)
@@ -69,8 +63,13 @@ bool vtkPointSplatLevelSelection::IsFine(const Block& block) const
   }
   const double pixels = this->PixelsPerUnit * block.MeanRadius / std::max(w, this->LeastW);
   const vtkPointSplatLevelBounds& bounds = this->Item.Levels;
-  return pixels <=
-    (block.Deviation <= bounds.Deviation ? bounds.SmoothPixels : bounds.Pixels);
+  // Outlines show how large splats are.
+  const vtkPointSplatLevels& levels = this->Item.Cloud->GetLevels();
+  const float painted =
+    levels.GetDeviation(static_cast<size_t>(&block - levels.GetBlocks().data()));
+  const bool smooth = std::max(block.Deviation, painted) <= bounds.Deviation &&
+    !(sides.Front && sides.Back);
+  return pixels <= (smooth ? bounds.SmoothPixels : bounds.Pixels);
 }
 
 //------------------------------------------------------------------------------
@@ -78,11 +77,18 @@ void vtkPointSplatLevelSelection::Visit(const Block& block, vtkPointSplatRuns& c
 {
   const vtkPointSplatBlocks::Box box{ { { block.Low[0], block.Low[1], block.Low[2] } },
     { { block.High[0], block.High[1], block.High[2] } }, block.Radius };
-  if (this->Halves.IsOutside(box) || this->IsTurnedAway(block))
+  if (this->Halves.IsOutside(box))
   {
     return;
   }
-  if (block.Level > 0 && !this->IsFine(block))
+  const Sides sides = this->SidesOf(block);
+  const bool front = sides.Front && (this->Item.Culling & 2) == 0;
+  const bool back = sides.Back && (this->Item.Culling & 1) == 0;
+  if (!front && !back)
+  {
+    return;
+  }
+  if (block.Level > 0 && !this->IsFine(block, sides))
   {
     const std::vector<Block>& blocks = this->Item.Cloud->GetLevels().GetBlocks();
     for (uint32_t child = 0; child < block.ChildCount; ++child)

@@ -18,8 +18,14 @@ public:
 private:
   using Block = vtkPointSplatLevels::Block;
   void Visit(const Block& block, vtkPointSplatRuns& chosen) const;
-  bool IsTurnedAway(const Block& block) const;
-  bool IsFine(const Block& block) const;
+  /// Which sides of a block's splats may be seen.
+  struct Sides
+  {
+    bool Front;
+    bool Back;
+  };
+  Sides SidesOf(const Block& block) const;
+  bool IsFine(const Block& block, const Sides& sides) const;
 
   const vtkPointSplatItem& Item;
   vtkPointSplatHalfSpaces Halves;
