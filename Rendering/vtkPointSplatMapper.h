@@ -85,7 +85,8 @@
  * median, and as far off the nearest points' distances, are drawn with a warning: no filter of VTK's
  * scales `SplatRadius` and `SplatCurvature`, so that after a vtkTransformFilter that scales they
  * must be estimated anew. An actor's scale acts on all alike. NaN is refused by all setters. In a
- * window without an OpenGL context nothing is drawn. Windows of more than 11,500 x 11,500 pixels,
+ * window without an OpenGL context nothing is drawn; in one that is not OpenGL's (WebGPU) VTK's own
+ * mapper draws as for wireframe, with one warning. Windows of more than 11,500 x 11,500 pixels,
  * of 7,500 x 7,500 without tiles, are refused with an error, since their images would take more
  * than 4 GiB: vtkWindowToImageFilter::SetScale() draws larger pictures part by part.
  *
