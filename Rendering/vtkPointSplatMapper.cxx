@@ -145,6 +145,7 @@ vtkPointSplatSettings vtkPointSplatMapper::vtkInternals::GetSettings() const
   s.LayerDistance = m.LayerDistance;
   s.RadiusScale = m.RadiusScale;
   s.MaximumImageMemory = m.MaximumImageMemory;
+  s.MaximumWindowMemory = m.MaximumWindowMemory;
   s.PlateauKernel = m.Kernel == PLATEAU;
   s.KernelSigma = m.KernelSigma;
   s.PlateauFalloff = m.PlateauFalloff;

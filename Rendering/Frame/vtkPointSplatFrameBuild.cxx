@@ -48,8 +48,9 @@ bool IdsOf(int selectionPass, bool composite, vtkPointSplatCloud::IdKind& kind)
 }
 
 //------------------------------------------------------------------------------
-GLuint vtkPointSplatFrame::CaptureScene(const vtkPointSplatView& view, bool& failed)
+GLuint vtkPointSplatFrame::CaptureScene(const Pass& pass, bool& failed)
 {
+  const vtkPointSplatView& view = pass.View;
   failed = false;
   const std::vector<vtkProp*> props = vtkPointSplatCollection::VisibleProps(this->Renderer);
   if (std::none_of(
@@ -57,7 +58,7 @@ GLuint vtkPointSplatFrame::CaptureScene(const vtkPointSplatView& view, bool& fai
   {
     return 0;
   }
-  if (this->SceneFrame != this->Frame)
+  if (this->SceneFrame != this->Frame || this->ScenePart != pass.Part.First)
   {
     auto window = static_cast<vtkOpenGLRenderWindow*>(this->Renderer->GetRenderWindow());
     GLint draw = 0;
@@ -75,9 +76,11 @@ GLuint vtkPointSplatFrame::CaptureScene(const vtkPointSplatView& view, bool& fai
         int size[2];
         this->Renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin.x, &origin.y);
       }
+      origin += pass.Part.First;
     }
     this->SceneGood = this->Scene.Capture(window, origin, view.Size);
     this->SceneFrame = this->Frame;
+    this->ScenePart = pass.Part.First;
   }
   failed = !this->SceneGood;
   return this->SceneGood ? this->Scene.GetTexture() : 0;
@@ -203,7 +206,7 @@ bool vtkPointSplatFrame::Build(Pass& pass)
   bool failed = false;
   if (pass.Translucent && pass.SelectionPass < 0)
   {
-    sceneDepth = this->CaptureScene(pass.View, failed);
+    sceneDepth = this->CaptureScene(pass, failed);
     pass.Flat = pass.Joint && !failed &&
       !vtkPointSplatCollection::HasOthersBetween(this->Renderer, pass.Entries);
   }
