@@ -230,16 +230,16 @@ bool vtkPointSplatFrame::Draw(Pass& pass, vtkActor* actor, size_t own)
   vtkPointSplatStopwatch watch(first && vtkPointSplatStopwatch::IsInteracting(this->Renderer));
   const unsigned long generation = pass.Surfaces->GetGeneration();
   const vtkPointSplatView whole = pass.View;
-  const std::vector<vtkPointSplatWindowPart> parts = vtkPointSplatFrame::PartsOf(pass);
+  pass.Parts = vtkPointSplatFrame::PartsOf(pass);
   pass.Layers = 0;
   pass.Projected.assign(pass.Entries.size(), 0);
   bool good = true;
-  for (const vtkPointSplatWindowPart& part : parts)
+  for (pass.Part = 0; pass.Part < pass.Parts.size(); ++pass.Part)
   {
-    pass.Part = part;
-    pass.View = parts.size() > 1 ? whole.Part(part.First, part.Size) : whole;
+    const vtkPointSplatWindowPart& part = pass.Parts[pass.Part];
+    pass.View = pass.Parts.size() > 1 ? whole.Part(part.First, part.Size) : whole;
     // What was made for the actor before is of the last part.
-    const bool built = pass.Presented && parts.size() == 1 ? pass.Good : this->Build(pass);
+    const bool built = pass.Presented && pass.Parts.size() == 1 ? pass.Good : this->Build(pass);
     good = built && this->DrawPart(pass, actor, own) && good;
   }
   pass.View = whole;
@@ -269,7 +269,7 @@ std::vector<vtkPointSplatWindowPart> vtkPointSplatFrame::PartsOf(const Pass& pas
 glm::ivec4 vtkPointSplatFrame::ShownWindow(const Pass& pass)
 {
   const glm::ivec4 window = pass.Surfaces->GetRequest().GetWindow();
-  const glm::ivec4& shown = pass.Part.Shown;
+  const glm::ivec4& shown = pass.Parts[pass.Part].Shown;
   return { std::max(window.x, shown.x), std::max(window.y, shown.y), std::min(window.z, shown.z),
     std::min(window.w, shown.w) };
 }
@@ -460,7 +460,7 @@ void vtkPointSplatFrame::ReleaseAll()
   this->Resolve.Release();
   this->Materials.Release();
   this->Shadows.Release();
-  this->Scene.Release();
+  this->Scene.clear();
   this->Environment.Release();
   this->SceneFrame = this->EnvironmentFrame = 0;
 }

@@ -104,7 +104,8 @@ private:
     bool Translucent = false;
     unsigned long Frame = 0;
     vtkPointSplatView View;      // of the window; of a part while that is drawn
-    vtkPointSplatWindowPart Part; // that is drawn
+    std::vector<vtkPointSplatWindowPart> Parts;
+    size_t Part = 0; // that is drawn
     GLint Framebuffer = 0;
     int SelectionPass = -1;
     vtkPointSplatCollection::Entries Entries;
@@ -136,6 +137,7 @@ private:
   bool CastShadows(Pass& pass);
   vtkPointSplatRequest MakeRequest(Pass& pass, GLuint sceneDepth);
   GLuint CaptureScene(const Pass& pass, bool& failed);
+  bool CaptureParts(const Pass& pass);
   void PrepareEnvironment(const Pass& pass);
   bool PresentLayers(Pass& pass, vtkActor* actor, size_t own);
   bool PresentSelection(Pass& pass, vtkActor* actor, size_t own);
@@ -160,9 +162,9 @@ private:
   vtkPointSplatMaterials Materials;
   vtkPointSplatRadiance Radiance;
   vtkPointSplatFrameShadows Shadows;
-  vtkPointSplatSceneDepth Scene;
+  std::vector<std::unique_ptr<vtkPointSplatSceneDepth>> Scene; // of each part
   unsigned long SceneFrame = 0;
-  glm::ivec2 ScenePart{ 0, 0 }; // its first pixel
+  std::vector<vtkPointSplatWindowPart> SceneParts;
   bool SceneGood = false;
   vtkPointSplatEnvironment Environment;
   unsigned long EnvironmentFrame = 0;

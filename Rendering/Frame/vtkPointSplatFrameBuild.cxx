@@ -50,7 +50,6 @@ bool IdsOf(int selectionPass, bool composite, vtkPointSplatCloud::IdKind& kind)
 //------------------------------------------------------------------------------
 GLuint vtkPointSplatFrame::CaptureScene(const Pass& pass, bool& failed)
 {
-  const vtkPointSplatView& view = pass.View;
   failed = false;
   const std::vector<vtkProp*> props = vtkPointSplatCollection::VisibleProps(this->Renderer);
   if (std::none_of(
@@ -58,32 +57,49 @@ GLuint vtkPointSplatFrame::CaptureScene(const Pass& pass, bool& failed)
   {
     return 0;
   }
-  if (this->SceneFrame != this->Frame || this->ScenePart != pass.Part.First)
+  if (this->SceneFrame != this->Frame || !(this->SceneParts == pass.Parts))
   {
-    auto window = static_cast<vtkOpenGLRenderWindow*>(this->Renderer->GetRenderWindow());
-    GLint draw = 0;
-    GLint read = 0;
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw);
-    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
-    glm::ivec2 origin = view.Origin;
-    if (draw != read)
-    {
-      // Depth peeling draws to images of the viewport's size; the scene is still where the renderer's
-      // viewport has it, unless a pass chain draws to images itself.
-      origin = glm::ivec2(0);
-      if (read == static_cast<GLint>(window->GetRenderFramebuffer()->GetFBOIndex()))
-      {
-        int size[2];
-        this->Renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin.x, &origin.y);
-      }
-      origin += pass.Part.First;
-    }
-    this->SceneGood = this->Scene.Capture(window, origin, view.Size);
+    // Of all parts at once: later passes have other framebuffers.
+    this->SceneGood = this->CaptureParts(pass);
     this->SceneFrame = this->Frame;
-    this->ScenePart = pass.Part.First;
+    this->SceneParts = pass.Parts;
   }
   failed = !this->SceneGood;
-  return this->SceneGood ? this->Scene.GetTexture() : 0;
+  return this->SceneGood ? this->Scene[pass.Part]->GetTexture() : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatFrame::CaptureParts(const Pass& pass)
+{
+  auto window = static_cast<vtkOpenGLRenderWindow*>(this->Renderer->GetRenderWindow());
+  GLint draw = 0;
+  GLint read = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw);
+  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
+  glm::ivec2 origin = pass.View.Origin - pass.Parts[pass.Part].First;
+  if (draw != read)
+  {
+    // Depth peeling draws to images of the viewport's size; the scene is still where the renderer's
+    // viewport has it, unless a pass chain draws to images itself.
+    origin = glm::ivec2(0);
+    if (read == static_cast<GLint>(window->GetRenderFramebuffer()->GetFBOIndex()))
+    {
+      int size[2];
+      this->Renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin.x, &origin.y);
+    }
+  }
+  this->Scene.resize(pass.Parts.size());
+  bool good = true;
+  for (size_t i = 0; i < pass.Parts.size(); ++i)
+  {
+    if (!this->Scene[i])
+    {
+      this->Scene[i].reset(new vtkPointSplatSceneDepth);
+    }
+    const vtkPointSplatWindowPart& part = pass.Parts[i];
+    good = this->Scene[i]->Capture(window, origin + part.First, part.Size) && good;
+  }
+  return good;
 }
 
 //------------------------------------------------------------------------------

@@ -23,6 +23,11 @@ struct vtkPointSplatWindowPart
   glm::ivec2 First{ 0, 0 }; // of its images
   glm::ivec2 Size{ 0, 0 };  // of its images
   glm::ivec4 Shown{ 0 };    // of them: first x, y, last x, y
+
+  bool operator==(const vtkPointSplatWindowPart& other) const
+  {
+    return this->First == other.First && this->Size == other.Size && this->Shown == other.Shown;
+  }
 };
 
 class vtkPointSplatWindowParts
