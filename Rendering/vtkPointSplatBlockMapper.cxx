@@ -200,7 +200,7 @@ void vtkPointSplatBlockMapper::VisitBlockLooks(
     this->Internals->Give(root);
   }
   if (!attributes->HasBlockVisibilities() && !attributes->HasBlockOpacities() &&
-    !attributes->HasBlockColors() && !attributes->HasBlockPickabilities())
+    !attributes->HasBlockColors())
   {
     return;
   }
@@ -209,10 +209,6 @@ void vtkPointSplatBlockMapper::VisitBlockLooks(
     if (node && attributes->HasBlockVisibility(node))
     {
       look.Visible = attributes->GetBlockVisibility(node);
-    }
-    if (node && attributes->HasBlockPickability(node))
-    {
-      look.Pickable = attributes->GetBlockPickability(node);
     }
     if (node && attributes->HasBlockOpacity(node))
     {

@@ -15,9 +15,7 @@
  *    they come and go at once.
  * 2. A block's opacity takes the place of the actor's, and is multiplied with its scalars' opacity. If
  *    any block's is less than 1 the actor is translucent: opaque blocks are then opaque layers.
- * 3. A block that is not pickable (SetBlockPickability() of the attributes) is not there for hardware
- *    selections: what lies behind it is picked.
- * 4. A block's colour takes the place of ambient and diffuse colour and of scalars.
+ * 3. A block's colour takes the place of ambient and diffuse colour and of scalars.
  *    InterpolateScalarsBeforeMapping has no effect then. Blocks without a colour or scalars have the
  *    diffuse colour of the actor. (Where actors with different properties share a mapper, that is the
  *    one of whichever was prepared last.)
@@ -29,7 +27,7 @@
  * vanishes has no effect.
  *
  * Bad input: NaN and infinity are refused with an error, others are clamped to 0 to 1; an index that
- * is not there has no effect. Blocks' materials are not used.
+ * is not there has no effect. Block pickability and materials are not used.
  *
  * @sa vtkPointSplatMapper vtkCompositePolyDataMapper vtkCompositeDataDisplayAttributes
  */
@@ -56,7 +54,7 @@ public:
 
   ///@{
   /**
-   * Visibility, opacity, colour and pickability of data objects. Default: none.
+   * Visibility, opacity and colour of data objects. Default: none.
    */
   void SetCompositeDataDisplayAttributes(vtkCompositeDataDisplayAttributes* attributes);
   vtkCompositeDataDisplayAttributes* GetCompositeDataDisplayAttributes();
@@ -112,7 +110,6 @@ protected:
   struct BlockLook
   {
     bool Visible = true;
-    bool Pickable = true;
     bool HasColor = false;
     double Color[3] = { 1.0, 1.0, 1.0 };
     bool HasOpacity = false;

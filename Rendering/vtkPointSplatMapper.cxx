@@ -94,18 +94,17 @@ void vtkPointSplatMapper::vtkInternals::UpdateCloud(
     input.ColourKey = [this] { return this->GetColourKey(); };
   }
   this->ActorColour = settings.ActorColour.value_or(this->ActorColour);
-  this->LookAtBlocks(input, settings.Selects);
+  this->LookAtBlocks(input);
   this->GetCloud().Update(input);
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatMapper::vtkInternals::LookAtBlocks(
-  vtkPointSplatCloudInput& input, bool selects)
+void vtkPointSplatMapper::vtkInternals::LookAtBlocks(vtkPointSplatCloudInput& input)
 {
   input.ActorColour = this->ActorColour;
-  this->Self->VisitBlockLooks([&input, selects](unsigned int index, const BlockLook& block) {
+  this->Self->VisitBlockLooks([&input](unsigned int index, const BlockLook& block) {
     vtkPointSplatBlockLook& look = input.Looks[index];
-    look.Visible = block.Visible && (block.Pickable || !selects);
+    look.Visible = block.Visible;
     if (block.HasColor)
     {
       look.Colour = { block.Color[0], block.Color[1], block.Color[2] };
@@ -226,10 +225,7 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   }
   vtkInternals& internals = *this->Internals;
   this->InvokeEvent(vtkCommand::StartEvent, nullptr);
-  vtkPointSplatSettings settings = internals.GetSettings(actor);
-  settings.Selects = renderer->GetSelector() != nullptr;
-  internals.SelectsIn = settings.Selects ? renderer : nullptr;
-  const bool some = internals.Update(settings);
+  const bool some = internals.Update(internals.GetSettings(actor));
   this->InvokeEvent(vtkCommand::EndEvent, nullptr);
   if (!some)
   {
@@ -409,11 +405,6 @@ void vtkPointSplatMapper::GetVertices(vtkActor* actor, vtkPolyData* vertices)
 //------------------------------------------------------------------------------
 double* vtkPointSplatMapper::GetBounds()
 {
-  if (this->Internals->SelectsIn && this->Internals->SelectsIn->GetSelector())
-  {
-    // Between the passes of a selection nothing changes, and the cloud may lack blocks.
-    return this->Bounds;
-  }
   this->Internals->Update(this->Internals->GetSettings());
   this->ComputeBounds();
   return this->Bounds;

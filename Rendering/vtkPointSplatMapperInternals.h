@@ -7,8 +7,7 @@
 #include "vtkPointSplatFrame.h"
 #include "vtkPointSplatMapper.h"
 #include "vtkPointSplatPrimitives.h"
-#include "vtkRenderer.h" // For weak pointers
-#include "vtkWeakPointer.h"
+#include "vtkRenderer.h" // For the frame's weak pointer
 
 #include <array>
 #include <memory>
@@ -54,7 +53,6 @@ public:
   std::set<std::string> WarnedOf; // of what the actors' looks have that is not shown
   vtkPointSplatPrimitives Primitives;
   std::vector<Drawn> AllDrawn;
-  vtkWeakPointer<vtkRenderer> SelectsIn; // where it was drawn last, if that was for a selection
 
   /// Whether VTK's mapper draws the input: by the actor's representation, or, with one warning,
   /// because there cannot be splats.
@@ -64,8 +62,8 @@ private:
   vtkPointSplatColours MapColours(vtkDataSet* data);
   vtkPointSplatValues MapValues(vtkDataSet* data);
   std::string GetColourKey();
-  /// Of composite data: how blocks look by the display attributes, to the eye or to a selection.
-  void LookAtBlocks(vtkPointSplatCloudInput& input, bool selects);
+  /// Of composite data: how blocks look by the display attributes.
+  void LookAtBlocks(vtkPointSplatCloudInput& input);
 
   vtkPointSplatMapper* Self;
   bool WarnedOfPrimitives = false;

@@ -68,8 +68,6 @@ struct vtkPointSplatSettings
   double Dispersion = 0.0;
   std::array<double, 3> Absorption{ { 0.0, 0.0, 0.0 } };
 
-  /// Whether a hardware selection is made: blocks that cannot be picked are not there then.
-  bool Selects = false;
   /// Diffuse colour and opacity of the actor that is drawn, if that is known.
   std::optional<std::array<double, 4>> ActorColour;
 

@@ -102,7 +102,6 @@ vtkPointSplatCollection::Entries vtkPointSplatCollection::Collect(
     vtkActor* actor = static_cast<vtkActor*>(prop);
     vtkPointSplatEntry entry = vtkPointSplatCollection::MakeEntry(actor, source, wishes);
     const bool selects = renderer->GetSelector() != nullptr;
-    entry.Settings.Selects = selects;
     if (!source->Update(entry.Settings) ||
       !(selects ||
         (translucent ? actor->HasTranslucentPolygonalGeometry() : actor->HasOpaqueGeometry())))

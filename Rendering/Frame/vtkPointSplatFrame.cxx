@@ -203,7 +203,6 @@ bool vtkPointSplatFrame::PresentAlone(
   pass.Joint = false;
   pass.Batched = pass.SelectionPass < 0;
   pass.Entries.push_back(vtkPointSplatCollection::MakeEntry(actor, &source, this->Wishes));
-  pass.Entries[0].Settings.Selects = pass.SelectionPass >= 0;
   source.Update(pass.Entries[0].Settings);
   if (pass.SelectionPass >= 0 &&
     actor->GetProperty()->GetOpacity() < pass.Entries[0].Settings.PickOpacityThreshold)

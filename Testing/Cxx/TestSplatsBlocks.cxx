@@ -171,32 +171,6 @@ void PickBlocks(Checks& checks)
   checks.AtMost(splats.Blocks->GetBounds()[1], 0.86, "the bounds without it");
 }
 
-void PickWhatCanBePicked(Checks& checks)
-{
-  Drawing<vtkPointSplatMapper> splats;
-  const Picture picture = splats.Win.Draw();
-  const std::vector<int> all = Pick(splats.Win);
-  const double reach = splats.Blocks->GetBounds()[1];
-  vtkDataObject* near =
-    vtkMultiBlockDataSet::SafeDownCast(splats.Data->GetBlock(1))->GetBlock(0);
-  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
-  attributes->SetBlockPickability(near, false);
-  splats.Blocks->SetCompositeDataDisplayAttributes(attributes);
-  checks.AtMost(LargestDifference(picture, splats.Win.Draw()), 0, "the block is drawn");
-  const std::vector<int> some = Pick(splats.Win);
-  checks.Expect(some[Near] == 0, "a block that cannot be picked is picked");
-  checks.AtLeast(some[Far], all[Far] + 500, "what it hides can");
-  checks.AtLeast(some[Left], all[Left], "another one can");
-  checks.AtLeast(splats.Blocks->GetBounds()[1], reach, "the bounds with it");
-  checks.AtMost(LargestDifference(picture, splats.Win.Draw()), 0, "the block is drawn again");
-  // By its parent's, unless its own says otherwise.
-  attributes->SetBlockPickability(splats.Data, false);
-  attributes->SetBlockPickability(near, true);
-  const std::vector<int> alone = Pick(splats.Win);
-  checks.AtLeast(alone[Near], all[Near], "the only one that can be picked");
-  checks.AtMost(alone[Far] + alone[Left], 0, "those of a parent that cannot");
-}
-
 void ChangeBlocks(Checks& checks)
 {
   // What is set by index holds for what comes to be there, and may be set before there is any.
@@ -299,7 +273,6 @@ int TestSplatsBlocks(int, char*[])
   Checks checks;
   CompareAll(checks);
   PickBlocks(checks);
-  PickWhatCanBePicked(checks);
   ChangeBlocks(checks);
   ReuseEstimates(checks);
   RefuseNumbers(checks);
