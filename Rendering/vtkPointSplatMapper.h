@@ -318,8 +318,8 @@ public:
   ///@{
   /**
    * Bytes that the images of a layer may take, 28 a pixel of the window by tiles, 76 else: larger
-   * windows are drawn in parts of at least 256 x 256 pixels with the same picture, but for Refraction,
-   * whose rays end at the parts' rims. The least of a renderer's mappers holds. 0: no bound. Default: 4 GiB.
+   * windows are drawn in parts of at least 256 x 256 pixels with the same picture. But with depth
+   * peeling they are not, and rays of Refraction end at the rims of parts. 0: no bound. Default: 4 GiB.
    */
   vtkSetClampMacro(MaximumWindowMemory, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(MaximumWindowMemory, vtkIdType);

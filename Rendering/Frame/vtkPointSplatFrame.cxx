@@ -7,6 +7,8 @@
 #include "vtkHardwareSelector.h"
 #include "vtkInformation.h"
 #include "vtkMapper.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkPointSplatStopwatch.h"
@@ -229,7 +231,7 @@ bool vtkPointSplatFrame::Draw(Pass& pass, vtkActor* actor, size_t own)
   vtkPointSplatStopwatch watch(first && vtkPointSplatStopwatch::IsInteracting(this->Renderer));
   const unsigned long generation = pass.Surfaces->GetGeneration();
   const vtkPointSplatView whole = pass.View;
-  pass.Parts = vtkPointSplatFrame::PartsOf(pass);
+  pass.Parts = vtkPointSplatFrame::PartsOf(pass, actor);
   pass.Layers = 0;
   pass.Projected.assign(pass.Entries.size(), 0);
   bool good = true;
@@ -252,8 +254,14 @@ bool vtkPointSplatFrame::Draw(Pass& pass, vtkActor* actor, size_t own)
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkPointSplatWindowPart> vtkPointSplatFrame::PartsOf(const Pass& pass)
+std::vector<vtkPointSplatWindowPart> vtkPointSplatFrame::PartsOf(const Pass& pass, vtkActor* actor)
 {
+  vtkInformation* keys = actor->GetPropertyKeys();
+  if (pass.Translucent && keys && keys->Has(vtkOpenGLRenderPass::RenderPasses()))
+  {
+    // Depth peeling draws to images of its own, between which layers must be kept.
+    return vtkPointSplatWindowParts::Divide(pass.View.Size, BytesByTiles, 0);
+  }
   vtkIdType most = 0;
   for (const vtkPointSplatEntry& entry : pass.Entries)
   {

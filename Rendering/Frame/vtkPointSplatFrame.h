@@ -128,7 +128,7 @@ private:
   bool IsUnderWay(vtkActor* actor, bool translucent) const;
   bool PresentAlone(vtkActor* actor, vtkPointSplatSource& source, vtkPointSplatReport& report);
   static bool MayUseTiles(const Pass& pass);
-  static std::vector<vtkPointSplatWindowPart> PartsOf(const Pass& pass);
+  static std::vector<vtkPointSplatWindowPart> PartsOf(const Pass& pass, vtkActor* actor);
   static glm::ivec4 ShownWindow(const Pass& pass);
   bool Draw(Pass& pass, vtkActor* actor, size_t own);
   bool DrawPart(Pass& pass, vtkActor* actor, size_t own);

@@ -5,7 +5,8 @@
 //
 // Parts meet without a gap. The images of each reach beyond what it shows by a border, since outlines
 // are smoothed, and holes filled, by what the pixels beside them show; and they begin at multiples of
-// it, so that tiles and coarser images are where they are in the whole window.
+// it, so that tiles and coarser images are where they are in the whole window. Where VTK peels translucent
+// geometry the window is drawn whole.
 #ifndef vtkPointSplatWindowParts_h
 #define vtkPointSplatWindowParts_h
 
