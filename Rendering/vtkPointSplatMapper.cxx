@@ -14,6 +14,7 @@
 #include "vtkLookupTable.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPointSplatIgnored.h"
 #include "vtkPointSplatMapperInternals.h"
@@ -144,6 +145,7 @@ vtkPointSplatSettings vtkPointSplatMapper::vtkInternals::GetSettings() const
   s.LayerDistance = m.LayerDistance;
   s.RadiusScale = m.RadiusScale;
   s.MaximumImageMemory = m.MaximumImageMemory;
+  s.MaximumWindowMemory = m.MaximumWindowMemory;
   s.PlateauKernel = m.Kernel == PLATEAU;
   s.KernelSigma = m.KernelSigma;
   s.PlateauFalloff = m.PlateauFalloff;
@@ -229,7 +231,7 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   {
     return;
   }
-  if (vtkPointSplatPrimitives::AreShown(actor))
+  if (internals.ArePrimitivesShown(renderer, actor))
   {
     internals.Report = vtkPointSplatReport();
     internals.Primitives.Render(this, this->GetExecutive()->GetInputData(0, 0), renderer, actor);
@@ -281,6 +283,24 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
     drawn.NoEnvironment = noEnvironment;
   }
   this->UpdateProgress(1.0);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatMapper::vtkInternals::ArePrimitivesShown(vtkRenderer* renderer, vtkActor* actor)
+{
+  if (vtkPointSplatPrimitives::AreShown(actor))
+  {
+    return true;
+  }
+  const bool foreign = !vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (foreign && !this->WarnedOfPrimitives)
+  {
+    this->WarnedOfPrimitives = true;
+    vtkWarningWithObjectMacro(this->Self,
+      "The window is not drawn by OpenGL, as splats are: the input's cells are drawn in their stead, "
+      "or plain vertices where there are none.");
+  }
+  return foreign;
 }
 
 //------------------------------------------------------------------------------

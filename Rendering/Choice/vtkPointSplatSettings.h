@@ -50,6 +50,7 @@ struct vtkPointSplatSettings
   double LayerDistance = 0.0;
   double RadiusScale = 1.0;
   vtkIdType MaximumImageMemory = vtkIdType(1) << 30;
+  vtkIdType MaximumWindowMemory = vtkIdType(1) << 32;
 
   bool PlateauKernel = false;
   double KernelSigma = 0.6;

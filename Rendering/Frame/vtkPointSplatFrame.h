@@ -13,6 +13,8 @@
 //    Translucent layers are flattened to one, where nothing else translucent can lie between them,
 //    or presented from the back, each with its own depth, to take part in the pass; before them
 //    what is seen through refracting bodies.
+// 4. Where the images of a window would take too many bytes, 2 and 3 are done part by part
+//    (vtkPointSplatWindowParts.h).
 //
 // A pass ends when an actor draws a second time, or another view, kind of geometry or framebuffer
 // comes. Actors that are no props of the renderer themselves (parts of vtkAssembly, vtkLODActor and
@@ -28,6 +30,7 @@
 #include "vtkPointSplatResolve.h"
 #include "vtkPointSplatSceneDepth.h"
 #include "vtkPointSplatSurfaces.h"
+#include "vtkPointSplatWindowParts.h"
 
 #include "vtkWeakPointer.h"
 
@@ -100,7 +103,9 @@ private:
   {
     bool Translucent = false;
     unsigned long Frame = 0;
-    vtkPointSplatView View;
+    vtkPointSplatView View;      // of the window; of a part while that is drawn
+    std::vector<vtkPointSplatWindowPart> Parts;
+    size_t Part = 0; // that is drawn
     GLint Framebuffer = 0;
     int SelectionPass = -1;
     vtkPointSplatCollection::Entries Entries;
@@ -114,18 +119,25 @@ private:
     vtkPointSplatFlat::SortedLayers Sorted = vtkPointSplatFlat::None;
     vtkPointSplatChoice Choice;
     vtkPointSplatSurfaces* Surfaces = nullptr;
+    int Layers = 0;                   // the most that a part has
+    std::vector<vtkIdType> Projected; // splats of each slot, in all parts
   };
 
   void Begin(vtkActor* actor, bool translucent);
   size_t MostEntries(const Pass& pass) const;
   bool IsUnderWay(vtkActor* actor, bool translucent) const;
   bool PresentAlone(vtkActor* actor, vtkPointSplatSource& source, vtkPointSplatReport& report);
+  static bool MayUseTiles(const Pass& pass);
+  static std::vector<vtkPointSplatWindowPart> PartsOf(const Pass& pass, vtkActor* actor);
+  static glm::ivec4 ShownWindow(const Pass& pass);
   bool Draw(Pass& pass, vtkActor* actor, size_t own);
+  bool DrawPart(Pass& pass, vtkActor* actor, size_t own);
   bool Build(Pass& pass);
   void Choose(Pass& pass);
   bool CastShadows(Pass& pass);
   vtkPointSplatRequest MakeRequest(Pass& pass, GLuint sceneDepth);
-  GLuint CaptureScene(const vtkPointSplatView& view, bool& failed);
+  GLuint CaptureScene(const Pass& pass, bool& failed);
+  bool CaptureParts(const Pass& pass);
   void PrepareEnvironment(const Pass& pass);
   bool PresentLayers(Pass& pass, vtkActor* actor, size_t own);
   bool PresentSelection(Pass& pass, vtkActor* actor, size_t own);
@@ -150,8 +162,9 @@ private:
   vtkPointSplatMaterials Materials;
   vtkPointSplatRadiance Radiance;
   vtkPointSplatFrameShadows Shadows;
-  vtkPointSplatSceneDepth Scene;
+  std::vector<std::unique_ptr<vtkPointSplatSceneDepth>> Scene; // of each part
   unsigned long SceneFrame = 0;
+  std::vector<vtkPointSplatWindowPart> SceneParts;
   bool SceneGood = false;
   vtkPointSplatEnvironment Environment;
   unsigned long EnvironmentFrame = 0;

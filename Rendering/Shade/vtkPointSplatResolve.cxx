@@ -248,6 +248,12 @@ void vtkPointSplatResolve::Draw(
     state->vtkglScissor(low.x, low.y, high.x - low.x, high.y - low.y);
     state->vtkglDisable(GL_CULL_FACE);
     state->vtkglEnable(GL_DEPTH_TEST);
+    // Points have their places in the images, which may be of a part of the window.
+    vtkOpenGLState::ScopedglViewport viewport(state);
+    if (points > 0)
+    {
+      state->vtkglViewport(view.Origin.x, view.Origin.y, view.Size.x, view.Size.y);
+    }
     points > 0 ? this->Screen.DrawPoints(points) : this->Screen.Draw();
   }
 }

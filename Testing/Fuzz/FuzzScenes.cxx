@@ -304,7 +304,9 @@ void FuzzScenes::Implementation::ChangeSomething(
   switch (random.Below(10))
   {
     case 0:
-      this->Window->SetSize(1 + random.Below(150), 1 + random.Below(100));
+      // Seldom one that can be drawn in parts.
+      this->Window->SetSize(
+        1 + random.Below(random.Chance(0.1) ? 400 : 150), 1 + random.Below(100));
       break;
     case 1:
       FuzzData::Change(random, splats.Data);
