@@ -93,6 +93,10 @@ void vtkPointSplatMapper::vtkInternals::UpdateCloud(
     input.ColourKey = [this] { return this->GetColourKey(); };
   }
   this->ActorColour = settings.ActorColour.value_or(this->ActorColour);
+  this->NeedCoordinates = this->NeedCoordinates || settings.NeedCoordinates;
+  this->NeedTangents = this->NeedTangents || settings.NeedTangents;
+  input.NeedCoordinates = this->NeedCoordinates;
+  input.NeedTangents = this->NeedTangents;
   this->LookAtBlocks(input);
   this->GetCloud().Update(input);
 }

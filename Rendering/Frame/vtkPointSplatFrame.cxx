@@ -406,6 +406,7 @@ void vtkPointSplatFrame::ReleaseAll()
   this->Reconstruction.Release();
   this->Resolve.Release();
   this->Materials.Release();
+  this->Looks.Release();
   this->Shadows.Release();
   this->Scene.Release();
   this->Environment.Release();

@@ -24,6 +24,7 @@
 #include "vtkPointSplatEnvironment.h"
 #include "vtkPointSplatFlat.h"
 #include "vtkPointSplatFrameShadows.h"
+#include "vtkPointSplatLooks.h"
 #include "vtkPointSplatReconstruction.h"
 #include "vtkPointSplatResolve.h"
 #include "vtkPointSplatSceneDepth.h"
@@ -127,6 +128,7 @@ private:
   vtkPointSplatRequest MakeRequest(Pass& pass, GLuint sceneDepth);
   GLuint CaptureScene(const vtkPointSplatView& view, bool& failed);
   void PrepareEnvironment(const Pass& pass);
+  bool LookUpTextures(Pass& pass);
   bool PresentLayers(Pass& pass, vtkActor* actor, size_t own);
   bool PresentSelection(Pass& pass, vtkActor* actor, size_t own);
   bool Flatten(Pass& pass, const vtkPointSplatShading& shading);
@@ -148,6 +150,7 @@ private:
   vtkPointSplatFlat Flat;
   vtkPointSplatResolve Resolve;
   vtkPointSplatMaterials Materials;
+  vtkPointSplatLooks Looks;
   vtkPointSplatRadiance Radiance;
   vtkPointSplatFrameShadows Shadows;
   vtkPointSplatSceneDepth Scene;

@@ -26,12 +26,14 @@ vtkIdType ProjectedOf(const vtkPointSplatItem& item)
 }
 
 /// Whether the images of a layer are not too large to try. They take up to 28 bytes a pixel of the
-/// window by tiles, and 76 else.
+/// window by tiles, and 16 for each texel of looks, and 76 else.
 bool Fits(const vtkPointSplatRequest& request)
 {
   constexpr vtkIdType most = vtkIdType(1) << 32;
   const vtkIdType pixels = static_cast<vtkIdType>(request.View.Size.x) * request.View.Size.y;
-  return pixels * (vtkPointSplatReconstruction::UsesTiles(request) ? 28 : 76) <= most;
+  const int bytes =
+    vtkPointSplatReconstruction::UsesTiles(request) ? 28 + 16 * request.GetLookTexels() : 76;
+  return pixels * bytes <= most;
 }
 }
 
