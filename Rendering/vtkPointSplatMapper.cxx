@@ -240,7 +240,6 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
     this->UpdateProgress(1.0);
     return;
   }
-  vtkPointSplatIgnored::Warn(this, actor, this->Method == IMAGE_SPACE, internals.WarnedOf);
   if (vtkHardwareSelector* selector = renderer->GetSelector())
   {
     // Tells it how many passes the ids need.
@@ -265,6 +264,8 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   }
   if (!renderer->GetSelector())
   {
+    vtkPointSplatIgnored::Warn(
+      this, actor, internals.GetCloud(), internals.Report, internals.WarnedOf);
     const bool refused =
       internals.Report.Settings.Method == DEFERRED && internals.Report.Choice.Refused;
     if (refused && !drawn.Refused)

@@ -31,7 +31,9 @@ constexpr int MostNeighbours = 17;
 constexpr double PlaneWeight = 16.0;
 /// A fit is good where it errs by less than this share of the greatest difference of coordinates.
 constexpr double GoodError = 0.25;
-/// Neighbours whose coordinates go on err by no more than so many times the median.
+/// Neighbours that a proposed change is judged by.
+constexpr double TypicalShare = 0.4;
+/// Neighbours whose coordinates go on err by no more than so many times what is typical.
 constexpr double InlierErrors = 3.0;
 
 /// A neighbour: its offset by the splat's axes, the difference of coordinates, its weight.
@@ -108,8 +110,9 @@ double GreatestError(const Change& change, const std::vector<Neighbour>& all)
   return most;
 }
 
-/// The median of the errors by the distance.
-double MedianError(const Change& change, const std::vector<Neighbour>& all)
+/// Of the errors by the distance that which this share of all does not exceed: less than a half, since on a
+/// seam as many neighbours are of the other side, and more where points on it are there twice.
+double TypicalError(const Change& change, const std::vector<Neighbour>& all)
 {
   std::array<double, MostNeighbours> errors;
   size_t count = 0;
@@ -117,15 +120,22 @@ double MedianError(const Change& change, const std::vector<Neighbour>& all)
   {
     errors[count++] = ErrorOf(change, n) / glm::length(n.At);
   }
-  const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(count / 2);
-  std::nth_element(errors.begin(), middle, errors.begin() + static_cast<std::ptrdiff_t>(count));
-  return *middle;
+  const auto typical =
+    errors.begin() + static_cast<std::ptrdiff_t>(TypicalShare * static_cast<double>(count));
+  std::nth_element(errors.begin(), typical, errors.begin() + static_cast<std::ptrdiff_t>(count));
+  return *typical;
 }
 
-Change FitRobustly(const std::vector<Neighbour>& all)
+/// A change that most neighbours agree with, and by how much they do not.
+struct Proposal
 {
-  Change best(0.0);
-  double least = 1e300;
+  Change Best{ 0.0 };
+  double Error = 1e300;
+};
+
+Proposal FitRobustly(const std::vector<Neighbour>& all)
+{
+  Proposal proposal;
   for (size_t a = 0; a < all.size(); ++a)
   {
     for (size_t b = a + 1; b < all.size(); ++b)
@@ -137,22 +147,23 @@ Change FitRobustly(const std::vector<Neighbour>& all)
         continue;
       }
       const Change change = Change(all[a].Difference, all[b].Difference) * glm::inverse(at);
-      const double error = MedianError(change, all);
-      if (error < least)
+      const double error = TypicalError(change, all);
+      if (error < proposal.Error)
       {
-        least = error;
-        best = change;
+        proposal = { change, error };
       }
     }
   }
   // What rounding of coordinates leaves of errors is none.
-  const double bound =
-    InlierErrors * least + 1e-3 * std::max(glm::length(best[0]), glm::length(best[1]));
+  const Change& best = proposal.Best;
+  const double bound = InlierErrors * proposal.Error +
+    1e-3 * std::max(glm::length(best[0]), glm::length(best[1]));
   std::vector<Neighbour> inliers;
   std::copy_if(all.begin(), all.end(), std::back_inserter(inliers), [&](const Neighbour& n) {
     return ErrorOf(best, n) <= bound * glm::length(n.At);
   });
-  return inliers.size() < 2 ? best : Fit(inliers);
+  proposal.Best = inliers.size() < 2 ? best : Fit(inliers);
+  return proposal;
 }
 
 Change ChangeOf(const std::vector<Neighbour>& all)
@@ -163,7 +174,19 @@ Change ChangeOf(const std::vector<Neighbour>& all)
   {
     most = std::max(most, glm::length(n.Difference));
   }
-  return GreatestError(change, all) <= GoodError * most ? change : FitRobustly(all);
+  if (GreatestError(change, all) <= GoodError * most)
+  {
+    return change;
+  }
+  // Where a texture repeats, coordinates may be less or more by whole numbers on the other side.
+  std::vector<Neighbour> wrapped = all;
+  for (Neighbour& n : wrapped)
+  {
+    n.Difference -= glm::round(n.Difference);
+  }
+  const Proposal plain = FitRobustly(all);
+  const Proposal repeated = FitRobustly(wrapped);
+  return repeated.Error < plain.Error ? repeated.Best : plain.Best;
 }
 
 /// Coordinates of points; what has one component is a row of texels.

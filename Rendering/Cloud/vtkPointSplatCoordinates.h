@@ -8,9 +8,10 @@
 //    squared distance, and faster out of the splat's plane: of a folded splat's parts each has that of its
 //    own face.
 // 3. Where that does not fit, coordinates jump, as at a seam or from chart to chart of an atlas, or
-//    turn sharply. Then pairs of neighbours each propose a change; that with the least median error over
-//    all (Rousseeuw 1984, Least median of squares regression) tells whose coordinates go on from the
-//    point's own, and these alone are fitted.
+//    turn sharply. Then pairs of neighbours each propose a change; that with the least typical error, a
+//    quantile of all (Rousseeuw 1984, Least median of squares regression), tells whose coordinates go
+//    on from the point's own, and these alone are fitted. Coordinates that jump by whole numbers, as
+//    those of textures that repeat, are tried without the jump too.
 //
 // A splat's code, four words: the two coordinates, floats, or NaN where it has none; their changes
 // along its first and second axis, by its length, two halves each.

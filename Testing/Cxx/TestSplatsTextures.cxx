@@ -153,17 +153,194 @@ Picture Compare(Checks& checks, const std::string& name, vtkPolyData* mesh, cons
   return picture;
 }
 
+const Change FromTheSide = [](vtkRenderer* r, vtkActor*) {
+  r->GetActiveCamera()->SetFocalPoint(0, 0, 0);
+  r->GetActiveCamera()->SetPosition(3.0, 0.9, 0.8); // the seam is before the middle
+  r->GetActiveCamera()->SetViewUp(0, 0, 1);
+};
+
+/// Nothing of the border is seen, which points without cells do not know.
+const Change Inside = [](vtkRenderer* r, vtkActor*) { r->GetActiveCamera()->Zoom(1.2); };
+
 void TestColours(Checks& checks)
 {
   const vtkSmartPointer<vtkTexture> waves = MakeWaves();
-  const Change set = [&waves](vtkRenderer*, vtkActor* a) { a->SetTexture(waves); };
+  const Change set = [&waves](vtkRenderer* r, vtkActor* a) {
+    a->SetTexture(waves);
+    Inside(r, a);
+  };
   Compare(checks, "plane", MakePlane(40), set);
-  Compare(checks, "globe", MakeGlobe(), set);
+  Compare(checks, "globe", MakeGlobe(), [&](vtkRenderer* r, vtkActor* a) {
+    set(r, a);
+    FromTheSide(r, a);
+  });
+  // Coarser points than waves, since coordinates are linear.
+  Compare(checks, "coarse", MakePlane(12), set);
   Compare(checks, "turned", MakePlane(40), [&](vtkRenderer* r, vtkActor* a) {
     set(r, a);
     r->GetActiveCamera()->Elevation(-65);
-    r->GetActiveCamera()->Zoom(1.5);
+    r->GetActiveCamera()->Zoom(2.4);
   });
+  for (const int components : { 1, 2, 4 })
+  {
+    const vtkSmartPointer<vtkTexture> others = MakeWaves(components);
+    Compare(checks, std::to_string(components) + " components", MakePlane(40),
+      [&](vtkRenderer* r, vtkActor* a) {
+        a->SetTexture(others);
+        Inside(r, a);
+      });
+  }
+  vtkNew<vtkTransform> transform;
+  transform->Scale(2.0, 3.0, 1.0);
+  transform->RotateZ(20);
+  const vtkSmartPointer<vtkTexture> moved = MakeWaves();
+  moved->SetTransform(transform);
+  Compare(checks, "transform", MakePlane(40), [&](vtkRenderer* r, vtkActor* a) {
+    a->SetTexture(moved);
+    Inside(r, a);
+  });
+  const vtkSmartPointer<vtkTexture> clear = MakeWaves(4);
+  Compare(checks, "translucent", MakeGlobe(), [&](vtkRenderer* r, vtkActor* a) {
+    a->SetTexture(clear);
+    a->GetProperty()->SetOpacity(0.7);
+    FromTheSide(r, a);
+    r->UseDepthPeelingOn();
+    r->SetOcclusionRatio(0.0);
+    r->SetMaximumNumberOfPeels(20);
+  }, 34.0);
+}
+
+/// Fine stripes that repeat, much finer than pixels farther off: they must be even grey there.
+void TestMinified(Checks& checks)
+{
+  const vtkSmartPointer<vtkTexture> stripes =
+    MakeTexture(64, 3, [](double u, double v, unsigned char* p) {
+      p[0] = p[1] = p[2] = (int(16 * u) + int(16 * v)) % 2 ? 240 : 30;
+    });
+  stripes->RepeatOn();
+  stripes->MipmapOn();
+  vtkSmartPointer<vtkPolyData> plane = MakePlane(60);
+  vtkDataArray* at = plane->GetPointData()->GetTCoords();
+  for (vtkIdType i = 0; i < at->GetNumberOfTuples(); ++i)
+  {
+    at->SetTuple2(i, 6.0 * at->GetComponent(i, 0), 6.0 * at->GetComponent(i, 1));
+  }
+  Compare(checks, "minified", plane, [&](vtkRenderer* r, vtkActor* a) {
+    a->SetTexture(stripes);
+    r->GetActiveCamera()->Elevation(-70);
+    r->GetActiveCamera()->Zoom(2.4);
+  });
+}
+
+/// Two charts meet in the middle, where coordinates jump, and texels beside them belong to neither.
+void TestCharts(Checks& checks)
+{
+  const vtkSmartPointer<vtkTexture> atlas =
+    MakeTexture(256, 3, [](double u, double v, unsigned char* p) {
+      const double x = u < 0.4 ? u : u - 0.6;
+      const bool gutter = u > 0.42 && u < 0.58;
+      p[0] = gutter ? 255 : Byte(0.5 + 0.4 * std::sin(30 * x));
+      p[1] = gutter ? 0 : Byte(u);
+      p[2] = gutter ? 0 : Byte(0.5 + 0.4 * std::sin(20 * v));
+    });
+  atlas->RepeatOff();
+  vtkNew<vtkAppendPolyData> halves;
+  for (int side = 0; side < 2; ++side)
+  {
+    vtkNew<vtkPlaneSource> source;
+    source->SetOrigin(side == 0 ? -0.5 : 0.0, -0.5, 0.0);
+    source->SetPoint1(side == 0 ? 0.0 : 0.5, -0.5, 0.0);
+    source->SetPoint2(side == 0 ? -0.5 : 0.0, 0.5, 0.0);
+    source->SetResolution(20, 40);
+    source->Update();
+    vtkDataArray* at = source->GetOutput()->GetPointData()->GetTCoords();
+    for (vtkIdType i = 0; i < at->GetNumberOfTuples(); ++i)
+    {
+      at->SetComponent(i, 0, side == 0 ? 0.4 * at->GetComponent(i, 0)
+                                       : 1.0 - 0.4 * at->GetComponent(i, 0));
+    }
+    halves->AddInputData(source->GetOutput());
+  }
+  halves->Update();
+  Compare(checks, "charts", halves->GetOutput(), [&](vtkRenderer* r, vtkActor* a) {
+    a->SetTexture(atlas);
+    Inside(r, a);
+  });
+}
+
+void SetPhysical(vtkActor* actor)
+{
+  vtkProperty* property = actor->GetProperty();
+  property->SetInterpolationToPBR();
+  property->SetColor(0.9, 0.9, 0.9);
+  property->SetMetallic(0.8);
+  property->SetRoughness(0.7);
+}
+
+void TestPhysical(Checks& checks)
+{
+  const vtkSmartPointer<vtkTexture> albedo = MakeWaves();
+  albedo->UseSRGBColorSpaceOn();
+  const vtkSmartPointer<vtkTexture> material =
+    MakeTexture(128, 3, [](double u, double v, unsigned char* p) {
+      p[0] = Byte(0.6 + 0.4 * std::sin(25 * u));
+      p[1] = Byte(0.6 + 0.4 * std::sin(18 * v));
+      p[2] = Byte(0.5 + 0.5 * std::sin(14 * (u + v)));
+    });
+  const vtkSmartPointer<vtkTexture> glow =
+    MakeTexture(128, 3, [](double u, double v, unsigned char* p) {
+      p[0] = Byte(0.3 + 0.3 * std::sin(40 * u));
+      p[2] = Byte(0.2 + 0.2 * std::sin(35 * v));
+    });
+  glow->UseSRGBColorSpaceOn();
+  const vtkSmartPointer<vtkPolyData> globe = WithTangents(MakeGlobe(160));
+  Compare(checks, "physical", globe, [&](vtkRenderer* r, vtkActor* a) {
+    SetPhysical(a);
+    a->GetProperty()->SetBaseColorTexture(albedo);
+    a->GetProperty()->SetORMTexture(material);
+    a->GetProperty()->SetEmissiveTexture(glow);
+    a->GetProperty()->SetOcclusionStrength(0.7);
+    a->GetProperty()->SetEmissiveFactor(0.9, 0.5, 0.8);
+    FromTheSide(r, a);
+  });
+  const vtkSmartPointer<vtkTexture> bumps =
+    MakeTexture(256, 3, [](double u, double v, unsigned char* p) {
+      p[0] = Byte(0.5 + 0.2 * std::sin(50 * u));
+      p[1] = Byte(0.5 + 0.2 * std::sin(40 * v));
+      p[2] = 235;
+    });
+  Compare(checks, "normals", globe, [&](vtkRenderer* r, vtkActor* a) {
+    SetPhysical(a);
+    a->GetProperty()->SetNormalTexture(bumps);
+    a->GetProperty()->SetNormalScale(0.8);
+    FromTheSide(r, a);
+  });
+  const vtkSmartPointer<vtkTexture> brushed =
+    MakeTexture(128, 3, [](double u, double v, unsigned char* p) {
+      p[0] = Byte(0.7 + 0.3 * std::sin(20 * u));
+      p[1] = Byte(0.5 + 0.4 * std::sin(15 * v));
+    });
+  for (const bool lights : { false, true })
+  {
+    Compare(checks, lights ? "anisotropy by lights" : "anisotropy", globe,
+      [&](vtkRenderer* r, vtkActor* a) {
+        SetPhysical(a);
+        a->GetProperty()->SetRoughness(0.4);
+        a->GetProperty()->SetAnisotropy(0.9);
+        a->GetProperty()->SetAnisotropyRotation(0.3);
+        a->GetProperty()->SetAnisotropyTexture(brushed);
+        a->GetProperty()->SetCoatStrength(0.5);
+        a->GetProperty()->SetCoatNormalTexture(bumps);
+        FromTheSide(r, a);
+        if (lights)
+        {
+          vtkNew<vtkLight> light;
+          light->SetLightTypeToSceneLight();
+          light->SetPosition(3, -2, 3);
+          r->AddLight(light);
+        }
+      });
+  }
 }
 }
 
@@ -171,5 +348,8 @@ int TestSplatsTextures(int, char*[])
 {
   Checks checks;
   TestColours(checks);
+  TestMinified(checks);
+  TestCharts(checks);
+  TestPhysical(checks);
   return checks.Result();
 }
