@@ -33,6 +33,9 @@ constexpr double PlaneWeight = 16.0;
 constexpr double GoodError = 0.25;
 /// Neighbours that a proposed change is judged by.
 constexpr double TypicalShare = 0.4;
+/// Of several that fit as well, on a grid's seam those to a row beyond and to what is along it, the least
+/// counts: by how much of a change counts as an error.
+constexpr double LeastChange = 0.1;
 /// Neighbours whose coordinates go on err by no more than so many times what is typical.
 constexpr double InlierErrors = 3.0;
 
@@ -114,7 +117,7 @@ double GreatestError(const Change& change, const std::vector<Neighbour>& all)
 /// seam as many neighbours are of the other side, and more where points on it are there twice.
 double TypicalError(const Change& change, const std::vector<Neighbour>& all)
 {
-  std::array<double, MostNeighbours> errors;
+  std::array<double, MostNeighbours> errors{};
   size_t count = 0;
   for (const Neighbour& n : all)
   {
@@ -147,7 +150,8 @@ Proposal FitRobustly(const std::vector<Neighbour>& all)
         continue;
       }
       const Change change = Change(all[a].Difference, all[b].Difference) * glm::inverse(at);
-      const double error = TypicalError(change, all);
+      const double error = TypicalError(change, all) +
+        LeastChange * std::sqrt(glm::dot(change[0], change[0]) + glm::dot(change[1], change[1]));
       if (error < proposal.Error)
       {
         proposal = { change, error };
@@ -156,7 +160,7 @@ Proposal FitRobustly(const std::vector<Neighbour>& all)
   }
   // What rounding of coordinates leaves of errors is none.
   const Change& best = proposal.Best;
-  const double bound = InlierErrors * proposal.Error +
+  const double bound = InlierErrors * TypicalError(best, all) +
     1e-3 * std::max(glm::length(best[0]), glm::length(best[1]));
   std::vector<Neighbour> inliers;
   std::copy_if(all.begin(), all.end(), std::back_inserter(inliers), [&](const Neighbour& n) {

@@ -21,7 +21,7 @@ const float CoordinateScale = 1024.0;
 const float LeastDisagreement = 1.0 / 512.0;
 
 vec2 firsts[2 * Pixels];  // a chart's first coordinates
-vec2 seconds[2 * Pixels]; // sums of differences from these
+vec2 offs[2 * Pixels];    // sums of differences from these
 vec4 changes[2 * Pixels]; // sums of changes, by pixels along x and y
 float chartWeights[2 * Pixels];
 float bareWeights[Pixels]; // of splats without coordinates
@@ -154,7 +154,7 @@ vec2 differenceOf(SplatLook s, vec2 from)
 void addToChart(int chart, SplatLook s, float weight)
 {
   firsts[chart] = chartWeights[chart] > 0.0 ? firsts[chart] : s.at;
-  seconds[chart] += round(weight * CoordinateScale * differenceOf(s, firsts[chart]));
+  offs[chart] += round(weight * CoordinateScale * differenceOf(s, firsts[chart]));
   changes[chart] += weight * s.pixels;
   chartWeights[chart] += weight;
 }
@@ -196,7 +196,7 @@ void clearLooks(int k)
   for (int chart = 2 * k; chart < 2 * k + 2; ++chart)
   {
     firsts[chart] = vec2(0.0);
-    seconds[chart] = vec2(0.0);
+    offs[chart] = vec2(0.0);
     changes[chart] = vec4(0.0);
     chartWeights[chart] = 0.0;
   }
@@ -214,10 +214,13 @@ void clearLooks(int k)
 uvec4 coordinateTexel(int k)
 {
 #ifdef COORDINATES
-  int chart = chartWeights[2 * k + 1] > chartWeights[2 * k] ? 2 * k + 1 : 2 * k;
-  float weight = chartWeights[chart];
-  vec2 at = firsts[chart] + seconds[chart] / (CoordinateScale * max(weight, 1.0));
-  vec4 change = changes[chart] / max(weight, 1.0);
+  // Not by an index that is computed: arrays would be no registers.
+  bool second = chartWeights[2 * k + 1] > chartWeights[2 * k];
+  float weight = second ? chartWeights[2 * k + 1] : chartWeights[2 * k];
+  vec2 first = second ? firsts[2 * k + 1] : firsts[2 * k];
+  vec2 sum = second ? offs[2 * k + 1] : offs[2 * k];
+  vec4 change = (second ? changes[2 * k + 1] : changes[2 * k]) / max(weight, 1.0);
+  vec2 at = first + sum / (CoordinateScale * max(weight, 1.0));
   return weight > bareWeights[k]
     ? uvec4(floatBitsToUint(at), packHalf2x16(change.xy), packHalf2x16(change.zw))
     : uvec4(NoCoordinates);

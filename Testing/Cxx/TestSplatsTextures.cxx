@@ -130,7 +130,7 @@ Picture Draw(vtkMapper* mapper, vtkDataObject* data, const Change& change)
   window.Renderer->ResetCamera(-0.5, 0.5, -0.5, 0.5, -0.1, 0.1);
   window.Renderer->GetActiveCamera()->Zoom(1.4);
   change(window.Renderer, actor);
-  window.Renderer->ResetCameraClippingRange();
+  window.Renderer->ResetCameraClippingRange(-0.5, 0.5, -0.5, 0.5, -0.5, 0.5);
   return window.Draw();
 }
 
@@ -223,12 +223,12 @@ void TestMinified(Checks& checks)
   vtkDataArray* at = plane->GetPointData()->GetTCoords();
   for (vtkIdType i = 0; i < at->GetNumberOfTuples(); ++i)
   {
-    at->SetTuple2(i, 6.0 * at->GetComponent(i, 0), 6.0 * at->GetComponent(i, 1));
+    at->SetTuple2(i, 24.0 * at->GetComponent(i, 0), 24.0 * at->GetComponent(i, 1));
   }
   Compare(checks, "minified", plane, [&](vtkRenderer* r, vtkActor* a) {
     a->SetTexture(stripes);
     r->GetActiveCamera()->Elevation(-70);
-    r->GetActiveCamera()->Zoom(2.4);
+    r->GetActiveCamera()->Zoom(3.6);
   });
 }
 
@@ -342,6 +342,115 @@ void TestPhysical(Checks& checks)
       });
   }
 }
+
+/// Of one large splat, opaque and translucent: a ring of the edges' colour and width.
+void TestEdges(Checks& checks)
+{
+  constexpr double radius = 0.3;
+  constexpr double width = 6.0;
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0, 0, 0);
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  normals->InsertNextTuple3(0, 0, 1);
+  vtkNew<vtkFloatArray> radii;
+  radii->SetName("SplatRadius");
+  radii->InsertNextValue(radius);
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(points);
+  cloud->GetPointData()->SetNormals(normals);
+  cloud->GetPointData()->AddArray(radii);
+  for (const double tilt : { 0.0, 60.0 })
+  {
+    for (const double opacity : { 1.0, 0.6 })
+    {
+      const std::string label = "edge, tilted by " + std::to_string(int(tilt)) + ", opacity " +
+        std::to_string(opacity);
+      const Picture picture =
+        Draw(vtkNew<vtkPointSplatMapper>(), cloud, [&](vtkRenderer* r, vtkActor* a) {
+          a->GetProperty()->EdgeVisibilityOn();
+          a->GetProperty()->SetEdgeColor(0, 1, 0);
+          a->GetProperty()->SetColor(1, 0, 0);
+          a->GetProperty()->SetSpecular(0.0);
+          a->GetProperty()->SetLineWidth(width);
+          a->GetProperty()->SetOpacity(opacity);
+          r->GetActiveCamera()->ParallelProjectionOn();
+          r->GetActiveCamera()->SetParallelScale(0.5);
+          r->GetActiveCamera()->Elevation(tilt);
+        });
+      Save(picture, label);
+      // From the middle upwards: where it is green, and how much of it.
+      double sum = 0.0;
+      double moment = 0.0;
+      for (int y = Size / 2; y < Size; ++y)
+      {
+        const double green = picture.At(Size / 2, y)[1] / (255.0 * opacity);
+        sum += green;
+        moment += green * (y + 0.5 - Size / 2);
+      }
+      const double wanted = radius * Size * std::cos(tilt * M_PI / 180);
+      checks.AtMost(std::abs(sum - width), 0.7, label + ": width is off by");
+      checks.AtMost(std::abs(moment / sum - wanted), 0.7, label + ": radius is off by");
+    }
+  }
+}
+
+/// Blocks with texture coordinates beside one without; lists by the processor and by the device.
+void TestBlocks(Checks& checks)
+{
+  const vtkSmartPointer<vtkTexture> waves = MakeWaves();
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  vtkNew<vtkAppendPolyData> all;
+  for (int i = 0; i < 3; ++i)
+  {
+    vtkNew<vtkPlaneSource> source;
+    source->SetOrigin(-0.5 + i / 3.0, -0.5, 0.0);
+    source->SetPoint1(-0.5 + (i + 1) / 3.0, -0.5, 0.0);
+    source->SetPoint2(-0.5 + i / 3.0, 0.5, 0.0);
+    source->SetResolution(15, 45);
+    source->Update();
+    all->AddInputData(source->GetOutput());
+    vtkSmartPointer<vtkPolyData> block = PointsOf(source->GetOutput());
+    if (i == 2)
+    {
+      block->GetPointData()->SetTCoords(nullptr);
+    }
+    blocks->SetBlock(static_cast<unsigned int>(i), block);
+  }
+  all->Update();
+  const Change set = [&](vtkRenderer* r, vtkActor* a) {
+    a->SetTexture(waves);
+    Inside(r, a);
+  };
+  const Picture wanted = Draw(vtkNew<vtkPolyDataMapper>(), all->GetOutput(), set);
+  Picture pictures[2];
+  for (int lists = 0; lists < 2; ++lists)
+  {
+    vtkNew<vtkPointSplatMapper> mapper;
+    mapper->SetTileLists(1 + lists);
+    pictures[lists] = Draw(mapper, blocks, set);
+  }
+  checks.AtMost(LargestDifference(pictures[0], pictures[1]), 0, "blocks by the device: difference");
+  Save(wanted, "blocks mesh");
+  Save(pictures[0], "blocks");
+  double sum = 0.0;
+  int white = 0;
+  for (int y = 0; y < Size; ++y)
+  {
+    for (int x = 0; x < Size / 2; ++x)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        sum += std::pow(double(wanted.At(x, y)[c]) - pictures[0].At(x, y)[c], 2);
+      }
+    }
+    const unsigned char* bare = pictures[0].At(Size - 10, y);
+    white += bare[0] == bare[1] && bare[1] == bare[2] && bare[0] > 200;
+  }
+  checks.AtLeast(-10.0 * std::log10(sum / (1.5 * Size * Size * 255.0 * 255.0)), LeastPsnr,
+    "blocks: psnr of those with coordinates");
+  checks.AtLeast(white, Size, "block without coordinates: white pixels");
+}
 }
 
 int TestSplatsTextures(int, char*[])
@@ -351,5 +460,7 @@ int TestSplatsTextures(int, char*[])
   TestMinified(checks);
   TestCharts(checks);
   TestPhysical(checks);
+  TestEdges(checks);
+  TestBlocks(checks);
   return checks.Result();
 }
