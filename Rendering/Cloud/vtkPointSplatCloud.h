@@ -23,8 +23,9 @@
 // s u + t v is kept what has dot(c, (u, v)) <= 1.
 // Colours: RGBA, 8 bits each, one a splat, where scalars colour the points; or values (see below).
 // Factors: of up to four lights, 8 bits each, one a splat, where the input has `ShadowFactor`.
-// Coordinates, of textures, where they are needed: four words a splat (vtkPointSplatCoordinates.h), and
-// tangents, coded as normals, one word. Blocks without them have none beside those with.
+// Coordinates, of textures, where they are needed: four words a splat
+// (vtkPointSplatCoordinates.h), and tangents, coded as normals, one word. Blocks without them have
+// none beside those with.
 //
 // Colours of cells: a splat has that of the first cell, by its id, that uses the point, as of a
 // point's vertex; a point without a cell has the table's colour of NaN. They are not blended: a

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Of the cloud: colours, by scalars and by the looks of blocks, texture coordinates, and what is kept
-// of hidden blocks.
+// Of the cloud: colours, by scalars and by the looks of blocks, texture coordinates, and what is
+// kept of hidden blocks.
 #include "vtkPointSplatCloud.h"
 
 #include "vtkPointData.h"
@@ -202,7 +202,8 @@ void vtkPointSplatCloud::UpdateCoordinates(const vtkPointSplatCloudInput& input)
     if (arrays[b][0])
     {
       this->Coordinates.resize(words * count, vtkPointSplatCoordinates::None);
-      vtkPointSplatCoordinates::Make(splats, arrays[b][0], this->Coordinates.data() + words * first);
+      vtkPointSplatCoordinates::Make(
+        splats, arrays[b][0], this->Coordinates.data() + words * first);
     }
     if (arrays[b][1])
     {

@@ -33,8 +33,8 @@ constexpr double PlaneWeight = 16.0;
 constexpr double GoodError = 0.25;
 /// Neighbours that a proposed change is judged by.
 constexpr double TypicalShare = 0.4;
-/// Of several that fit as well, on a grid's seam those to a row beyond and to what is along it, the least
-/// counts: by how much of a change counts as an error.
+/// Of several that fit as well, on a grid's seam those to a row beyond and to what is along it, the
+/// least counts: how much of a change counts as an error.
 constexpr double LeastChange = 0.1;
 /// Neighbours whose coordinates go on err by no more than so many times what is typical.
 constexpr double InlierErrors = 3.0;
@@ -113,8 +113,8 @@ double GreatestError(const Change& change, const std::vector<Neighbour>& all)
   return most;
 }
 
-/// Of the errors by the distance that which this share of all does not exceed: less than a half, since on a
-/// seam as many neighbours are of the other side, and more where points on it are there twice.
+/// Of the errors by the distance that which TypicalShare of all do not exceed: less than a half,
+/// since on a seam as many neighbours are of the other side, and more where points are there twice.
 double TypicalError(const Change& change, const std::vector<Neighbour>& all)
 {
   std::array<double, MostNeighbours> errors{};
@@ -282,8 +282,8 @@ void vtkPointSplatCoordinates::Make(
       {
         const vtkIdType other = splatOf[static_cast<size_t>(nearest->GetId(k))];
         const glm::dvec3 d = PositionOf(splats, other) - p;
-        const glm::dvec2 at(
-          glm::dot(d, first) / glm::dot(first, first), glm::dot(d, second) / glm::dot(second, second));
+        const glm::dvec2 at(glm::dot(d, first) / glm::dot(first, first),
+          glm::dot(d, second) / glm::dot(second, second));
         const double square = glm::dot(at, at);
         const double height = glm::dot(d, normal) / area;
         const double off = height * height / area;

@@ -4,14 +4,14 @@
 // finer than the points' spacing is where a mesh of the points has it.
 //
 // 1. For each splat the nearest points are found, and their offsets are taken to its axes.
-// 2. The linear change that fits their coordinates best, by least squares whose weights fall with the
-//    squared distance, and faster out of the splat's plane: of a folded splat's parts each has that of its
-//    own face.
+// 2. The linear change that fits their coordinates best, by least squares whose weights fall with
+//    the squared distance, and faster out of the splat's plane: of a folded splat's parts each has
+//    that of its own face.
 // 3. Where that does not fit, coordinates jump, as at a seam or from chart to chart of an atlas, or
-//    turn sharply. Then pairs of neighbours each propose a change; that with the least typical error, a
-//    quantile of all (Rousseeuw 1984, Least median of squares regression), tells whose coordinates go
-//    on from the point's own, and these alone are fitted. Coordinates that jump by whole numbers, as
-//    those of textures that repeat, are tried without the jump too.
+//    turn sharply. Then pairs of neighbours each propose a change; that with the least typical
+//    error, a quantile of all (Rousseeuw 1984, Least median of squares regression), tells whose
+//    coordinates go on from the point's own, and these alone are fitted. Coordinates that jump by
+//    whole numbers, as those of textures that repeat, are tried without the jump too.
 //
 // A splat's code, four words: the two coordinates, floats, or NaN where it has none; their changes
 // along its first and second axis, by its length, two halves each.
@@ -47,9 +47,9 @@ public:
     bool Circular;
   };
 
-  /// coordinates: one to three components a point, of which the first two count; codes: Words a splat.
+  /// coordinates: of one to three components, of which two count; codes: Words a splat.
   static void Make(const Splats& splats, vtkDataArray* coordinates, uint32_t* codes);
-  /// The directions of tangents, 3 components a point, as CodeNormal() has them, a word a splat.
+  /// The directions of tangents, 3 components, as CodeNormal() has them, a word a splat.
   static void MakeTangents(const Splats& splats, vtkDataArray* tangents, uint32_t* codes);
 };
 

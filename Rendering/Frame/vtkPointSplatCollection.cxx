@@ -49,8 +49,7 @@ vtkPointSplatItemLook LookOf(const vtkPointSplatEntry& entry)
   // As VTK has it, textures of colours have no effect beside values that are mapped at pixels.
   const bool shows = textures.Colours.empty() || !cloud.HasValues();
   look.Coordinates = cloud.HasCoordinates() && !textures.GetAll().empty() && shows;
-  look.Tangents =
-    textures.IsAnisotropic || (textures.NeedTangents() && look.Coordinates);
+  look.Tangents = textures.IsAnisotropic || (textures.NeedTangents() && look.Coordinates);
   look.Repeats = look.Coordinates && textures.Repeat();
   look.HasMore = look.Tangents || (look.Coordinates && textures.HasMore());
   look.EdgeWidth = property->GetEdgeVisibility() ? property->GetLineWidth() : 0.0f;
@@ -311,9 +310,10 @@ vtkPointSplatMaterials::Entry vtkPointSplatCollection::MakeMaterial(
   const vtkPointSplatEntry& entry)
 {
   const vtkPointSplatSettings& s = entry.Settings;
+  const vtkPointSplatItemLook& look = entry.Item.Look;
   vtkPointSplatMaterials::Entry material{ entry.Actor, entry.Item.Cloud->HasColours(),
-    entry.Item.Cloud->HasOwnOpacity(), {}, entry.Item.Look.Coordinates || entry.Item.Look.Tangents, entry.Item.Look.Tangents,
-    entry.Item.Look.EdgeWidth > 0.0f };
+    entry.Item.Cloud->HasOwnOpacity(), {}, look.Coordinates || look.Tangents, look.Tangents,
+    look.EdgeWidth > 0.0f };
   if (s.Refraction)
   {
     material.Medium.Refracts = true;

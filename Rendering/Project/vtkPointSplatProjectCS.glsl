@@ -5,8 +5,8 @@
 // Projects each splat once: its record and its box, for the tiles; and its colour, factors of
 // lights, texture coordinates, tangent, id or clip lines, beside them.
 // Variants: CLIPPING, CLIP_LINES, COLOURS, FACTORS, COORDINATES, TANGENTS, IDS.
-// Reads: Splats, ClipLineTexels, Colours, Factors, Coordinates, Tangents, Ids. Writes: Records, Boxes,
-// RecordClipLines, RecordColours, RecordFactors, RecordCoordinates, RecordTangents, RecordIds.
+// Reads: Splats, ClipLineTexels, Colours, Factors, Coordinates, Tangents, Ids. Writes: Records,
+// Boxes, RecordClipLines, RecordColours, RecordFactors, RecordCoordinates, RecordTangents, RecordIds.
 
 #include "vtkPointSplatProjection"
 #include "vtkPointSplatRecord"

@@ -3,7 +3,8 @@
 //
 // Beside the texel of a layer at a pixel, where some actor has textures or edges: LOOKS texels
 // (RGBA32UI), one or two. When layers are made they hold
-//   0  texture coordinates, two floats, or NaN; their changes by pixels along x and y, two halves each
+//   0  texture coordinates, two floats, or NaN; their changes by pixels along x and y, two halves
+//      each
 //   1  the tangent, coded as a normal; what of the pixel edges cover, a half; 0; 0
 // and where textures were looked up (vtkPointSplatLooks.h), in their place
 //   0  colour and opacity, four halves; of physically based interpolation the factors of

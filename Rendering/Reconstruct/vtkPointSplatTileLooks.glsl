@@ -2,22 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What of splats' looks is blended beside colours and normals: with COORDINATES, of textures, which
-// are looked up once a pixel when all is shaded; with TANGENTS, of the surface; with EDGES, rings at
-// the splats' rims.
+// are looked up once a pixel before layers are shaded; with TANGENTS, of the surface; with EDGES,
+// rings at the splats' rims.
 //
-// Each splat continues its coordinates linearly to the pixel (vtkPointSplatCoordinates.h), and these are
-// blended. Where they jump, as at a seam or from chart to chart of an atlas, a mean would be of texels
-// that have nothing to do with it. So each splat joins the chart that it agrees with, of two, whose
-// first splats are the first in the list and the first that disagrees; the pixel has that of the
-// greater weight. Where all textures of an item repeat, coordinates that differ by whole numbers agree.
+// Each splat continues its coordinates linearly to the pixel (vtkPointSplatCoordinates.h), and these
+// are blended. Where they jump, as at a seam or from chart to chart of an atlas, a mean would be of
+// texels that have nothing to do with it. So each splat joins the chart that it agrees with, of two,
+// whose first splats are the first in the list and the first that disagrees; the pixel has that of
+// the greater weight. Where all textures of an item repeat, coordinates that differ by whole numbers
+// agree.
 
 #ifdef COORDINATES
 uniform usamplerBuffer RecordCoordinates; // RGBA32UI: coordinates, or NaN; changes, two halves each
 
 // Sums are of whole numbers, as exact as those of weights where charts are less than one wide.
 const float CoordinateScale = 1024.0;
-// Coordinates agree that differ by no more than they change by from a splat's centre to its rim, and
-// this.
+// Coordinates agree that differ by no more than they change by from a splat's centre to its rim,
+// and this.
 const float LeastDisagreement = 1.0 / 512.0;
 
 vec2 firsts[2 * Pixels];  // a chart's first coordinates
@@ -111,8 +112,8 @@ void placeFlatLook(inout SplatLook s, vec3 form, vec2 d, float r2)
 #endif
 }
 
-// From pixels to places on a cap, by the images of its axes: u by x, v by x, u by y, v by y. One that
-// is thinner than the filter counts as that thick.
+// From pixels to places on a cap, by the images of its axes: u by x, v by x, u by y, v by y. One
+// that is thinner than the filter counts as that thick.
 vec4 placesByPixels(vec2 x, vec2 y, float filterRadius)
 {
   float area = x.x * y.y - x.y * y.x;

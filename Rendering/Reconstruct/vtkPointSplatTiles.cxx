@@ -122,7 +122,8 @@ vtkPointSplatTiles::Variant vtkPointSplatTiles::VariantOf(
   else
   {
     // As many pixels as leave registers to work with.
-    v.TileSize = layers || v.Colours || v.Factors > 0 || v.Looks > 0 ? glm::ivec2(4, 2) : glm::ivec2(4, 4);
+    v.TileSize = layers || v.Colours || v.Factors > 0 || v.Looks > 0 ? glm::ivec2(4, 2)
+                                                                     : glm::ivec2(4, 4);
     v.Lanes = 1;
     v.Tile += request.Outlines ? "#define SUMMARIES\n" : "";
   }
@@ -180,7 +181,8 @@ std::vector<vtkPointSplatTiles::Share> vtkPointSplatTiles::SharesOf(const Varian
   const Share all[] = { { true, &this->Records, 0, RecordBytes },
     { true, &this->Boxes, 1, BoxBytes }, { variant.Colours, &this->Colours, 2, 4 },
     { variant.Factors > 0, &this->Factors, 3, 4 }, { variant.Ids, &this->Ids, 4, 4 },
-    { variant.Tangents, &this->Tangents, 4, 4 }, { variant.ClipLines, &this->ClipLines, 5, LineBytes },
+    { variant.Tangents, &this->Tangents, 4, 4 },
+    { variant.ClipLines, &this->ClipLines, 5, LineBytes },
     { variant.Coordinates, &this->Coordinates, 6, CoordinateBytes } };
   std::vector<Share> wanted;
   std::copy_if(std::begin(all), std::end(all), std::back_inserter(wanted),
@@ -513,8 +515,8 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::Reconstruct(const vtkPointSplatRe
   GLint texels = 0;
   glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
   request.MaximumLayers = request.GetMostLayers(
-    texels /
-    (std::max(variant.Looks, 1) * static_cast<vtkIdType>(request.View.Size.x) * request.View.Size.y));
+    texels / std::max(variant.Looks, 1) /
+    (static_cast<vtkIdType>(request.View.Size.x) * request.View.Size.y));
   this->Items.Upload(request.Items, request.View);
   int capacity = std::min(request.MaximumLayers, std::max(FirstCapacity, layers.GetCapacity()));
   Result result = Made;

@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Looks up an item's textures, once a pixel of each of its layers, with the changes of the coordinates
-// by pixels for derivatives, so that textures are filtered as on meshes; turns normals and tangents by
-// vtkOpenGLPolyDataMapper's formulas. An invocation has a pixel of a layer.
+// Looks up an item's textures, once a pixel of each of its layers, with the changes of the
+// coordinates by pixels for derivatives, so that textures are filtered as on meshes; turns normals
+// and tangents by vtkOpenGLPolyDataMapper's formulas. An invocation has a pixel of a layer.
 // COLOURS: how many textures of colours; ALBEDO, MATERIAL, EMISSIVE, NORMAL_MAP, COAT_NORMAL_MAP,
 // ANISOTROPY_MAP: there is one; TANGENTS: points have some, and something needs them.
 // Reads: Texels. Reads and writes: Looks (vtkPointSplatLook.glsl).

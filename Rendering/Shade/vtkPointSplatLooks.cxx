@@ -116,7 +116,8 @@ bool vtkPointSplatLooks::ApplyOne(vtkRenderer* renderer, const vtkPointSplatView
     program.Set("ColourKinds", kinds);
     program.Set("CoordinateTransform", textures.Transform);
     program.Set("OnBackFaces", property->GetShowTexturesOnBackface());
-    program.Set("NormalScales", glm::vec2(property->GetNormalScale(), property->GetCoatNormalScale()));
+    program.Set("NormalScales",
+      glm::vec2(property->GetNormalScale(), property->GetCoatNormalScale()));
     program.Set("AnisotropyRotation",
       static_cast<float>(textures.IsAnisotropic ? property->GetAnisotropyRotation() : 0.0));
     program.Set("OnlySlot", entry.Slot);

@@ -52,8 +52,8 @@ Physical physicalOf(vec4 texels[3])
 }
 
 #ifdef LOOKS
-// What textures and tangents say. smoothNormal: before it was turned by a map; first, second: texels 14 and
-// 15 of the material.
+// What textures and tangents say. smoothNormal: before it was turned by a map; first, second: texels
+// 14 and 15 of the material.
 void addLook(inout Physical p, vec3 smoothNormal, vec4 first, vec4 second)
 {
   p.roughness *= look.factors.y;
