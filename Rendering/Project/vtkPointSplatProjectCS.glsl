@@ -175,6 +175,10 @@ void main()
   float shift = KernelSupport * longest * nearer;
   bool isFlat = whole && (!narrow || leans) &&
     shift + max(bend.highest, -bend.lowest) * length(q.m.xy) <= StillPixels;
+#ifdef COORDINATES
+  // Of flat ones that the filter widens it would not be known how coarse pixels are.
+  isFlat = isFlat && thin >= PrefilterRadius;
+#endif
   ivec2 tiles = last - first;
   bool isWide = max(tiles.x, tiles.y) >= WideTiles;
 #ifdef CLIP_LINES

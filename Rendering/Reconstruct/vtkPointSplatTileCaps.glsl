@@ -48,7 +48,7 @@ Widened widenedOf(Cap q, uvec4 r2, uvec4 r4, float radius)
 {
   Widened w;
 #ifdef LOOKS
-  w.places = placesByPixels(q.a.xy, q.b.xy, radius);
+  w.places = placesByPixels(q.a.xy, q.b.xy);
 #endif
   w.lean = unpackSnorm2x16(r2.w);
   vec2 along = unpackHalf2x16(r4.w);

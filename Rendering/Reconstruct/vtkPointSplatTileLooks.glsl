@@ -112,12 +112,15 @@ void placeFlatLook(inout SplatLook s, vec3 form, vec2 d, float r2)
 #endif
 }
 
-// From pixels to places on a cap, by the images of its axes: u by x, v by x, u by y, v by y. One
-// that is thinner than the filter counts as that thick.
-vec4 placesByPixels(vec2 x, vec2 y, float filterRadius)
+// Of splats that are seen at a flatter angle than this, its sine, as of those seen at this one.
+const float LeastTilt = 0.02;
+
+// From pixels to places on a cap, by the images of its axes: u by x, v by x, u by y, v by y. Not as
+// the filter widens it: a texture must be filtered as coarsely as pixels really lie on it.
+vec4 placesByPixels(vec2 x, vec2 y)
 {
   float area = x.x * y.y - x.y * y.x;
-  float least = filterRadius * sqrt(dot(x, x) + dot(y, y));
+  float least = 0.5 * LeastTilt * (dot(x, x) + dot(y, y));
   area = (area < 0.0 ? -1.0 : 1.0) * max(abs(area), max(least, 1e-30));
   return vec4(y.y, -y.x, -x.y, x.x) / area;
 }
