@@ -94,6 +94,10 @@ void vtkPointSplatMapper::vtkInternals::UpdateCloud(
     input.ColourKey = [this] { return this->GetColourKey(); };
   }
   this->ActorColour = settings.ActorColour.value_or(this->ActorColour);
+  this->NeedCoordinates = this->NeedCoordinates || settings.NeedCoordinates;
+  this->NeedTangents = this->NeedTangents || settings.NeedTangents;
+  input.NeedCoordinates = this->NeedCoordinates;
+  input.NeedTangents = this->NeedTangents;
   this->LookAtBlocks(input);
   this->GetCloud().Update(input);
 }
@@ -238,7 +242,6 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
     this->UpdateProgress(1.0);
     return;
   }
-  vtkPointSplatIgnored::Warn(this, actor, this->Method == IMAGE_SPACE, internals.WarnedOf);
   if (vtkHardwareSelector* selector = renderer->GetSelector())
   {
     // Tells it how many passes the ids need.
@@ -263,6 +266,8 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   }
   if (!renderer->GetSelector())
   {
+    vtkPointSplatIgnored::Warn(
+      this, actor, internals.GetCloud(), internals.Report, internals.WarnedOf);
     const bool refused =
       internals.Report.Settings.Method == DEFERRED && internals.Report.Choice.Refused;
     if (refused && !drawn.Refused)

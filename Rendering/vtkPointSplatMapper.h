@@ -317,9 +317,9 @@ public:
 
   ///@{
   /**
-   * Bytes that the images of a layer may take, 28 a pixel of the window by tiles, 76 else: larger
-   * windows are drawn in parts of at least 256 x 256 pixels with the same picture. But with depth
-   * peeling they are not, and rays of Refraction end at the rims of parts. 0: no bound. Default: 4 GiB.
+   * Bytes that the images of a layer may take, 28 a pixel of the window by tiles (60 with textures),
+   * 76 else: larger windows are drawn in parts of at least 256 x 256 pixels, with the same picture.
+   * Not with depth peeling; rays of Refraction end at parts' rims. 0: no bound. Default: 4 GiB.
    */
   vtkSetClampMacro(MaximumWindowMemory, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(MaximumWindowMemory, vtkIdType);

@@ -68,6 +68,8 @@ private:
   vtkPointSplatMapper* Self;
   bool WarnedOfPrimitives = false;
   std::array<double, 4> ActorColour{ { 1.0, 1.0, 1.0, 1.0 } }; // of the one drawn last
+  bool NeedCoordinates = false; // of any that was drawn
+  bool NeedTangents = false;
 };
 
 VTK_ABI_NAMESPACE_END

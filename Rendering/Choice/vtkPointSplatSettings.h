@@ -71,6 +71,10 @@ struct vtkPointSplatSettings
   /// Diffuse colour and opacity of the actor that is drawn, if that is known.
   std::optional<std::array<double, 4>> ActorColour;
 
+  /// Whether the actor that is drawn has textures; whether its light goes by tangents.
+  bool NeedCoordinates = false;
+  bool NeedTangents = false;
+
   bool Shadows = false;
   int NumberOfShadowSamples = 16;
   int NumberOfInteractiveShadowSamples = 1;

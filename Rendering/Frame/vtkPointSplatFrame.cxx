@@ -21,6 +21,7 @@ namespace
 {
 /// Of the images of a layer, a pixel of the window, at most.
 constexpr vtkIdType BytesByTiles = 28;
+constexpr vtkIdType BytesALookTexel = 16;
 constexpr vtkIdType BytesByQuads = 76;
 
 GLint BoundFramebuffer()
@@ -263,13 +264,17 @@ std::vector<vtkPointSplatWindowPart> vtkPointSplatFrame::PartsOf(const Pass& pas
     return vtkPointSplatWindowParts::Divide(pass.View.Size, BytesByTiles, 0);
   }
   vtkIdType most = 0;
+  int texels = 0;
   for (const vtkPointSplatEntry& entry : pass.Entries)
   {
+    texels = std::max(texels, entry.Item.Look.GetTexels());
     const vtkIdType bytes = entry.Settings.MaximumWindowMemory;
     most = bytes > 0 && (most == 0 || bytes < most) ? bytes : most;
   }
   return vtkPointSplatWindowParts::Divide(pass.View.Size,
-    vtkPointSplatFrame::MayUseTiles(pass) ? BytesByTiles : BytesByQuads, most);
+    vtkPointSplatFrame::MayUseTiles(pass) ? BytesByTiles + BytesALookTexel * texels
+                                          : BytesByQuads,
+    most);
 }
 
 //------------------------------------------------------------------------------
@@ -466,6 +471,7 @@ void vtkPointSplatFrame::ReleaseAll()
   this->Reconstruction.Release();
   this->Resolve.Release();
   this->Materials.Release();
+  this->Looks.Release();
   this->Shadows.Release();
   this->Scene.clear();
   this->Environment.Release();

@@ -26,6 +26,7 @@
 #include "vtkPointSplatEnvironment.h"
 #include "vtkPointSplatFlat.h"
 #include "vtkPointSplatFrameShadows.h"
+#include "vtkPointSplatLooks.h"
 #include "vtkPointSplatReconstruction.h"
 #include "vtkPointSplatResolve.h"
 #include "vtkPointSplatSceneDepth.h"
@@ -139,6 +140,7 @@ private:
   GLuint CaptureScene(const Pass& pass, bool& failed);
   bool CaptureParts(const Pass& pass);
   void PrepareEnvironment(const Pass& pass);
+  bool LookUpTextures(Pass& pass);
   bool PresentLayers(Pass& pass, vtkActor* actor, size_t own);
   bool PresentSelection(Pass& pass, vtkActor* actor, size_t own);
   bool Flatten(Pass& pass, const vtkPointSplatShading& shading);
@@ -160,6 +162,7 @@ private:
   vtkPointSplatFlat Flat;
   vtkPointSplatResolve Resolve;
   vtkPointSplatMaterials Materials;
+  vtkPointSplatLooks Looks;
   vtkPointSplatRadiance Radiance;
   vtkPointSplatFrameShadows Shadows;
   std::vector<std::unique_ptr<vtkPointSplatSceneDepth>> Scene; // of each part

@@ -211,6 +211,13 @@ vtkPointSplatRequest vtkPointSplatFrame::MakeRequest(Pass& pass, GLuint sceneDep
   }
   request.OnDevice = automatic ? !vtkPointSplatTiles::IsSoftware() : device;
   request.HasIds = IdsOf(pass.SelectionPass, composite, request.Ids);
+  if (request.HasIds || !vtkPointSplatReconstruction::UsesTiles(request))
+  {
+    for (vtkPointSplatItem& item : request.Items)
+    {
+      item.Look = vtkPointSplatItemLook();
+    }
+  }
   return request;
 }
 
@@ -238,5 +245,30 @@ bool vtkPointSplatFrame::Build(Pass& pass)
     this->Error = pass.Surfaces->GetError();
     return false;
   }
-  return true;
+  return this->LookUpTextures(pass);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatFrame::LookUpTextures(Pass& pass)
+{
+  vtkPointSplatSurfaces& surfaces = *pass.Surfaces;
+  const vtkPointSplatLayers& layers = surfaces.GetLayers();
+  if (surfaces.LookGeneration == surfaces.GetGeneration() || layers.GetNumberOfLayers() == 0 ||
+    layers.GetLookTexels() == 0)
+  {
+    return true;
+  }
+  surfaces.LookGeneration = surfaces.GetGeneration();
+  std::vector<vtkPointSplatLooks::Entry> entries;
+  for (const vtkPointSplatItem& item : surfaces.GetRequest().Items)
+  {
+    if (item.Look.Coordinates || item.Look.Tangents)
+    {
+      entries.push_back({ pass.Entries[static_cast<size_t>(item.Slot)].Actor, item.Slot,
+        item.Look.Tangents });
+    }
+  }
+  const bool good = this->Looks.Apply(this->Renderer, pass.View, entries, layers);
+  this->Error = good ? this->Error : this->Looks.GetError();
+  return good;
 }
