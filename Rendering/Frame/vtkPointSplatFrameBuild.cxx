@@ -178,7 +178,8 @@ vtkPointSplatRequest vtkPointSplatFrame::MakeRequest(Pass& pass, GLuint sceneDep
     request.Items.push_back(entry.Item);
     request.CloudTimes.push_back(std::max(entry.Item.Cloud->GetMTime(),
       choice.Deferred ? entry.Item.Cloud->GetGroups().GetMTime() : 0));
-    request.Outlines = request.Outlines && s.AntiAliasing;
+    request.Outlines = request.Outlines && s.AntiAliasing &&
+      vtkPointSplatResolve::AreOutlinesSmooth(entry.Actor);
     request.Voronoi = request.Voronoi && s.VoronoiDepth;
     composite = composite || entry.Item.Cloud->IsComposite();
     automatic = automatic && s.TileLists == Settings::AutomaticLists;

@@ -4,7 +4,8 @@
 // VTK's Phong lighting, term by term as vtkOpenGLPolyDataMapper has it for
 // each of its levels, since users put clouds and meshes into one scene.
 // LIGHT_LEVEL: 0 no light, 1 one headlight, 2 directional lights, 3 positional too.
-// SPECULAR: some surface has highlights. UNLIT: some surface is not lit.
+// SPECULAR: some surface has highlights. UNLIT: some surface is not lit. FACTORS: points have
+// factors of lights. PASS_FACTORS: so does the pixel, by a render pass.
 
 #if LIGHT_LEVEL > 0
 uniform vec4 LightColour[LIGHT_COUNT];      // and whether it is positional
@@ -16,6 +17,10 @@ uniform vec4 LightAttenuation[LIGHT_COUNT]; // constant, linear, quadratic; the 
 #ifdef FACTORS
 // How much of each light arrives at what is shaded (Dobrev, Rosenthal, Linsen 2010, section 6).
 vec4 lightFactors = vec4(1.0);
+#endif
+#ifdef PASS_FACTORS
+// The same of each light, as the render pass has it that draws shadow maps.
+float passFactors[LIGHT_COUNT];
 #endif
 
 // How much of the lights' light a surface keeps whose normals contradict one another.
@@ -56,6 +61,9 @@ float lightAt(int i, vec3 positionVC, out vec3 direction)
 #ifdef FACTORS
   int component = int(LightDirection[i].w);
   attenuation *= component < 0 ? 1.0 : lightFactors[component];
+#endif
+#ifdef PASS_FACTORS
+  attenuation *= passFactors[i];
 #endif
   return attenuation;
 }
