@@ -284,7 +284,7 @@ vtkPointSplatMaterials::Entry vtkPointSplatCollection::MakeMaterial(
 {
   const vtkPointSplatSettings& s = entry.Settings;
   vtkPointSplatMaterials::Entry material{ entry.Actor, entry.Item.Cloud->HasColours(),
-    entry.Item.Cloud->HasOwnOpacity(), {} };
+    entry.Item.Cloud->HasOwnOpacity(), s.Shadows, {} };
   if (s.Refraction)
   {
     material.Medium.Refracts = true;

@@ -139,8 +139,8 @@ bool vtkPointSplatFrame::CastShadows(Pass& pass)
   {
     return true;
   }
-  if (AnyOf(pass.Entries, [](const Settings& s) { return s.Shadows; }) &&
-    !this->Shadows.Update(this->Renderer))
+  pass.Shadowed = AnyOf(pass.Entries, [](const Settings& s) { return s.Shadows; });
+  if (pass.Shadowed && !this->Shadows.Update(this->Renderer, this->Reconstruction))
   {
     this->Error = this->Shadows.GetError();
     return false;

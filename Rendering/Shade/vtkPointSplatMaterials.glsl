@@ -77,6 +77,9 @@ vec4 shadeSurface(
   m.diffuse = coloured ? plain.y * colour.rgb : m.diffuse;
   opacity = own ? colour.a : coloured ? opacity * colour.a : opacity;
 #endif
+#ifdef LIGHT_MAPS
+  asksLightMaps = specular.w > 0.0;
+#endif
   vec3 shaded = shade(m, positionVC, normalVC);
 #ifdef PHYSICAL
   // These formulas are not for unlit surfaces, nor for scenes without any light.

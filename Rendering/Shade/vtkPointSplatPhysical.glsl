@@ -140,7 +140,7 @@ vec3 shadePhysical(Physical p, vec3 albedo, vec3 positionVC, vec3 normalVC)
     Dots d = Dots(NdV, clamp(-dot(normalVC, direction), 1e-5, 1.0),
       clamp(dot(normalVC, h), 1e-5, 1.0), clamp(-dot(h, direction), 1e-5, 1.0));
     colour += keptLight *
-      reflectedLight(p, albedo, f0, f90, d, attenuation * LightColour[i].rgb);
+      reflectedLight(p, albedo, f0, f90, d, attenuation * colourOfLight(i, positionVC, normalVC));
   }
 #endif
 #ifdef RADIANCE

@@ -125,7 +125,7 @@ bool vtkPointSplatResolve::AreHooksShared(vtkActor* actor)
   const std::vector<vtkOpenGLRenderPass*> passes = PassesOf(actor);
   const char* const shared[] = { "vtkDualDepthPeelingPass", "vtkDepthPeelingPass",
     "vtkOrderIndependentTranslucentPass", "vtkSSAOPass", "vtkShadowMapBakerPass",
-    "vtkShadowMapPass" };
+    "vtkShadowMapPass", "vtkPointSplatShadowPass" };
   return std::all_of(passes.begin(), passes.end(), [&shared](vtkOpenGLRenderPass* pass) {
     return std::any_of(std::begin(shared), std::end(shared),
       [pass](const char* name) { return pass->IsA(name) != 0; });
