@@ -25,11 +25,11 @@
  *    of several the mean is taken (Monte-Carlo integration, Dobrev, Rosenthal, Linsen 2010,
  *    section 6). Splats have their own shaders, and take part by themselves.
  *
- * Maps cover all that casts, by at most 4096 pixels along a side, and 256 MiB: in scenes that are much
- * larger than their splats shadows are coarse. Shadows fall on surfaces that lights light: on what has
- * LightingOff(), or is lit by headlights, none do. Translucent meshes receive shadows and cast none.
- * Only props that are visible in the renderer itself, and parts of assemblies, cast; of translucent
- * splats only the former.
+ * Maps cover all that casts, by at most 4096 pixels along a side, and 256 MiB: in scenes that are
+ * much larger than their splats shadows are coarse. Shadows fall on surfaces that lights light: on
+ * what has LightingOff(), or is lit by headlights, none do. Translucent meshes receive shadows and
+ * cast none. Only props that are visible in the renderer itself, and parts of assemblies, cast; of
+ * translucent splats only the former.
  *
  * @sa vtkPointSplatMapper vtkPointShadowTexture vtkShadowMapPass
  */
@@ -54,7 +54,8 @@ public:
 
   ///@{
   /**
-   * Draws the props, camera and lights and all: a vtkRenderStepsPass by default. Null draws nothing.
+   * Draws the props, camera and lights and all: a vtkRenderStepsPass by default. Null draws
+   * nothing.
    */
   virtual void SetDelegatePass(vtkRenderPass* delegate);
   vtkGetObjectMacro(DelegatePass, vtkRenderPass);

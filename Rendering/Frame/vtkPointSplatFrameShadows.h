@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The shadows in a renderer's frame: which actors cast them, on which splats, by which lights, and
 // by how many samples. All visible splats and meshes that are not translucent cast; splats whose
-// mapper wants shadows receive them, as textures of the splats. What follows from that is kept as long
-// as it is right (vtkPointSplatShadowCache.h). Translucent splats cast, too, what of the lights' colours
-// they do not let pass: by maps that are asked by the pixel (vtkPointSplatShadowMaps.h), as they are for
-// meshes, where these are to receive shadows.
+// mapper wants shadows receive them, as textures of the splats. What follows from that is kept as
+// long as it is right (vtkPointSplatShadowCache.h). Translucent splats cast, too, what of the
+// lights' colours they do not let pass: by maps that are asked by the pixel
+// (vtkPointSplatShadowMaps.h), as they are for meshes, where these are to receive shadows.
 #ifndef vtkPointSplatFrameShadows_h
 #define vtkPointSplatFrameShadows_h
 

@@ -5,17 +5,18 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Shades one surface layer and presents it as ordinary geometry: colour, opacity and depth, so
-// that the depth test, depth peeling and the passes that work on depth treat it as they treat a
-// mesh. Hooks as in VTK's own fragment shaders let render passes add to it; names that their code
+// Shades one surface layer and presents it as ordinary geometry: colour, opacity and depth, so that
+// the depth test, depth peeling and the passes that work on depth treat it as they treat a mesh.
+// Hooks as in VTK's own fragment shaders let render passes add to it; names that their code
 // declares (pixel, front, ...) are not used here.
 // OUTPUT: 0 shaded, 1 one colour for hardware selection, 2 ids for it. REFLECTION: some surfaces
-// reflect the environment. PASS_FACTORS: a shadow map pass of VTK's tells how much of each light
-// arrives, by code that finds the point as vertexVC. SHADOW_MAP: such a pass's map is drawn, by code
-// that finds the pixel as coordinate, since here gl_FragCoord is a full-screen triangle's. OUTLINES (vtkPointSplatOutline): a pixel that an outline runs through gets
-// the mean of the shaded pixels that its samples take after, and the share that these cover as
+// reflect the environment. OUTLINES (vtkPointSplatOutline): a pixel that an outline runs through
+// gets the mean of the shaded pixels that its samples take after, and the share that these cover as
 // opacity, at the depth of the nearest; in multisampled framebuffers each sample has its own colour
 // and depth, so that splats and meshes meet within pixels. 0: there are none.
+// PASS_FACTORS: a shadow map pass of VTK's tells how much of each light arrives, by code that finds
+// the point as vertexVC. SHADOW_MAP: such a pass's map is drawn, by code that finds the pixel as
+// coordinate, since here gl_FragCoord is a full-screen triangle's.
 
 //PointSplat::Defines
 

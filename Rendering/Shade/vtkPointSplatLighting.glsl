@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// VTK's Phong lighting, term by term as vtkOpenGLPolyDataMapper has it for
-// each of its levels, since users put clouds and meshes into one scene.
-// LIGHT_LEVEL: 0 no light, 1 one headlight, 2 directional lights, 3 positional too.
-// SPECULAR: some surface has highlights. UNLIT: some surface is not lit. FACTORS: points have
-// factors of lights. PASS_FACTORS: so does the pixel, by a render pass. LIGHT_MAPS: translucent splats
-// cast shadows (vtkPointSplatLightMaps).
+// VTK's Phong lighting, term by term as vtkOpenGLPolyDataMapper has it for each of its levels,
+// since users put clouds and meshes into one scene.
+// LIGHT_LEVEL: 0 no light, 1 one headlight, 2 directional lights, 3 positional too. SPECULAR: some
+// surface has highlights. UNLIT: some surface is not lit. FACTORS: points have factors of lights.
+// PASS_FACTORS: so does the pixel, by a render pass. LIGHT_MAPS: translucent splats cast shadows
+// (vtkPointSplatLightMaps).
 
 #include "vtkPointSplatLightMaps"
 

@@ -14,6 +14,8 @@ namespace
 constexpr double MostBytes = 256.0 * 1024.0 * 1024.0;
 constexpr int LeastMap = 64;    // pixels along a side
 constexpr int LargestMap = 4096;
+// Of a light, at most: each is asked at each pixel.
+constexpr int MostSamples = 32;
 
 /// Of the axes of a cube's face, as toFace() in vtkPointSplatShadowMap.glsl has it.
 glm::dmat4 FaceMatrix(int face)
@@ -42,8 +44,8 @@ struct vtkPointSplatShadowMaps::Plan
   int Face; // of a cube; -1: there is none
 
   glm::dmat4 GetWCLC() const { return FaceMatrix(this->Face) * this->View.WCLC; }
-  /// The same as a camera, in front of whose near plane is room for splats about the first point; it
-  /// has the depths of the light by an offset.
+  /// The same as a camera, in front of whose near plane is room for splats about the first point;
+  /// it has the depths of the light by an offset.
   vtkPointSplatView GetCamera(double margin, double& depthOffset) const;
 };
 
@@ -152,16 +154,20 @@ std::vector<vtkPointSplatShadowMaps::Plan> vtkPointSplatShadowMaps::MakePlans(
       vtkPointSplatShadows::AddCorners(mesh.MCWC, mesh.Data->GetBounds(), corners);
     }
   }
+  GLint images = 0;
+  glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &images);
+  const int perSample = 6 * (wanted.Translucent ? vtkPointSplatLightMaps::MostLayers : 1) *
+    static_cast<int>(std::max(this->Scene.Lights.size(), size_t(1)));
+  const int count =
+    std::min({ this->Settings.Samples, MostSamples, std::max(images / perSample, 1) });
   std::vector<Plan> plans;
   this->Lights.assign(this->Scene.Lights.size(), vtkPointSplatLightMaps::Light());
   unsigned int seed = this->Settings.Seed;
   for (size_t i = 0; i < this->Lights.size() && !corners.empty(); ++i)
   {
     const vtkPointSplatShadowLight& light = this->Scene.Lights[i];
-    const double pixel =
-      vtkPointSplatShadows::PixelSizeFor(light, this->Settings.Samples, corners, radius);
-    const std::vector<vtkPointSplatShadowLight> samples =
-      light.Sample(this->Settings.Samples, seed++);
+    const double pixel = vtkPointSplatShadows::PixelSizeFor(light, count, corners, radius);
+    const std::vector<vtkPointSplatShadowLight> samples = light.Sample(count, seed++);
     std::vector<vtkPointSplatShadowView> views;
     for (const vtkPointSplatShadowLight& sample : samples)
     {

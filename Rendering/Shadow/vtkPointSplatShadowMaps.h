@@ -3,8 +3,9 @@
 // Makes the shadow maps that are asked by the pixel (vtkPointSplatLightMaps.h), and keeps them as
 // long as they are right. For each sample of each light:
 //
-// 1. A map is laid over all that casts (vtkPointSplatShadowView.h); beyond it everything is lit. Its
-//    pixels are those of shadow textures, unless all maps would take more than 256 MiB.
+// 1. A map is laid over all that casts (vtkPointSplatShadowView.h); beyond it everything is lit.
+//    Its pixels are those of shadow textures, unless all maps would take more than 256 MiB. A light
+//    has 32 samples at most.
 // 2. Opaque meshes and splats are drawn to it as for shadow textures (vtkPointSplatShadows.h), and
 //    holes are filled.
 // 3. Translucent splats are reconstructed as surface layers, as for the eye, and what of red, green

@@ -110,7 +110,8 @@ void vtkPointSplatShadows::AddCorners(
 {
   for (size_t k = 0; k < 8; ++k)
   {
-    corners.emplace_back(MCWC * glm::dvec4(b[k & 1], b[2 + (k >> 1 & 1)], b[4 + (k >> 2 & 1)], 1.0));
+    corners.emplace_back(
+      MCWC * glm::dvec4(b[k & 1], b[2 + (k >> 1 & 1)], b[4 + (k >> 2 & 1)], 1.0));
   }
 }
 

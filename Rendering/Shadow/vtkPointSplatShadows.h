@@ -87,8 +87,8 @@ public:
     const vtkPointSplatShadowSettings& settings, std::vector<std::vector<float>>& factors);
 
   /**
-   * Draws the map of all that casts, by steps 1 and 2, to a layer of an array (R32UI) with its holes
-   * filled. index: the face of the view's cube, or -1.
+   * Draws the map of all that casts, by steps 1 and 2, to a layer of an array (R32UI) with its
+   * holes filled. index: the face of the view's cube, or -1.
    */
   bool DrawTo(const vtkPointSplatFramebuffer::Target& target, const vtkPointSplatShadowView& view,
     int index, const vtkPointSplatShadowScene& scene,

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Splats in VTK's own shadow map pass: what they cast and receive, against meshes under the same pass.
+// Splats in VTK's own shadow map pass: what they cast and receive, against meshes there.
 #include "ShadowScene.h"
 
 #include "vtkCameraPass.h"

@@ -93,7 +93,8 @@ void TestNone(Checks& checks)
   const Picture bare = view.Win.Draw();
   vtkNew<vtkPointSplatShadowPass> pass;
   view.Win.Renderer->SetPass(pass);
-  checks.Expect(view.Win.Draw().Pixels == bare.Pixels, "A pass without shadows changes the picture.");
+  checks.Expect(
+    view.Win.Draw().Pixels == bare.Pixels, "A pass without shadows changes the picture.");
   view.Mapper->ShadowsOn();
   checks.Expect(view.Win.Draw().Pixels != bare.Pixels, "Shadows that come later are not drawn.");
   view.Mapper->ShadowsOff();
@@ -113,7 +114,8 @@ void TestNone(Checks& checks)
 /// the light, small enough that the middle of the shadow has no light beside them.
 void TestTranslucent(Checks& checks, bool splatFloor, bool opaqueToo, double lamp)
 {
-  const std::string name = std::string("translucent ball on ") + (splatFloor ? "splats" : "a mesh") +
+  const std::string name = std::string("translucent ball on ") +
+    (splatFloor ? "splats" : "a mesh") +
     (opaqueToo ? ", an opaque one beside it" : "") + (lamp > 0.0 ? ", soft" : "");
   Spheres scene(1000);
   auto light = MakeLight({ 1, 1, 4 }, Middle, false);
@@ -193,8 +195,8 @@ void TestTranslucent(Checks& checks, bool splatFloor, bool opaqueToo, double lam
       wrong += worst > 8.0;
     }
   }
-  std::cout << name << ": " << inside << " pixels, " << coloured << " in a coloured shadow, " << black
-            << " in a black one, mean error " << sum / inside << ", " << 100.0 * wrong / inside
+  std::cout << name << ": " << inside << " pixels, " << coloured << " in a coloured shadow, "
+            << black << " in a black one, mean error " << sum / inside << ", " << 100.0 * wrong / inside
             << " % wrong\n";
   checks.AtLeast(inside, 1000l, name + ": pixels");
   checks.AtLeast(coloured, 300l, name + ": pixels in a coloured shadow");
