@@ -25,9 +25,9 @@ def ball(centre, radius):
 
 
 floor = vtkPlaneSource()
-floor.SetOrigin(-4, -4, 0)
-floor.SetPoint1(4, -4, 0)
-floor.SetPoint2(-4, 4, 0)
+floor.SetOrigin(-2.2, -2.2, 0)
+floor.SetPoint1(3.0, -2.2, 0)
+floor.SetPoint2(-2.2, 2.8, 0)
 block = vtkCubeSource()
 block.SetBounds(0.9, 1.5, -0.6, 0.0, 0.0, 0.5)
 shape = vtkParametricTorus()
@@ -63,7 +63,7 @@ for i in range(2):
         if splats:
             mapper.ShadowsOn()
             mapper.SetShadowLightRadius(0.12)
-            mapper.SetNumberOfShadowSamples(32)
+            mapper.SetNumberOfShadowSamples(24)
         actor = vtkActor()
         actor.SetMapper(mapper)
         actor.SetPosition(position)

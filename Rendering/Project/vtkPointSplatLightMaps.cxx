@@ -27,6 +27,8 @@ void vtkPointSplatLightMaps::Bind(
   }
   if (texels != this->Texels || !this->Table.IsMade())
   {
+    // Uploading binds the texture to the active unit, which must be this one's own.
+    units.Bind(program, "LightMapTable", GL_TEXTURE_BUFFER, this->Table.GetTexture());
     this->Table.Upload(texels);
     this->Texels = texels;
   }

@@ -54,6 +54,7 @@ vtkActor* AddTo(View& view, vtkPolyData* data, bool splats)
   mapper->SetInputData(data);
   vtkActor* actor = view.Win.Add(mapper);
   actor->GetProperty()->DeepCopy(view.Actor->GetProperty());
+  view.Win.Renderer->ResetCameraClippingRange();
   return actor;
 }
 
