@@ -383,12 +383,11 @@ public:
   /**
    * Whether lights cast shadows on these points (Dobrev, Rosenthal, Linsen 2010, section 6): how
    * much of each light arrives at each point is computed as vtkPointShadowTexture does it, and
-   * again only when lights, points, their actors or meshes change. All splat actors of the
-   * renderer cast, translucent ones by taking away part of the light's colour, and the faces of
-   * all opaque meshes, but for what clipping planes cut away; on meshes shadows fall by
-   * vtkPointSplatShadowPass. The first four lights that are on and no headlights cast, whose
-   * shadows cannot be seen. Off by default: then the input's array `ShadowFactor` is used, if
-   * there is one, of the same lights.
+   * again only when lights, points, their actors or meshes change. All splat actors of the renderer
+   * cast, translucent ones by taking away part of the light's colour, and all opaque meshes' faces,
+   * but for what is clipped away; on meshes shadows fall by vtkPointSplatShadowPass. The first four
+   * lights that are on and no headlights cast. Off by default: then the input's array
+   * `ShadowFactor` is used, if there is one, of the same lights.
    */
   vtkSetMacro(Shadows, bool);
   vtkGetMacro(Shadows, bool);
