@@ -95,7 +95,7 @@ int TestSplatsShadowMaps(int, char*[])
       const double psnr = SplatScene::Psnr(mesh, Draw(splats, positional, true));
       const std::string name = light + (splats[0] ? ", ground" : "") + (splats[1] ? ", balls" : "");
       std::cout << name << " of splats: " << psnr << " dB\n";
-      checks.AtLeast(psnr, 38.0, name + ": psnr of the mesh's picture");
+      checks.AtLeast(psnr, 42.0, name + ": psnr of the mesh's picture");
     }
   }
   return checks.Result();
