@@ -392,11 +392,11 @@ public:
   /**
    * Whether lights cast shadows on these points (Dobrev, Rosenthal, Linsen 2010, section 6): how
    * much of each light arrives at each point is computed as vtkPointShadowTexture does it, and
-   * computed again only when lights, points, their actors or meshes change. All opaque splat actors
-   * of the renderer and the faces of all opaque meshes cast; translucent ones do not, nor what
-   * clipping planes cut away. The first four lights that are switched on and no headlights cast;
-   * from where a headlight stands its shadows cannot be seen. Off by default: then the input's
-   * array `ShadowFactor` is used, if there is one, whose components belong to the same lights.
+   * again only when lights, points, their actors or meshes change. All splat actors of the renderer
+   * cast, translucent ones by taking away part of the light's colour, and all opaque meshes' faces,
+   * but for what is clipped away; on meshes shadows fall by vtkPointSplatShadowPass. The first four
+   * lights that are on and no headlights cast. Off by default: then the input's array
+   * `ShadowFactor` is used, if there is one, of the same lights.
    */
   vtkSetMacro(Shadows, bool);
   vtkGetMacro(Shadows, bool);

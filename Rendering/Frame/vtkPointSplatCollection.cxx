@@ -312,8 +312,8 @@ vtkPointSplatMaterials::Entry vtkPointSplatCollection::MakeMaterial(
   const vtkPointSplatSettings& s = entry.Settings;
   const vtkPointSplatItemLook& look = entry.Item.Look;
   vtkPointSplatMaterials::Entry material{ entry.Actor, entry.Item.Cloud->HasColours(),
-    entry.Item.Cloud->HasOwnOpacity(), {}, look.Coordinates || look.Tangents, look.Tangents,
-    look.EdgeWidth > 0.0f };
+    entry.Item.Cloud->HasOwnOpacity(), s.Shadows, {}, look.Coordinates || look.Tangents,
+    look.Tangents, look.EdgeWidth > 0.0f };
   if (s.Refraction)
   {
     material.Medium.Refracts = true;

@@ -318,7 +318,8 @@ bool vtkPointSplatFrame::PresentLayers(Pass& pass, vtkActor* actor, size_t own)
   const vtkPointSplatShading shading{ pass.View, &lights, &this->Materials,
     this->HasEnvironment ? &this->Environment : nullptr,
     this->Materials.ArePhysical() && this->Radiance.Prepare(this->Renderer) ? &this->Radiance
-                                                                            : nullptr };
+                                                                            : nullptr,
+    pass.Shadowed ? this->Shadows.GetMaps() : nullptr };
   const vtkPointSplatResolve::Target target{ this->Renderer, actor,
     pass.Entries[own].Source->GetMapper(), window,
     pass.Translucent || pass.Surfaces->GetOutlines().GetCount() == 0 ||
@@ -425,6 +426,24 @@ void vtkPointSplatFrame::Report(
   report.ShadowReason = this->Shadows.GetSamplesReason();
   report.ShadowUpdates = this->Shadows.GetNumberOfUpdates();
   report.HasEnvironment = this->HasEnvironment;
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatLightMaps* vtkPointSplatFrame::PrepareLightMaps()
+{
+  auto window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
+  if (!window || window->GetContextCreationTime() == 0)
+  {
+    return nullptr;
+  }
+  const vtkPointSplatContextScope scope(window);
+  window->GetShaderCache()->ReleaseCurrentShader();
+  if (!this->Shadows.UpdateMaps(this->Renderer, this->Reconstruction, true))
+  {
+    this->Error = this->Shadows.GetError();
+    return nullptr;
+  }
+  return this->Shadows.GetMaps();
 }
 
 //------------------------------------------------------------------------------

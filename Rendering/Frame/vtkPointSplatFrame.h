@@ -89,6 +89,12 @@ public:
   void SetWishes(const vtkPointSplatWishes* wishes);
 
   /**
+   * The maps by which splats cast shadows on what is not drawn here, and on one another; null where
+   * no mapper wants shadows, or, with GetError(), where OpenGL refuses. Good for one rendering.
+   */
+  vtkPointSplatLightMaps* PrepareLightMaps();
+
+  /**
    * A mapper that is drawn here goes, or has released its share of the window's resources; with
    * the last one go the images and the programs.
    */
@@ -117,6 +123,7 @@ private:
     bool Presented = false;
     bool Good = true;
     bool Flat = false;
+    bool Shadowed = false; // shadows fall on some
     vtkPointSplatFlat::SortedLayers Sorted = vtkPointSplatFlat::None;
     vtkPointSplatChoice Choice;
     vtkPointSplatSurfaces* Surfaces = nullptr;

@@ -158,8 +158,8 @@ bool vtkPointSplatFrame::CastShadows(Pass& pass)
   {
     return true;
   }
-  if (AnyOf(pass.Entries, [](const Settings& s) { return s.Shadows; }) &&
-    !this->Shadows.Update(this->Renderer))
+  pass.Shadowed = AnyOf(pass.Entries, [](const Settings& s) { return s.Shadows; });
+  if (pass.Shadowed && !this->Shadows.Update(this->Renderer, this->Reconstruction))
   {
     this->Error = this->Shadows.GetError();
     return false;
@@ -197,7 +197,8 @@ vtkPointSplatRequest vtkPointSplatFrame::MakeRequest(Pass& pass, GLuint sceneDep
     request.Items.push_back(entry.Item);
     request.CloudTimes.push_back(std::max(entry.Item.Cloud->GetMTime(),
       choice.Deferred ? entry.Item.Cloud->GetGroups().GetMTime() : 0));
-    request.Outlines = request.Outlines && s.AntiAliasing;
+    request.Outlines = request.Outlines && s.AntiAliasing &&
+      vtkPointSplatResolve::AreOutlinesSmooth(entry.Actor);
     request.Voronoi = request.Voronoi && s.VoronoiDepth;
     composite = composite || entry.Item.Cloud->IsComposite();
     automatic = automatic && s.TileLists == Settings::AutomaticLists;

@@ -73,7 +73,8 @@ void vtkPointSplatMaterials::Upload(const std::vector<Entry>& entries)
       texels.emplace_back(Multiply(p->GetAmbientColor(), p->GetAmbient()),
         entry.HasOwnOpacity ? 1.0 : p->GetOpacity());
       texels.emplace_back(Multiply(p->GetDiffuseColor(), p->GetDiffuse()), p->GetSpecularPower());
-      texels.emplace_back(Multiply(p->GetSpecularColor(), p->GetSpecular()), 0.0f);
+      texels.emplace_back(
+        Multiply(p->GetSpecularColor(), p->GetSpecular()), entry.Receives ? 1.0 : 0.0);
       texels.emplace_back(p->GetAmbient(), p->GetDiffuse(), front->GetLighting() ? 1.0 : 0.0,
         entry.HasColours ? 1.0 : 0.0);
       specular = specular || p->GetSpecular() > 0.0;

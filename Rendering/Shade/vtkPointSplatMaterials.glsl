@@ -80,6 +80,9 @@ vec4 shadeSurface(
   m.diffuse = coloured ? plain.y * colour.rgb : m.diffuse;
   opacity = own ? colour.a : coloured ? opacity * colour.a : opacity;
 #endif
+#ifdef LIGHT_MAPS
+  asksLightMaps = specular.w > 0.0;
+#endif
 #ifdef LOOKS
   // Edges are not lit.
   vec3 edgeColour = materialTexel(slot, 10).rgb;

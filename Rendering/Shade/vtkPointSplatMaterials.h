@@ -4,7 +4,7 @@
 // eleven or 16 texels a slot:
 //   0  of front faces: ambient colour times intensity; opacity
 //   1  diffuse colour times intensity; specular power
-//   2  specular colour times intensity; 0
+//   2  specular colour times intensity; whether shadows fall on it
 //   3  ambient and diffuse intensities alone; whether it is lit; whether points have colours
 //   4 to 7  the same of back faces
 //   8  of a dielectric: index of refraction; its spread; the longest way through the body; whether
@@ -56,6 +56,7 @@ public:
     vtkActor* Actor;
     bool HasColours;
     bool HasOwnOpacity; // which the colours hold, so that the property's does not count
+    bool Receives; // shadows
     vtkPointSplatMedium Medium;
     bool HasLook;  // textures are looked up, or tangents turned
     bool HasTangents;

@@ -221,8 +221,8 @@ vec3 shadePhysical(Physical p, vec3 albedo, vec3 positionVC, vec3 normalVC)
     direction = normalize(positionVC - LightPosition[i].xyz);
 #endif
     Lobes l = lobesOf(p, normalVC, view, -direction, normalize(view - direction));
-    colour +=
-      keptLight * reflectedLight(p, albedo, f0, f90, l, attenuation * LightColour[i].rgb);
+    colour += keptLight *
+      reflectedLight(p, albedo, f0, f90, l, attenuation * colourOfLight(i, positionVC, normalVC));
   }
 #endif
 #ifdef RADIANCE

@@ -7,6 +7,7 @@
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
+#include "vtkPointSplatShadowPass.h"
 #include "vtkSelection.h"
 #include "vtkTexture.h"
 
@@ -142,6 +143,9 @@ void Change(Window& window, int frame, const Cast& cast)
     case 29:
       mapper->SetNumberOfShadowSamples(3);
       mapper->SetShadowLightRadius(0.2);
+      // On meshes, too, and of translucent splats.
+      window.Renderer->SetPass(vtkNew<vtkPointSplatShadowPass>());
+      steady->GetProperty()->SetOpacity(0.5);
       break;
     case 30:
     {
@@ -160,6 +164,8 @@ void Change(Window& window, int frame, const Cast& cast)
       mapper->ShadowsOff();
       mapper->SetNumberOfShadowSamples(1);
       mapper->SetShadowLightRadius(0.0);
+      window.Renderer->SetPass(nullptr);
+      steady->GetProperty()->SetOpacity(1.0);
       window.Renderer->RemoveLight(cast.Lamp);
       window.Renderer->RemoveActor(guest);
       break;

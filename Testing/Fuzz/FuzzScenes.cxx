@@ -23,6 +23,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSplatMapper.h"
 #include "vtkPointSplatPass.h"
+#include "vtkPointSplatShadowPass.h"
 #include "vtkPointSplattingOpenGL.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPropCollection.h"
@@ -145,6 +146,12 @@ vtkSmartPointer<vtkRenderPass> MakeChain(FuzzRandom& random)
   sequence->SetPasses(passes);
   auto camera = vtkSmartPointer<vtkCameraPass>::New();
   camera->SetDelegatePass(sequence);
+  if (random.Chance(0.4))
+  {
+    auto shadows = vtkSmartPointer<vtkPointSplatShadowPass>::New();
+    shadows->SetDelegatePass(camera);
+    return shadows;
+  }
   return camera;
 }
 }

@@ -24,6 +24,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
 CLASSES = (
     "vtkIsosurfacePoints vtkParticleSurfacePoints vtkPointShadowTexture vtkPointSplatEstimation"
     " vtkPointSplatGrouping vtkPointSplatMapper vtkPointSplatPass vtkPointSplatProjection"
+    " vtkPointSplatShadowPass"
 ).split()
 
 
