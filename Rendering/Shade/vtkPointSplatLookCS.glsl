@@ -68,7 +68,25 @@ Place placeOf(uvec4 code)
     change * unpackHalf2x16(code.w) / at.w);
 }
 
-#define LOOK_UP(map, p) textureGrad(map, p.at, p.byX, p.byY)
+// The sampler filters what lies across, and looks up so often along where the texture is seen at a
+// flat angle: one, where it does that by itself.
+uniform float MostSamples;
+
+vec4 lookUp(sampler2D map, Place p)
+{
+  vec2 size = vec2(textureSize(map, 0));
+  float x = length(size * p.byX);
+  float y = length(size * p.byY);
+  vec2 along = x > y ? p.byX : p.byY;
+  vec2 across = x > y ? p.byY : p.byX;
+  float count = clamp(ceil(max(x, y) / max(min(x, y), 1e-6)), 1.0, MostSamples);
+  vec4 sum = vec4(0.0);
+  for (float i = 0.5; i < count; i += 1.0)
+  {
+    sum += textureGrad(map, p.at + (i / count - 0.5) * along, along / count, across);
+  }
+  return sum / count;
+}
 
 #ifdef COLOURS
 // Of one component grey, of two grey and opacity.
@@ -98,7 +116,7 @@ vec4 colourAt(Place p)
   vec4 colour = vec4(1.0);
   for (int i = 0; i < COLOURS; ++i)
   {
-    vec4 value = colourBy(LOOK_UP(ColourTextures[i], p), int(ColourKinds[i].x));
+    vec4 value = colourBy(lookUp(ColourTextures[i], p), int(ColourKinds[i].x));
     colour = i == 0 ? value : blendBy(colour, value, int(ColourKinds[i].y));
   }
   return colour;
@@ -142,10 +160,10 @@ void main()
   colour = known && (OnBackFaces || (s.tag & 1u) == 0u) ? colourAt(p) : colour;
 #endif
 #ifdef ALBEDO
-  colour = known ? LOOK_UP(AlbedoTexture, p) : colour;
+  colour = known ? lookUp(AlbedoTexture, p) : colour;
 #endif
 #ifdef MATERIAL
-  factors.rgb = known ? LOOK_UP(MaterialTexture, p).rgb : factors.rgb;
+  factors.rgb = known ? lookUp(MaterialTexture, p).rgb : factors.rgb;
 #endif
 #if LOOKS > 1
   uvec4 surface = looks[at + 1];
@@ -154,13 +172,13 @@ void main()
   vec3 mapped = normal;
   vec3 coat = normal;
 #ifdef EMISSIVE
-  emission = known ? LOOK_UP(EmissiveTexture, p).rgb : emission;
+  emission = known ? lookUp(EmissiveTexture, p).rgb : emission;
 #endif
 #ifdef TANGENTS
   tangent = decodeNormal(surface.x);
   float turn = AnisotropyRotation;
 #ifdef ANISOTROPY_MAP
-  vec2 anisotropy = known ? LOOK_UP(AnisotropyTexture, p).rg : vec2(1.0);
+  vec2 anisotropy = known ? lookUp(AnisotropyTexture, p).rg : vec2(1.0);
   factors.a = anisotropy.x;
   turn *= anisotropy.y;
 #endif
@@ -174,11 +192,11 @@ void main()
     : normalize(cross(normal, abs(normal.x) < 0.7 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0)));
   mat3 basis = mat3(tangent, cross(normal, tangent), normal);
 #ifdef NORMAL_MAP
-  mapped = known ? mapNormal(LOOK_UP(NormalTexture, p).xyz, NormalScales.x, basis) : mapped;
+  mapped = known ? mapNormal(lookUp(NormalTexture, p).xyz, NormalScales.x, basis) : mapped;
   // Without a map of its own the coat is what it lies on, smooth.
 #endif
 #ifdef COAT_NORMAL_MAP
-  coat = known ? mapNormal(LOOK_UP(CoatNormalTexture, p).xyz, NormalScales.y, basis) : coat;
+  coat = known ? mapNormal(lookUp(CoatNormalTexture, p).xyz, NormalScales.y, basis) : coat;
 #endif
 #endif
   looks[at + 1] = uvec4(encodeNormal(tangent),

@@ -5,12 +5,14 @@
 #include "vtkActor.h"
 #include "vtkOpenGLTexture.h"
 #include "vtkPointSplatShading.h"
+#include "vtkPointSplatTiles.h"
 #include "vtkPointSplatUnits.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <deque>
 
 namespace
 {
@@ -59,6 +61,48 @@ vtkTextureObject* Load(vtkTexture* texture, vtkRenderer* renderer)
   own->PostRender(renderer);
   return good ? object : nullptr;
 }
+
+/**
+ * While it lives, Mesa's software rasterizer filters a texture without anisotropy, which the shader
+ * does in its place: its filter takes the changes of coordinates not from the shader but from the
+ * invocations beside it, which may be of another chart or of nothing at all.
+ */
+class Isotropic
+{
+public:
+  Isotropic(vtkTextureObject* texture)
+    : Texture(texture)
+    , Kept(texture->GetMaximumAnisotropicFiltering())
+  {
+    if (vtkPointSplatTiles::IsSoftware())
+    {
+      this->Set(1.0f);
+    }
+  }
+  ~Isotropic() { this->Set(this->Kept); }
+  /// How often the shader must look up.
+  float GetMostSamples() const
+  {
+    return this->Kept / std::max(this->Texture->GetMaximumAnisotropicFiltering(), 1.0f);
+  }
+  Isotropic(const Isotropic&) = delete;
+  void operator=(const Isotropic&) = delete;
+
+private:
+  void Set(float anisotropy)
+  {
+    if (this->Texture->GetMaximumAnisotropicFiltering() != anisotropy)
+    {
+      this->Texture->SetMaximumAnisotropicFiltering(anisotropy);
+      this->Texture->Activate();
+      this->Texture->SendParameters();
+      this->Texture->Deactivate();
+    }
+  }
+
+  vtkTextureObject* Texture;
+  float Kept;
+};
 }
 
 //------------------------------------------------------------------------------
@@ -78,7 +122,7 @@ bool vtkPointSplatLooks::ApplyOne(vtkRenderer* renderer, const vtkPointSplatView
   const Entry& entry, const vtkPointSplatLayers& layers)
 {
   const vtkPointSplatTextures textures = vtkPointSplatTextures::Of(entry.Actor, entry.Tangents);
-  std::vector<std::pair<Map, GLuint>> maps;
+  std::vector<std::pair<Map, vtkTextureObject*>> maps;
   std::vector<glm::vec4> kinds;
   std::string defines = layers.GetDefines();
   for (const Map& map : MapsOf(textures))
@@ -93,7 +137,7 @@ bool vtkPointSplatLooks::ApplyOne(vtkRenderer* renderer, const vtkPointSplatView
     {
       kinds.emplace_back(object->GetComponents(), map.Texture->GetBlendingMode(), 0.0f, 0.0f);
     }
-    maps.emplace_back(map, object->GetHandle());
+    maps.emplace_back(map, object);
   }
   defines += (kinds.empty() ? "" : "#define COLOURS " + std::to_string(kinds.size()) + "\n") +
     std::string(textures.NeedTangents() ? "#define TANGENTS\n" : "");
@@ -103,16 +147,24 @@ bool vtkPointSplatLooks::ApplyOne(vtkRenderer* renderer, const vtkPointSplatView
     this->Error = program.GetLog();
     return false;
   }
+  std::deque<Isotropic> isotropic;
+  float samples = 1.0f;
+  for (const auto& map : maps)
+  {
+    isotropic.emplace_back(map.second);
+    samples = std::max(samples, isotropic.back().GetMostSamples());
+  }
   program.Use();
   {
     vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
     for (const auto& map : maps)
     {
-      units.Bind(program, map.first.Sampler, GL_TEXTURE_2D, map.second);
+      units.Bind(program, map.first.Sampler, GL_TEXTURE_2D, map.second->GetHandle());
     }
     vtkProperty* property = entry.Actor->GetProperty();
     const glm::ivec2& size = layers.GetSize();
     vtkPointSplatShading::SetRay(view, program);
+    program.Set("MostSamples", samples);
     program.Set("ColourKinds", kinds);
     program.Set("CoordinateTransform", textures.Transform);
     program.Set("OnBackFaces", property->GetShowTexturesOnBackface());
