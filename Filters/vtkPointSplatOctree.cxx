@@ -56,9 +56,7 @@ public:
     this->Normals.resize(3 * static_cast<size_t>(from->GetNumberOfPoints()));
     vtkPointSplatInput::ReadNormals(data->GetNormals(), this->Normals.data());
     vtkPointSplatInput::MarkUsable(from, this->Used);
-    this->Axes[0] = ArrayOf(data, vtkPointSplatArrays::Axis1, 3);
-    this->Axes[1] = ArrayOf(data, vtkPointSplatArrays::Axis2, 3);
-    this->Radii = ArrayOf(data, vtkPointSplatArrays::Radius, 1);
+    this->ReadRadii(data);
     this->Curvatures = ArrayOf(data, vtkPointSplatArrays::Curvature, 6);
     this->Ghosts = vtkPointSplatInput::GetGhosts(from);
     for (int k = 0; k < 3; ++k)
@@ -69,27 +67,13 @@ public:
     }
   }
 
-  bool HasAxes() const { return this->Axes[0] && this->Axes[1]; }
+  bool HasAxes() const { return this->Elliptical; }
   const double* GetOrigin() const { return this->Origin; }
 
   bool Read(Index id, Hierarchy::Point& point) const override
   {
     const float* n = this->Normals.data() + 3 * static_cast<size_t>(id);
-    double radius = 0.0;
-    if (this->HasAxes())
-    {
-      for (vtkDataArray* axis : this->Axes)
-      {
-        double a[3];
-        axis->GetTuple(id, a);
-        const double length = vtkMath::Norm(a);
-        radius = length > radius || std::isnan(length) ? length : radius;
-      }
-    }
-    else
-    {
-      radius = this->Radii->GetComponent(id, 0);
-    }
+    const float radius = this->Radii[id];
     // NaN compares false.
     const bool good = this->Used[id] && (n[0] != 0.0f || n[1] != 0.0f || n[2] != 0.0f) &&
       radius > 0.0 && radius <= vtkPointSplatInput::LargestCoordinate &&
@@ -98,11 +82,12 @@ public:
     {
       return false;
     }
-    point.Radius = static_cast<float>(radius);
+    point.Radius = radius;
+    double p[3];
+    this->Positions->GetTuple(id, p);
     for (int k = 0; k < 3; ++k)
     {
-      point.Position[k] =
-        static_cast<float>(this->Positions->GetComponent(id, k) - this->Origin[k]);
+      point.Position[k] = static_cast<float>(p[k] - this->Origin[k]);
       point.Normal[k] = n[k];
     }
     point.HasCurvature = this->Curvatures != nullptr;
@@ -115,11 +100,38 @@ public:
   }
 
 private:
+  void ReadRadii(vtkPointData* data)
+  {
+    vtkDataArray* radii = ArrayOf(data, vtkPointSplatArrays::Radius, 1);
+    vtkDataArray* axes[2] = { ArrayOf(data, vtkPointSplatArrays::Axis1, 3),
+      ArrayOf(data, vtkPointSplatArrays::Axis2, 3) };
+    this->Elliptical = axes[0] && axes[1];
+    this->Radii.resize(this->Normals.size() / 3);
+    vtkSMPTools::For(
+      0, static_cast<vtkIdType>(this->Radii.size()), [&](vtkIdType begin, vtkIdType end) {
+        for (vtkIdType id = begin; id < end; ++id)
+        {
+          double radius = this->Elliptical ? 0.0 : radii->GetComponent(id, 0);
+          for (int k = 0; k < 2 && this->Elliptical; ++k)
+          {
+            double a[3];
+            axes[k]->GetTuple(id, a);
+            const double length = vtkMath::Norm(a);
+            radius = length > radius || std::isnan(length) ? length : radius;
+          }
+          // What floats do not hold is infinite, and left out.
+          this->Radii[id] = radius <= vtkPointSplatInput::LargestCoordinate
+            ? static_cast<float>(radius)
+            : std::numeric_limits<float>::infinity();
+        }
+      });
+  }
+
   vtkDataArray* Positions;
   std::vector<float> Normals;
   std::vector<unsigned char> Used;
-  vtkDataArray* Axes[2];
-  vtkDataArray* Radii;
+  bool Elliptical = false;
+  std::vector<float> Radii;
   vtkDataArray* Curvatures;
   const unsigned char* Ghosts;
   double Origin[3];
@@ -193,9 +205,21 @@ void CopyPoints(vtkPolyData* whole, const std::vector<Index>& order, vtkPolyData
   {
     vtkAbstractArray* source = from->GetAbstractArray(to->GetAbstractArray(a)->GetName());
     source = source ? source : from->GetAbstractArray(a);
-    for (vtkIdType i = 0; i < count; ++i)
+    vtkAbstractArray* target = to->GetAbstractArray(a);
+    // Threads may not write to strings at once.
+    const auto copy = [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        target->SetTuple(i, order[i], source);
+      }
+    };
+    if (vtkArrayDownCast<vtkDataArray>(target) && target->GetDataType() != VTK_BIT)
     {
-      to->GetAbstractArray(a)->SetTuple(i, order[i], source);
+      vtkSMPTools::For(0, count, copy);
+    }
+    else
+    {
+      copy(0, count);
     }
   }
   output->SetPoints(points);

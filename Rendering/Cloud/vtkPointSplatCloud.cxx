@@ -11,6 +11,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPointSplatArrays.h"
+#include "vtkPointSplatCoordinates.h"
 #include "vtkPointSplatMorton.h"
 #include "vtkPointSplatPacking.h"
 #include "vtkPointSplatSpacing.h"
@@ -154,6 +155,7 @@ void vtkPointSplatCloud::Update(const vtkPointSplatCloudInput& input)
     this->FactorsMadeFrom = std::move(factorKey);
     this->FactorTime.Modified();
   }
+  this->UpdateCoordinates(input);
 }
 
 //------------------------------------------------------------------------------
@@ -191,9 +193,10 @@ vtkIdType vtkPointSplatCloud::BuildBlock(
   if (this->Circular && packing.Fold)
   {
     kept = packing.PackFolds(packed, kept);
-    this->Splats.resize(
-      std::max(this->Splats.size(), words * (static_cast<size_t>(block.First) + kept)));
   }
+  // Folds make splats more than points, of this block or of those before.
+  this->Splats.resize(
+    std::max(this->Splats.size(), words * (static_cast<size_t>(block.First) + kept)));
   const std::vector<uint32_t> order =
     vtkPointSplatMorton(this->Low, this->High).Order(packed.data(), words, kept, this->Origin);
   uint32_t* to = this->Splats.data() + words * static_cast<size_t>(block.First);
@@ -456,8 +459,8 @@ double vtkPointSplatCloud::MeasureSpacing() const
 //------------------------------------------------------------------------------
 vtkMTimeType vtkPointSplatCloud::GetMTime() const
 {
-  return std::max(
-    { this->SplatTime.GetMTime(), this->ColourTime.GetMTime(), this->FactorTime.GetMTime() });
+  return std::max({ this->SplatTime.GetMTime(), this->ColourTime.GetMTime(),
+    this->FactorTime.GetMTime(), this->CoordinateTime.GetMTime() });
 }
 
 //------------------------------------------------------------------------------
@@ -544,6 +547,12 @@ vtkPointSplatCloud::Buffers& vtkPointSplatCloud::Fill(ContextBuffers& all, bool 
     buffers.ValueTime.Modified();
   }
   fill(buffers.Factors, buffers.FactorTime, this->FactorTime, this->Factors, 1);
+  if (!grouped)
+  {
+    fill(buffers.Coordinates, buffers.CoordinateTime, this->CoordinateTime, this->Coordinates,
+      vtkPointSplatCoordinates::Words);
+    fill(buffers.Tangents, buffers.TangentTime, this->CoordinateTime, this->Tangents, 1);
+  }
   return buffers;
 }
 

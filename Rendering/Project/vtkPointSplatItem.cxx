@@ -41,8 +41,9 @@ bool vtkPointSplatItem::operator==(const vtkPointSplatItem& other) const
     this->Opacities == other.Opacities && this->CoveringScale == other.CoveringScale &&
     this->Factors == other.Factors &&
     this->FactorCount == other.FactorCount && this->FactorVersion == other.FactorVersion &&
-    this->IsFlat == other.IsFlat && this->IsPoints == other.IsPoints &&
-    this->Points == other.Points && this->Levels == other.Levels;
+    this->IsFlat == other.IsFlat && this->Look == other.Look &&
+    this->IsPoints == other.IsPoints && this->Points == other.Points &&
+    this->Levels == other.Levels;
 }
 
 //------------------------------------------------------------------------------

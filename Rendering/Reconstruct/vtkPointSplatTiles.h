@@ -52,8 +52,6 @@ public:
 
   /// Whether the context has what compute shaders need for images of this size.
   static bool IsSupported(const glm::ivec2& size);
-  /// Whether its buffers are in main memory, so that the processor makes lists fastest.
-  static bool IsSoftware();
 
   /// Makes the layers' texels within the parts' windows, and samples their outlines where the request
   /// says so.
@@ -78,15 +76,26 @@ private:
     bool ClipLines = false;
     bool Colours = false;
     int Factors = 0;
+    int Looks = 0; // texels
+    bool Coordinates = false;
+    bool Tangents = false;
     bool Ids = false;
   };
+  /// What is kept of each projected splat, in a buffer of its own.
+  struct Share
+  {
+    bool IsWanted;
+    vtkPointSplatBuffer* Buffer;
+    GLuint Binding;
+    GLsizeiptr Bytes; // a splat
+  };
+  std::vector<Share> SharesOf(const Variant& variant);
   static Variant VariantOf(const vtkPointSplatRequest& request);
   vtkPointSplatProgram* Use(std::map<std::string, vtkPointSplatProgram>& programs,
     const char* file, const std::string& defines);
   Result Prepare(
     const vtkPointSplatRequest& request, const vtkPointSplatPart& part, const Variant& variant);
   void Measure(const vtkPointSplatRequest& request, const vtkPointSplatPart& part);
-  void Reserve(const Variant& variant);
   bool Project(
     const vtkPointSplatRequest& request, const vtkPointSplatPart& part, const Variant& variant);
   Result Bin(const Variant& variant);
@@ -121,6 +130,8 @@ private:
   vtkPointSplatBuffer ClipLines{ GL_RGBA32F };
   vtkPointSplatBuffer Colours{ GL_R32UI };
   vtkPointSplatBuffer Factors{ GL_R32UI };
+  vtkPointSplatBuffer Coordinates{ GL_RGBA32UI };
+  vtkPointSplatBuffer Tangents{ GL_R32UI };
   vtkPointSplatBuffer Ids{ GL_R32UI };
   vtkPointSplatBuffer Blocks;
   vtkPointSplatBuffer Lists{ GL_R32UI };
