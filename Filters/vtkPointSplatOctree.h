@@ -6,9 +6,17 @@
  *
  * Pajarola, Sainz, Guidotti 2004, Confetti: Object-Space Point Blending and Splatting, sections 3
  * and 4: each level has about a quarter of the splats of the level below, and a tree of blocks,
- * some hundred splats each, says which stand for which. vtkPointSplatMapper makes such a hierarchy of
- * large clouds by itself; this filter is for who wants one: to draw a cloud's coarse version, to
- * choose blocks by a view, to write levels to files.
+ * some hundred splats each, says which stand for which. This filter is for who wants such a
+ * hierarchy: to draw a cloud's coarse version, to choose blocks by a view, to write levels to files.
+ *
+ * vtkPointSplatMapper makes one by itself (its LevelOfDetail): in a thread, of a cloud of one block
+ * and half a million points or more, that is drawn twice unchanged in a view for which it is dense
+ * enough; until it is there all points are drawn. The cloud's memory grows by a third. At full
+ * quality splats that stand for others have radii of at most 0.6 pixels, which a pixel's own filter
+ * averages, or of 2.5 where normals and colours show that the surface is smooth and no outline runs;
+ * with a greater TargetError they are larger, and with 0 there are none. All points are drawn where
+ * points are selected, shadows are on, textures or edges are shown, by quads, and by methods other
+ * than two passes with peeling. Of points that change from frame to frame none is made.
  *
  * Input: any vtkPointSet with points of any type and
  * - point normals (3 components), and `SplatRadius` (1 component, world units) or `SplatAxis1`
