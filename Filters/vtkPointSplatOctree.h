@@ -13,7 +13,7 @@
  * and half a million points or more, that is drawn twice unchanged in a view for which it is dense
  * enough; until it is there all points are drawn. The cloud's memory grows by a third. At full
  * quality splats that stand for others have radii of at most 0.6 pixels, which a pixel's own filter
- * averages, or of 2.5 where normals and colours show that the surface is smooth and no outline runs;
+ * averages, or of 2.5 where normals and colours show that the surface is smooth, 1.25 along outlines;
  * with a greater TargetError they are larger, and with 0 there are none. All points are drawn where
  * points are selected, shadows are on, textures or edges are shown, by quads, and by methods other
  * than two passes with peeling. Of points that change from frame to frame none is made.

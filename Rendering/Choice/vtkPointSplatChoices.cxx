@@ -22,7 +22,8 @@ constexpr int MostQuadShift = 5;
 // as the prefilter averages; and of smooth surfaces.
 constexpr double FilterPixels = 0.6;
 constexpr double SmoothPixels = 2.5;
-// What normals of smooth surfaces may deviate from their linear change over a splat.
+// What normals of smooth surfaces may deviate from their linear change over a splat, and colours from
+// their mean. Testing/Benchmark/levels.py measures what these three cost.
 constexpr double SmoothDeviation = 0.02;
 
 // Peeling draws more than this even where time is short.

@@ -452,7 +452,8 @@ double vtkPointSplatCloud::MeasureSpacing() const
     size = std::max(size, this->Bounds[2 * k + 1] - this->Bounds[2 * k]);
   }
   return this->Count > 0
-    ? vtkPointSplatSpacing::Estimate(this->Splats, this->GetWordsPerSplat(), low, size)
+    ? vtkPointSplatSpacing::Estimate(this->Splats, this->GetWordsPerSplat(),
+        static_cast<size_t>(this->Count), low, size)
     : 0.0;
 }
 

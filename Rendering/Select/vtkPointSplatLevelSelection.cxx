@@ -9,6 +9,8 @@ namespace
 {
 // Radians: normals are coded, and splats' sides seen, less exactly than this.
 constexpr double AngleMargin = 0.01;
+// Outlines show how large splats are: there those of smooth surfaces are smaller by this.
+constexpr double OutlineShare = 0.5;
 }
 
 //------------------------------------------------------------------------------
@@ -63,13 +65,13 @@ bool vtkPointSplatLevelSelection::IsFine(const Block& block, const Sides& sides)
   }
   const double pixels = this->PixelsPerUnit * block.MeanRadius / std::max(w, this->LeastW);
   const vtkPointSplatLevelBounds& bounds = this->Item.Levels;
-  // Outlines show how large splats are.
   const vtkPointSplatLevels& levels = this->Item.Cloud->GetLevels();
   const float painted =
     levels.GetDeviation(static_cast<size_t>(&block - levels.GetBlocks().data()));
-  const bool smooth = std::max(block.Deviation, painted) <= bounds.Deviation &&
-    !(sides.Front && sides.Back);
-  return pixels <= (smooth ? bounds.SmoothPixels : bounds.Pixels);
+  const bool smooth = std::max(block.Deviation, painted) <= bounds.Deviation;
+  const bool outline = sides.Front && sides.Back;
+  const double most = outline ? OutlineShare * bounds.SmoothPixels : bounds.SmoothPixels;
+  return pixels <= (smooth ? std::max(most, bounds.Pixels) : bounds.Pixels);
 }
 
 //------------------------------------------------------------------------------

@@ -17,7 +17,7 @@ namespace
 using namespace SplatScene;
 
 constexpr int Count = 1 << 20;
-constexpr int Pixels = 200;
+constexpr int Pixels = 400;
 
 /// A torus; evenly random, with its radii. roughness: of the normals, radians.
 vtkSmartPointer<vtkPolyData> Torus(double roughness, bool coloured)
@@ -54,7 +54,7 @@ vtkSmartPointer<vtkPolyData> Torus(double roughness, bool coloured)
     vtkMath::Normalize(n);
     normals->InsertNextTuple(n);
     radii->InsertNextValue(radius);
-    values->InsertNextValue(static_cast<float>(std::sin(10.0 * a) * std::sin(6.0 * b)));
+    values->InsertNextValue(static_cast<float>(std::sin(3.0 * a) * std::sin(2.0 * b)));
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
@@ -132,8 +132,7 @@ bool TestSmooth()
   const Picture levels = scene.Win.Draw();
   const vtkIdType drawn = scene.Mapper->GetNumberOfPointsProjected();
   std::cout << "splats drawn: " << drawn << " of " << Count << "\n";
-  // 200 x 200 pixels: a twentieth would do.
-  good = Expect(drawn <= Count / 10, "splats drawn: " + std::to_string(drawn)) && good;
+  good = Expect(drawn <= Count / 5, "splats drawn: " + std::to_string(drawn)) && good;
   good = IsLike(levels, scene.DrawAll(), 45.0, "smooth, against all") && good;
   good = IsLike(scene.DrawAll(), before, 60.0, "all, before and after") && good;
   scene.Mapper->SetTargetError(0.0);
@@ -159,7 +158,7 @@ bool TestSmooth()
   scene.Actor->GetProperty()->BackfaceCullingOn();
   scene.Win.Draw();
   const vtkIdType front = scene.Mapper->GetNumberOfPointsProjected();
-  good = Expect(4 * front <= 3 * drawn, "turned away: " + std::to_string(front)) && good;
+  good = Expect(10 * front <= 9 * drawn, "turned away: " + std::to_string(front)) && good;
   good = IsLike(scene.Win.Draw(), scene.DrawAll(), 45.0, "culled, against all") && good;
   scene.Actor->GetProperty()->BackfaceCullingOff();
   scene.Actor->GetProperty()->SetOpacity(0.5);
