@@ -350,7 +350,9 @@ void vtkPointSplatCollection::UseLevels(
     std::min(item.Window.w + margin, view.Size.y - 1) };
   if (item.LayerRadii > 0.0)
   {
-    item.LargestLayer = std::max(item.LargestLayer, item.LayerRadii * largest * pixels.y);
+    // As above, of common splats.
+    item.LargestLayer =
+      std::max(item.LargestLayer, item.LayerRadii * choice.SmoothLevelPixels * pixels.y);
   }
 }
 

@@ -18,6 +18,11 @@ using namespace SplatScene;
 
 constexpr int Count = 1 << 20;
 constexpr int Pixels = 400;
+// dB over the pixels that are covered. Outlines, which differ most, have several times the share
+// that they have of larger pictures (Testing/Benchmark/levels.py has these, 55 dB at 1024 x 1024).
+// Where colours or normals vary as much as here, the mean of all points in a pixel is itself less sure.
+constexpr double Smooth = 44.0;
+constexpr double Painted = 41.0;
 
 /// A torus; evenly random, with its radii. roughness: of the normals, radians.
 vtkSmartPointer<vtkPolyData> Torus(double roughness, bool coloured)
@@ -133,7 +138,7 @@ bool TestSmooth()
   const vtkIdType drawn = scene.Mapper->GetNumberOfPointsProjected();
   std::cout << "splats drawn: " << drawn << " of " << Count << "\n";
   good = Expect(drawn <= Count / 5, "splats drawn: " + std::to_string(drawn)) && good;
-  good = IsLike(levels, scene.DrawAll(), 45.0, "smooth, against all") && good;
+  good = IsLike(levels, scene.DrawAll(), Smooth, "smooth, against all") && good;
   good = IsLike(scene.DrawAll(), before, 60.0, "all, before and after") && good;
   scene.Mapper->SetTargetError(0.0);
   const Picture exact = scene.Win.Draw();
@@ -144,7 +149,7 @@ bool TestSmooth()
   scene.Win.Renderer->GetActiveCamera()->Zoom(8.0);
   const Picture near = scene.Win.Draw();
   const vtkIdType nearby = scene.Mapper->GetNumberOfPointsProjected();
-  good = IsLike(near, scene.DrawAll(), 45.0, "close-up, against all") && good;
+  good = IsLike(near, scene.DrawAll(), Smooth, "close-up, against all") && good;
   good = Expect(nearby <= Count / 8, "close-up: " + std::to_string(nearby)) && good;
   scene.Win.Renderer->GetActiveCamera()->Zoom(1.0 / 8.0);
 
@@ -153,16 +158,16 @@ bool TestSmooth()
   plane->SetNormal(1.0, 0.3, 0.0);
   scene.Mapper->AddClippingPlane(plane);
   Picture cut = scene.Win.Draw();
-  good = IsLike(cut, scene.DrawAll(), 40.0, "clipped, against all") && good;
+  good = IsLike(cut, scene.DrawAll(), Smooth, "clipped, against all") && good;
   scene.Mapper->RemoveAllClippingPlanes();
   scene.Actor->GetProperty()->BackfaceCullingOn();
   scene.Win.Draw();
   const vtkIdType front = scene.Mapper->GetNumberOfPointsProjected();
   good = Expect(10 * front <= 9 * drawn, "turned away: " + std::to_string(front)) && good;
-  good = IsLike(scene.Win.Draw(), scene.DrawAll(), 45.0, "culled, against all") && good;
+  good = IsLike(scene.Win.Draw(), scene.DrawAll(), Smooth, "culled, against all") && good;
   scene.Actor->GetProperty()->BackfaceCullingOff();
   scene.Actor->GetProperty()->SetOpacity(0.5);
-  good = IsLike(scene.Win.Draw(), scene.DrawAll(), 40.0, "translucent, against all") && good;
+  good = IsLike(scene.Win.Draw(), scene.DrawAll(), Smooth, "translucent, against all") && good;
   scene.Actor->GetProperty()->SetOpacity(1.0);
 
   // Other methods draw all points.
@@ -220,15 +225,15 @@ bool TestRough()
   {
     Scene scene(Torus(0.0, true));
     good = Expect(scene.Wait(), "levels of coloured points are made") && good;
-    good = IsLike(scene.Win.Draw(), scene.DrawAll(), 45.0, "values, against all") && good;
+    good = IsLike(scene.Win.Draw(), scene.DrawAll(), Painted, "values, against all") && good;
     scene.Mapper->InterpolateScalarsBeforeMappingOn();
-    good = IsLike(scene.Win.Draw(), scene.DrawAll(), 45.0, "mapped, against all") && good;
+    good = IsLike(scene.Win.Draw(), scene.DrawAll(), Painted, "mapped, against all") && good;
   }
   Scene scene(Torus(0.3, false));
   good = Expect(scene.Wait(), "levels of rough points are made") && good;
   const Picture levels = scene.Win.Draw();
   std::cout << "rough, drawn: " << scene.Mapper->GetNumberOfPointsProjected() << "\n";
-  return IsLike(levels, scene.DrawAll(), 38.0, "rough, against all") && good;
+  return IsLike(levels, scene.DrawAll(), Painted, "rough, against all") && good;
 }
 
 bool TestChanges()
@@ -255,7 +260,7 @@ bool TestChanges()
   scene.Win.Draw();
   good = Expect(!scene.HasLevels(), "levels of other points are gone") && good;
   good = Expect(scene.Wait(), "levels are made anew") && good;
-  return IsLike(scene.Win.Draw(), scene.DrawAll(), 45.0, "moved, against all") && good;
+  return IsLike(scene.Win.Draw(), scene.DrawAll(), Smooth, "moved, against all") && good;
 }
 }
 
