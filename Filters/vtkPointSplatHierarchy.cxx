@@ -81,7 +81,8 @@ private:
 
   void ChooseLevels();
   std::vector<Cell> MakeCells();
-  Extent Measure(size_t begin, size_t end) const;
+  /// whole: with normals and area, of which a cell that is only divided needs none.
+  Extent Measure(size_t begin, size_t end, bool whole) const;
   size_t SplitInHalves(size_t begin, size_t end, const Extent& extent);
   size_t SplitSheets(size_t begin, size_t end, const Extent& extent);
   vtkPointSplatMoments Divide(
@@ -177,7 +178,7 @@ void vtkPointSplatHierarchy::Builder::ChooseLevels()
 
 //------------------------------------------------------------------------------
 vtkPointSplatHierarchy::Builder::Extent vtkPointSplatHierarchy::Builder::Measure(
-  size_t begin, size_t end) const
+  size_t begin, size_t end, bool whole) const
 {
   constexpr float most = std::numeric_limits<float>::max();
   Extent x{ { most, most, most }, { -most, -most, -most }, { 127, 127, 127 },
@@ -189,6 +190,13 @@ vtkPointSplatHierarchy::Builder::Extent vtkPointSplatHierarchy::Builder::Measure
     {
       x.Low[k] = std::min(x.Low[k], item.Position[k]);
       x.High[k] = std::max(x.High[k], item.Position[k]);
+    }
+  }
+  for (size_t i = begin; whole && i < end; ++i)
+  {
+    const Item& item = this->Items[i];
+    for (int k = 0; k < 3; ++k)
+    {
       x.LowNormal[k] = std::min<int>(x.LowNormal[k], item.Normal[k]);
       x.HighNormal[k] = std::max<int>(x.HighNormal[k], item.Normal[k]);
     }
@@ -315,8 +323,8 @@ vtkPointSplatMoments vtkPointSplatHierarchy::Builder::Divide(
 {
   // Splats of the levels first to top are to be made of these items as a whole.
   const size_t count = end - begin;
-  const Extent extent = this->Measure(begin, end);
   const bool small = static_cast<double>(count) <= this->Caps[static_cast<size_t>(top)];
+  const Extent extent = this->Measure(begin, end, small);
   const bool sheet = !small || extent.IsSheet(count);
   int first = top + 1;
   while (first > 1 &&
@@ -365,7 +373,7 @@ std::vector<vtkPointSplatHierarchy::Builder::Cell> vtkPointSplatHierarchy::Build
       {
         const Cell& cell = cells[c];
         middles[c] = large(cell)
-          ? this->SplitInHalves(cell.Begin, cell.End, this->Measure(cell.Begin, cell.End))
+          ? this->SplitInHalves(cell.Begin, cell.End, this->Measure(cell.Begin, cell.End, false))
           : 0;
       }
     });
