@@ -11,14 +11,13 @@
 2. `build_wheel` makes the SDK (sdk.py), hands it to CMake as VTK_DIR, and lets scikit-build-core
    build, install and pack.
 
-Packages that are unpacked for the SDK are kept in build/wheel, or where POINTSPLATTING_CACHE says.
+Packages that are unpacked for the SDK, and the SDK, are kept in build/wheel, or where POINTSPLATTING_CACHE says.
 """
 import importlib.util
 import os
 import pathlib
 import shutil
 import sys
-import tempfile
 
 import scikit_build_core.build as _core
 from scikit_build_core.build import (  # noqa: F401
@@ -71,7 +70,8 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
 
     modules = pathlib.Path(importlib.util.find_spec("vtkmodules").origin).parent
     cache = os.environ.get("POINTSPLATTING_CACHE") or TOP / "build" / "wheel"
-    with tempfile.TemporaryDirectory() as folder:
-        settings["cmake.define.VTK_DIR"] = str(
-            make(RELEASE, modules, cache, pathlib.Path(folder) / "sdk"))
-        return _core.build_wheel(wheel_directory, settings, metadata_directory)
+    cache = pathlib.Path(cache).resolve()
+    # A place that stays, so that a second build compiles only what has changed.
+    settings["cmake.define.VTK_DIR"] = str(
+        make(RELEASE, modules, cache, cache / f"sdk-{sys.implementation.cache_tag}"))
+    return _core.build_wheel(wheel_directory, settings, metadata_directory)

@@ -74,11 +74,12 @@ def _only(paths, what):
 
 def _libraries(modules):
     """The wheel's libraries by the names of VTK's modules: {"CommonCore": path}."""
-    found = {}
-    for path in sorted(modules.glob("libvtk*.so*")):
-        name = re.match(r"libvtk(.+?)(-\d+\.\d+)?\.so", path.name).group(1)
-        found[re.sub(r"^(WrappingPythonCore)[\d.]+$", r"\1", name)] = path
-    return found
+    return {_module(path.name): path for path in sorted(modules.glob("libvtk*.so*"))}
+
+
+def _module(file):
+    """libvtkWrappingPythonCore3.11-9.6.so.1 -> WrappingPythonCore"""
+    return re.match(r"libvtk(\w+?)(\d+\.\d+)?(-[0-9.]+)?\.so", file).group(1)
 
 
 def _point_targets(cmake, libraries):
@@ -89,10 +90,10 @@ def _point_targets(cmake, libraries):
     text = re.sub(r"list\(APPEND _cmake_import_check_\w+(::\w+)? .*\)\n", "", text)
 
     def place(match):
-        path = libraries.get(match.group(1))
+        path = libraries.get(_module(match.group(1)))
         return f'"{path}"\n  IMPORTED_SONAME_NONE "{path.name}"' if path else match.group(0)
 
-    text = re.sub(r'"\$\{_IMPORT_PREFIX\}/lib/[^"]*/libvtk(\w+)-[^"]*"\n'
+    text = re.sub(r'"\$\{_IMPORT_PREFIX\}/lib/[^"]*/(libvtk[^/"]*)"\n'
                   r'  IMPORTED_SONAME_NONE "[^"]*"', place, text)
     file.write_text(text)
     file = cmake / "VTK-targets.cmake"
