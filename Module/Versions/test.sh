@@ -1,0 +1,47 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# bash Module/Versions/test.sh VERSION [--slice] [ctest arguments]: builds and tests with a VTK that
+# is not this system's, such as 9.3 or 9.6, in one of Debian's suites that has it, which is
+# unpacked into build-vtk-VERSION (root, or sudo, is needed for that). Warnings are errors there.
+# --slice runs those tests alone that differ with the version of VTK: pictures, picking,
+# transparency, Python.
+set -eu
+version=$1
+shift
+top=$(cd "$(dirname "$0")/../.." && pwd)
+. "$top/Module/setup.sh"
+# The exact tests that tell most of a version in the least time.
+slice='Test(SplatsPicture|SplatsPicking|SplatsTransparency|SplatsSorted|SplatsRefraction|SplatsImageSpace|SplatsInPipelines|Package|LikeAnyMapper|SplatviewPicture)$'
+targets=(all)
+arguments=()
+if [ "${1:-}" = --slice ]; then
+  shift
+  targets=(vtkRenderingPointSplattingCxxTests programs CheckPicture)
+  arguments=(--tests-regex "$slice")
+fi
+
+packages=(debootstrap util-linux python3)
+install_packages
+as_root=()
+[ "$(id -u)" -eq 0 ] || as_root=(sudo)
+
+folder=$top/build-vtk-$version
+root=$folder/root
+mkdir -p "$folder"
+suite=$(python3 "$top/Module/Versions/suites.py" "$folder/lists" "$version")
+echo "VTK $version is that of Debian $suite"
+"${as_root[@]}" bash "$top/Module/Versions/prepare.sh" "$suite" "$root"
+
+"${as_root[@]}" mkdir -p "$root/source"
+tar --directory "$top" --exclude=./.git --exclude='./build*' --exclude='./install*' --create . |
+  "${as_root[@]}" tar --directory "$root/source" --extract
+inside() {
+  # The driver's cache of shaders ends programs by a bus error now and then in Mesa 26.
+  "${as_root[@]}" bash "$top/Module/Versions/inside.sh" "$root" \
+    env MESA_SHADER_CACHE_DISABLE=true LC_ALL=C.UTF-8 "$@"
+}
+inside cmake -G Ninja -S /source -B /build -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS=-Werror
+inside cmake --build /build --target "${targets[@]}" --parallel "$(nproc)"
+inside ctest --test-dir /build --output-on-failure --parallel "$(nproc)" "${arguments[@]}" "$@"
