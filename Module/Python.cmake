@@ -6,6 +6,11 @@
 # the build and install trees.
 set(_package "pointsplatting")
 set(_site "${PointSplatting_PYTHON_SITE}")
+set(_soabi)
+if (SKBUILD)
+  # Wheels say which interpreter a module is for, as VTK's do.
+  set(_soabi SOABI "${Python3_SOABI}")
+endif ()
 vtk_module_wrap_python(
   MODULES             ${_modules}
   INSTALL_HEADERS     OFF
@@ -14,6 +19,7 @@ vtk_module_wrap_python(
   LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   CMAKE_DESTINATION   "${_cmake_destination}"
   BUILD_STATIC        OFF
+  ${_soabi}
   TARGET              PointSplatting::Python)
 set(_package_folder "${CMAKE_BINARY_DIR}/${_site}/${_package}")
 configure_file(Module/__init__.py.in "${_package_folder}/__init__.py" @ONLY)

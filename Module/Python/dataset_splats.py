@@ -122,7 +122,7 @@ class DataSetSplats:
         >>> grid = pv.Wavelet()
         >>> surface = grid.splats.contour([100, 150], spacing=0.5)
         >>> surface.array_names
-        ['Normals', 'SplatRadius', 'SplatCurvature', 'Isovalue']
+        ['Normals', 'Isovalue', 'SplatRadius', 'SplatCurvature']
         """
         data = self._dataset
         if isinstance(data, pv.RectilinearGrid):

@@ -45,6 +45,10 @@ MEANINGLESS_KEYWORDS = {
 }
 
 
+# Arrays that say how a splat lies are no colours, unless they are asked for.
+OWN_ARRAYS = ("Splat", "Normals", "ProjectionDistance", "ShadowFactor")
+
+
 @pv.register_plotter_component("splats")
 class PlotterSplats:
     """Point clouds drawn as the surfaces that they sample: `plotter.splats`.
@@ -114,6 +118,8 @@ class PlotterSplats:
         if isinstance(scalars, str) and scalars not in data.array_names:
             raise KeyError(
                 f"The cloud has no array {scalars!r}. It has: {', '.join(data.array_names) or '-'}.")
+        if scalars is None and (data.active_scalars_name or "").startswith(OWN_ARRAYS):
+            mesh_keywords.setdefault("color", True) # the next of the theme's
         smooth = mesh_keywords.pop("smooth_shading", True)
         render = mesh_keywords.pop("render", True)
         show_bar = mesh_keywords.pop("show_scalar_bar", None)
@@ -129,7 +135,6 @@ class PlotterSplats:
         self._plotter.mapper = mapper
         if not mesh_keywords.get("pbr"):
             actor.prop.interpolation = "Gouraud" if smooth else "Flat"
-        # What reset the camera knew these bounds too, so that nothing is left to be done there.
         if show_bar is None:
             show_bar = self._plotter.theme.show_scalar_bar
         if show_bar and mapper.scalar_visibility and mapper.color_mode == "map":

@@ -2,10 +2,10 @@
 # SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# bash prepare.sh SUITE FOLDER: one of Debian's suites unpacked into a folder, with VTK of that
+# bash prepare.sh SUITE MIRROR FOLDER: one of Debian's suites unpacked into a folder, with VTK of that
 # suite and all that building and testing need. Takes root. What is complete is left as it is.
 set -eu
-suite=$1 root=$2
+suite=$1 mirror=$2 root=$3
 [ ! -e "$root/.prepared" ] || exit 0
 
 packages=(
@@ -14,12 +14,9 @@ packages=(
   libglm-dev libegl-dev libegl1 libgl1-mesa-dri
   python3-numpy xvfb xauth xdotool
 )
-mirror=$(sed -n 's/^URIs: *\(.*\/debian\)\/*$/\1/p; s/^deb .*\(http[^ ]*\/debian\)\/* .*/\1/p' \
-  /etc/apt/sources.list /etc/apt/sources.list.d/debian.* 2>/dev/null | head -1)
 mkdir -p "$root"
 rm -rf "${root:?}"/*
-# What is bound in lives as long as this namespace does: nothing stays mounted.
-debootstrap --variant=minbase "$suite" "$root" "${mirror:-http://deb.debian.org/debian}"
+debootstrap --variant=minbase "$suite" "$root" "$mirror"
 echo 'Acquire::Check-Valid-Until "false";' >"$root/etc/apt/apt.conf.d/99valid"
 # Nobody looks at documentation there, and writing all through takes half of the time.
 echo force-unsafe-io >"$root/etc/dpkg/dpkg.cfg.d/unsafe-io"

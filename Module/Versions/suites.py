@@ -5,7 +5,8 @@
 A suite has one version of VTK. Its package lists and packages are kept in a folder of the
 caller's, with a configuration of apt of its own, so that nothing of the system is changed.
 
-    python3 suites.py FOLDER VERSION     # the first suite that has this VTK, such as 9.6 or 9.6.2
+    python3 suites.py FOLDER VERSION     # the first suite that has this VTK, such as 9.6 or 9.6.2,
+                                         # and where its packages come from
 """
 import pathlib
 import subprocess
@@ -139,6 +140,6 @@ def find(folder, version):
 
 if __name__ == "__main__":
     try:
-        print(find(sys.argv[1], sys.argv[2]).name)
+        print(find(sys.argv[1], sys.argv[2]).name, mirror())
     except LookupError as error:
         sys.exit(str(error))

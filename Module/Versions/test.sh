@@ -30,9 +30,10 @@ as_root=()
 folder=$top/build-vtk-$version
 root=$folder/root
 mkdir -p "$folder"
-suite=$(python3 "$top/Module/Versions/suites.py" "$folder/lists" "$version")
+found=$(python3 "$top/Module/Versions/suites.py" "$folder/lists" "$version")
+suite=${found% *} mirror=${found#* }
 echo "VTK $version is that of Debian $suite"
-"${as_root[@]}" bash "$top/Module/Versions/prepare.sh" "$suite" "$root"
+"${as_root[@]}" bash "$top/Module/Versions/prepare.sh" "$suite" "$mirror" "$root"
 
 "${as_root[@]}" mkdir -p "$root/source"
 tar --directory "$top" --exclude=./.git --exclude='./build*' --exclude='./install*' --create . |

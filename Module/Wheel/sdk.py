@@ -17,6 +17,7 @@ wheel was built with.
 5. The virtual tables of Debian's libraries and of the wheel's are compared: where an option, or a
    patch, had changed a class's methods, the build ends here and not in a crash.
 """
+import os
 import pathlib
 import re
 import shutil
@@ -72,6 +73,13 @@ def _only(paths, what):
     return found[0]
 
 
+def _rewrite(file, text):
+    """Another text under the same time, so that what was built of the same text stays built."""
+    times = file.stat()
+    file.write_text(text)
+    os.utime(file, ns=(times.st_atime_ns, times.st_mtime_ns))
+
+
 def _libraries(modules):
     """The wheel's libraries by the names of VTK's modules: {"CommonCore": path}."""
     return {_module(path.name): path for path in sorted(modules.glob("libvtk*.so*"))}
@@ -95,7 +103,7 @@ def _point_targets(cmake, libraries):
 
     text = re.sub(r'"\$\{_IMPORT_PREFIX\}/lib/[^"]*/(libvtk[^/"]*)"\n'
                   r'  IMPORTED_SONAME_NONE "[^"]*"', place, text)
-    file.write_text(text)
+    _rewrite(file, text)
     file = cmake / "VTK-targets.cmake"
     text = file.read_text()
     # What Debian's VTK was linked with, other than itself, is inside the wheel's libraries.
@@ -104,7 +112,7 @@ def _point_targets(cmake, libraries):
         return f'{match.group(1)}"{";".join(kept)}"'
 
     text = re.sub(r'(INTERFACE_LINK_LIBRARIES )"([^"]*)"', keep, text)
-    file.write_text(text)
+    _rewrite(file, text)
 
 
 def _set_options(include, core):
@@ -119,7 +127,7 @@ def _set_options(include, core):
                         "VTK_SMP_DEFAULT_IMPLEMENTATION_STDTHREAD 1")
     text = re.sub(r"#define VTK_SMP_(TBB|OpenMP|Sequential)\n", "#define VTK_SMP_STDThread\n", text)
     text = re.sub(r'(VTK_SMP_BACKEND) "\w+"', r'\1 "STDThread"', text)
-    file.write_text(text)
+    _rewrite(file, text)
     return int(b"__cxx11" in held)
 
 

@@ -7,9 +7,16 @@ import unittest
 
 import numpy as np
 import pyvista as pv
-from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow
-from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkPropPicker,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkWindowToImageFilter,
+)
+
+import pointsplatting
 
 SIZE = 300
 
@@ -63,7 +70,7 @@ assert "pointsplatting" in sys.modules
         cloud["height"] = cloud.points[:, 2]
         self.plotter.splats.add(cloud, scalars="height", cmap="viridis", opacity=0.6, shadows=True)
         surface = pv.Wavelet().splats.contour([100, 150], spacing=0.5)
-        self.plotter.splats.add(surface.translate((0, 0, 0), inplace=False), color="tan")
+        self.plotter.splats.add(surface, color="tan")
         cloud = cloud.splats.estimate()
         self.assertIn("SplatRadius", cloud.array_names)
         self.assertGreater(self.picture().std(), 10)
@@ -71,10 +78,8 @@ assert "pointsplatting" in sys.modules
     def test_like_the_module_itself(self):
         """By PyVista and by the classes alone: one picture."""
         cloud = ball()
-        self.plotter.renderer.lights  # noqa: B018
-        actor = self.plotter.splats.add(cloud, color="tan", show_scalar_bar=False)
+        actor = self.plotter.splats.add(cloud, color="tan")
         by_pyvista = self.picture()
-        import pointsplatting
         mapper = pointsplatting.vtkPointSplatMapper()
         mapper.SetInputData(cloud)
         mapper.ScalarVisibilityOff()
@@ -105,13 +110,14 @@ assert "pointsplatting" in sys.modules
     def test_looks_like_meshes(self):
         for keywords in ({"color": "orange"}, {"scalars": "height", "cmap": "plasma"},
                          {"scalars": "height", "clim": (-0.2, 0.2), "above_color": "red"},
-                         {"scalars": "height", "opacity": "linear"}, {"color": "w", "opacity": 0.4},
+                         # One layer: several are in any order where a mesh is not depth-peeled.
+                         {"scalars": "height", "opacity": "linear", "culling": "back"},
+                         {"color": "w", "opacity": 0.4, "culling": "back"},
                          {"color": "w", "lighting": False}, {"color": "w", "specular": 0.8},
                          {"color": "w", "culling": "front"}):
             with self.subTest(**keywords):
                 self.tearDown()
                 self.setUp()
-                self.plotter.enable_depth_peeling()
                 self.plotter.splats.add(ball(), show_scalar_bar=False, **keywords)
                 drawn = self.picture()
                 mesh = self.mesh_picture(ball(), show_scalar_bar=False, **keywords)
@@ -170,11 +176,16 @@ assert "pointsplatting" in sys.modules
         with self.assertRaisesRegex(KeyError, "RTData"):
             pv.Wavelet().splats.contour([1], scalars="nothing")
 
+    def test_estimated_clouds_are_not_coloured_by_their_sizes(self):
+        self.plotter.splats.add(ball(40).splats.estimate()) # whose scalars are its height
+        self.assertEqual(list(self.plotter.scalar_bars.keys()), ["height"])
+        self.plotter.clear()
+        self.plotter.splats.add(pv.PolyData(ball().points).splats.estimate())
+        self.assertEqual(len(self.plotter.scalar_bars), 0)
+
     def test_picking(self):
         actor = self.plotter.splats.add(ball())
         self.picture()
-        self.assertIs(self.plotter.pick_mouse_position and actor, actor)
-        from vtkmodules.vtkRenderingCore import vtkPropPicker
         picker = vtkPropPicker()
         self.assertEqual(picker.Pick(SIZE / 2, SIZE / 2, 0, self.plotter.renderer), 1)
         self.assertIs(picker.GetActor(), actor)
