@@ -15,10 +15,12 @@ top=$(cd "$(dirname "$0")/../.." && pwd)
 # The exact tests that tell most of a version in the least time.
 slice='Test(SplatsPicture|SplatsPicking|SplatsTransparency|SplatsSorted|SplatsRefraction|SplatsImageSpace|SplatsInPipelines|Package|LikeAnyMapper|SplatviewPicture)$'
 targets=(all)
+options=()
 arguments=()
 if [ "${1:-}" = --slice ]; then
   shift
   targets=(vtkRenderingPointSplattingCxxTests programs CheckPicture)
+  options=("-DPointSplatting_CXX_TESTS=${slice%$}")
   arguments=(--tests-regex "$slice")
 fi
 
@@ -43,6 +45,7 @@ inside() {
   "${as_root[@]}" bash "$top/Module/Versions/inside.sh" "$root" \
     env MESA_SHADER_CACHE_DISABLE=true LC_ALL=C.UTF-8 "$@"
 }
-inside cmake -G Ninja -S /source -B /build -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS=-Werror
+inside cmake -G Ninja -S /source -B /build -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS=-Werror \
+  "${options[@]}"
 inside cmake --build /build --target "${targets[@]}" --parallel "$(nproc)"
 inside ctest --test-dir /build --output-on-failure --parallel "$(nproc)" "${arguments[@]}" "$@"

@@ -125,6 +125,21 @@ assert "pointsplatting" in sys.modules
                 self.assertGreater(inside.mean(), 0.2)
                 self.assertGreater(psnr(drawn, mesh), 24)
 
+    def test_translucent_beside_a_translucent_mesh(self):
+        """Layers and the mesh are peeled together: what a mesh in the splats' place shows."""
+        pictures = []
+        for add in ("splats", "mesh"):
+            self.tearDown()
+            self.setUp()
+            self.plotter.enable_depth_peeling()
+            self.plotter.disable_anti_aliasing()
+            (self.plotter.splats.add if add == "splats" else self.plotter.add_mesh)(
+                ball(), color="red", opacity=0.8)
+            self.plotter.add_mesh(pv.Plane(i_size=2, j_size=2), color="w", opacity=0.5)
+            pictures.append(self.picture())
+        self.assertGreater(pictures[1].std(), 10)
+        self.assertGreater(psnr(*pictures), 24)
+
     def test_rgb_and_arrays(self):
         cloud = ball()
         colours = np.zeros((cloud.n_points, 3), np.uint8)

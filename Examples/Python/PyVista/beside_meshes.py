@@ -15,7 +15,7 @@ knot = centre + 0.35 * (np.cos(a)[:, None] * radial + np.sin(a)[:, None] * [0, 0
 pl = pv.Plotter(off_screen=True, window_size=(700, 600))
 pl.enable_depth_peeling()
 pl.disable_anti_aliasing()  # splats are smooth without; Mesa peels no multisampled windows
-pl.splats.add(knot, scalars=t, cmap="twilight", show_scalar_bar=False, opacity=0.8)
+pl.splats.add(knot, scalars=np.cos(t), cmap="twilight", show_scalar_bar=False, opacity=0.8)
 pl.add_mesh(pv.Plane(i_size=8, j_size=8), color="lightgray", opacity=0.5)
 pl.camera_position = [(0, -9, 7), (0, 0, 0), (0, 0, 1)]
 pl.show(screenshot=sys.argv[1] if len(sys.argv) > 1 else "beside_meshes.png")

@@ -16,5 +16,6 @@ pl = pv.Plotter(off_screen=True, shape=(1, 2), window_size=(900, 450))
 for column, lighting in enumerate((False, True)):
     pl.subplot(0, column)
     pl.splats.add(globe, scalars=colours, rgb=True, lighting=lighting)
+    pl.camera.zoom(1.5)
     pl.add_text("lit" if lighting else "unlit", font_size=10)
 pl.show(screenshot=sys.argv[1] if len(sys.argv) > 1 else "colours.png")

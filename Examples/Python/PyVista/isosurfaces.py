@@ -6,16 +6,14 @@ import sys
 import numpy as np
 import pyvista as pv
 
-grid = pv.ImageData(dimensions=(80, 80, 80), spacing=(0.25, 0.25, 0.25), origin=(-10, -10, -10))
+grid = pv.ImageData(dimensions=(80, 80, 80), spacing=(0.4, 0.4, 0.4), origin=(-16, -16, -16))
 x, y, z = grid.points.T
 r = np.sqrt(x * x + y * y + z * z)
 grid["density"] = (np.exp(-r / 3) * (3 * z * z - r * r)) ** 2  # an orbital of hydrogen, 3d
 
 pl = pv.Plotter(off_screen=True, window_size=(700, 600))
-for value, colour, opacity in ((1, "steelblue", 0.3), (5, "gold", 0.5), (20, "firebrick", 1.0)):
-    surface = grid.splats.contour(value, spacing=0.05)
+for value, colour, opacity in ((2, "steelblue", 0.3), (5, "gold", 0.5), (12, "firebrick", 1.0)):
+    surface = grid.splats.contour(value, spacing=0.1)
     pl.splats.add(surface, color=colour, opacity=opacity, specular=0.4)
-pl.camera_position = "xz"
-pl.camera.azimuth = 25
-pl.camera.elevation = 20
+pl.view_vector((0.5, -1, 0.4))
 pl.show(screenshot=sys.argv[1] if len(sys.argv) > 1 else "isosurfaces.png")

@@ -14,6 +14,6 @@ for column, (cloud, title) in enumerate(((noisy, "scanned"), (noisy.splats.proje
     pl.subplot(0, column)
     pl.splats.add(cloud, color="wheat")
     pl.add_text(title, font_size=10)
-    pl.camera_position = "xy"
-    pl.camera.elevation = -40
+    pl.view_vector((0, -1, 1.2))
+    pl.camera.zoom(1.5)
 pl.show(screenshot=sys.argv[1] if len(sys.argv) > 1 else "noise.png")

@@ -14,7 +14,7 @@ points = np.column_stack((x, y, z))
 
 pl = pv.Plotter(off_screen=True, window_size=(700, 500), lighting="none")
 pl.splats.add(points, scalars=z, cmap="gist_earth", clim=(-2, 6), shadows=True,
-              scalar_bar_args={"title": "height"})
+              scalar_bar_args={"title": "height", "color": "white"})
 pl.add_light(pv.Light(position=(40, 10, 12), light_type="scene light", intensity=1.0))
 pl.add_light(pv.Light(light_type="headlight", intensity=0.25))
 pl.camera_position = [(0, -24, 15), (0, 0, 0), (0, 0, 1)]
