@@ -4,6 +4,8 @@
 import numpy as np
 import pyvista as pv
 
+from . import reading
+
 
 def check_backend():
     """Refuse a PyVista that does not run on VTK itself: objects of the two do not mix.
@@ -19,6 +21,25 @@ def check_backend():
             f"pointsplatting is built for vtk, and PyVista runs on {backend} here, whose objects "
             "do not mix with VTK's. Start Python with the environment variable "
             "PYVISTA_VTK_BACKEND=vtk, or uninstall the other one.")
+
+
+def read(path, **choices):
+    """What `pyvista.read` does with scans: the entry points' function.
+
+    Parameters
+    ----------
+    path : str
+        The file.
+    **choices
+        `box` and `spacing` of :func:`pointsplatting.read`.
+
+    Returns
+    -------
+    pyvista.PolyData
+        The points and their arrays.
+    """
+    check_backend()
+    return pv.wrap(reading.read(path, **choices))
 
 
 def as_cloud(data):

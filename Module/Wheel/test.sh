@@ -25,7 +25,7 @@ pip() { "$environment" -m pip --quiet --disable-pip-version-check "$@"; }
 CXXFLAGS="-Werror ${CXXFLAGS:-}" pip wheel "$top" --no-deps --wheel-dir "$folder"
 POINTSPLATTING_WHEEL=$(echo "$folder"/pointsplatting-*.whl)
 export POINTSPLATTING_WHEEL
-pip install "$POINTSPLATTING_WHEEL" "pyvista>=0.48"
+pip install "$POINTSPLATTING_WHEEL[pyvista,las,e57]"
 
 # Away from the tree, so that nothing is found there by chance.
 cd "$folder"
@@ -35,6 +35,7 @@ test_all() {
   pip check
   run "$top/Testing/Wheel/TestWheel.py"
   run "$top/Testing/Wheel/TestPyVista.py"
+  run "$top/Testing/Wheel/TestReading.py"
   run "$top/Testing/Wheel/TestDocstrings.py"
   run "$top/Testing/Wheel/TestExamples.py"
   run "$top/Testing/Python/TestPackage.py"

@@ -8,7 +8,7 @@ import sys
 
 import pyvista
 
-MODULES = ("dataset_splats", "plotter_splats")
+MODULES = ("dataset_splats", "plotter_splats", "reading")
 
 pyvista.OFF_SCREEN = True
 failures = tried = 0
