@@ -9,10 +9,11 @@ import difflib
 
 import pyvista as pv
 
-from . import splat_mapper
+from . import splat_mapper, web_geometry
 from .pyvista_input import as_cloud, check_backend
 
 check_backend()
+web_geometry.register() # for Jupyter
 
 # Keywords of add_mesh and add_points that mean for splats what they mean for meshes.
 MESH_KEYWORDS = (

@@ -8,7 +8,7 @@
 set -eu
 top=$(cd "$(dirname "$0")/../.." && pwd)
 . "$top/Module/setup.sh"
-packages=(g++ python3-dev python3-venv binutils libegl1 libgl1-mesa-dri)
+packages=(g++ python3-dev python3-venv binutils libegl1 libgl1-mesa-dri chromium)
 install_packages
 
 python=${PYTHON:-/usr/bin/python3}
@@ -25,7 +25,7 @@ pip() { "$environment" -m pip --quiet --disable-pip-version-check "$@"; }
 CXXFLAGS="-Werror ${CXXFLAGS:-}" pip wheel "$top" --no-deps --wheel-dir "$folder"
 POINTSPLATTING_WHEEL=$(echo "$folder"/pointsplatting-*.whl)
 export POINTSPLATTING_WHEEL
-pip install "$POINTSPLATTING_WHEEL[pyvista,las,e57]"
+pip install "$POINTSPLATTING_WHEEL[pyvista,las,e57,app]" playwright trame-pyvista
 
 # Away from the tree, so that nothing is found there by chance.
 cd "$folder"
@@ -36,6 +36,7 @@ test_all() {
   run "$top/Testing/Wheel/TestWheel.py"
   run "$top/Testing/Wheel/TestPyVista.py"
   run "$top/Testing/Wheel/TestReading.py"
+  run "$top/Testing/Wheel/TestApp.py"
   run "$top/Testing/Wheel/TestDocstrings.py"
   run "$top/Testing/Wheel/TestExamples.py"
   run "$top/Testing/Python/TestPackage.py"
