@@ -5,7 +5,7 @@
 # bash test.sh [--sanitize | --vtk VERSION | --everything] [ctest arguments]: sets up, builds,
 # runs every test. --sanitize does so with the address and undefined behaviour sanitizers, in a
 # folder of its own; --vtk with another VTK, in a suite of Debian that has it; --everything, which
-# CI runs, with this system's VTK, and then parts of it with a newer one and as a wheel.
+# CI runs, with this system's VTK, and as a wheel with a newer one, warnings as errors.
 set -eu
 top=$(cd "$(dirname "$0")" && pwd)
 . "$top/Module/setup.sh"
@@ -17,7 +17,7 @@ fi
 if [ "${1:-}" = --everything ]; then
   shift
   bash "$top/test.sh" "$@"
-  bash "$top/Module/Versions/test.sh" 9.3 --slice
+  # ParaView's tests go here.
   bash "$top/Module/Wheel/test.sh"
   exit
 fi

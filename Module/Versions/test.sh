@@ -13,7 +13,8 @@ shift
 top=$(cd "$(dirname "$0")/../.." && pwd)
 . "$top/Module/setup.sh"
 # The exact tests that tell most of a version in the least time.
-slice='Test(SplatsPicture|SplatsPicking|SplatsTransparency|SplatsSorted|SplatsRefraction|SplatsImageSpace|SplatsInPipelines|Package|LikeAnyMapper|SplatviewPicture)$'
+slice='Test(SplatsPicture|SplatsPicking|SplatsTransparency|SplatsSorted|SplatsImageSpace'
+slice+='|Package|Versions|LikeAnyMapper|SplatviewPicture)$'
 targets=(all)
 options=()
 arguments=()
