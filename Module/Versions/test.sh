@@ -41,11 +41,13 @@ echo "VTK $version is that of Debian $suite"
 "${as_root[@]}" mkdir -p "$root/source"
 tar --directory "$top" --exclude=./.git --exclude='./build*' --exclude='./install*' --create . |
   "${as_root[@]}" tar --directory "$root/source" --extract
+environment=(LC_ALL=C.UTF-8)
 inside() {
-  # The driver's cache of shaders ends programs by a bus error now and then in Mesa 26.
-  "${as_root[@]}" bash "$top/Module/Versions/inside.sh" "$root" \
-    env MESA_SHADER_CACHE_DISABLE=true LC_ALL=C.UTF-8 "$@"
+  "${as_root[@]}" bash "$top/Module/Versions/inside.sh" "$root" env "${environment[@]}" "$@"
 }
+mesa=$(inside dpkg-query -W -f '${Version}' libgl1-mesa-dri)
+# From Mesa 26 on the cache of shaders ends programs by a bus error now and then.
+[ "${mesa%%.*}" -lt 26 ] || environment+=(MESA_SHADER_CACHE_DISABLE=true)
 inside cmake -G Ninja -S /source -B /build -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS=-Werror \
   "${options[@]}"
 inside cmake --build /build --target "${targets[@]}" --parallel "$(nproc)"

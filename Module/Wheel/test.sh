@@ -30,7 +30,7 @@ pip install "$POINTSPLATTING_WHEEL[pyvista,las,e57,app]" playwright trame-pyvist
 
 # Away from the tree, so that nothing is found there by chance.
 cd "$folder"
-export PYVISTA_OFF_SCREEN=true MESA_SHADER_CACHE_DISABLE=true
+export PYVISTA_OFF_SCREEN=true
 run() { echo "$*"; "$environment" "$@"; }
 wheel=$top/Testing/Wheel
 # What another release of vtk could break.
