@@ -47,9 +47,14 @@ if (NOT _no_hints AND NOT PointSplatting_SANITIZE)
   list(TRANSFORM _hints PREPEND "${_package_folder}/" OUTPUT_VARIABLE _hint_files)
   list(TRANSFORM _hint_files APPEND ".pyi")
   list(TRANSFORM _hints APPEND "Python" OUTPUT_VARIABLE _hint_targets)
+  set(_path "${CMAKE_BINARY_DIR}/${_site}")
+  if (DEFINED ENV{PYTHONPATH})
+    # By which pip has VTK found while it builds.
+    string(APPEND _path ":$ENV{PYTHONPATH}")
+  endif ()
   add_custom_command(
     OUTPUT  ${_hint_files}
-    COMMAND "${CMAKE_COMMAND}" -E env "PYTHONPATH=${CMAKE_BINARY_DIR}/${_site}"
+    COMMAND "${CMAKE_COMMAND}" -E env "PYTHONPATH=${_path}"
       "${Python3_EXECUTABLE}" -m vtkmodules.generate_pyi
       -p "${_package}" -o "${_package_folder}" ${_hints}
     DEPENDS ${_hint_targets}
