@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Point clouds in a browser: `python -m pointsplatting.app FILE...`.
 
-Frames are drawn here and sent as pictures, while a user orbits smaller ones. The browser gets
-the page and the pictures alone: of the files that were named, one is open at a time, and none is served.
+Frames are drawn here and sent as pictures. The browser gets the page and the pictures alone: of
+the files that were named one is open at a time, and none is served.
 """
 import argparse
 import asyncio

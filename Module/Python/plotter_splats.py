@@ -118,7 +118,8 @@ class PlotterSplats:
         data = as_cloud(cloud)
         if isinstance(scalars, str) and scalars not in data.array_names:
             raise KeyError(
-                f"The cloud has no array {scalars!r}. It has: {', '.join(data.array_names) or '-'}.")
+                f"The cloud has no array {scalars!r}. "
+                f"It has: {', '.join(data.array_names) or '-'}.")
         if scalars is None and (data.active_scalars_name or "").startswith(OWN_ARRAYS):
             mesh_keywords.setdefault("color", True) # the next of the theme's
         smooth = mesh_keywords.pop("smooth_shading", True)

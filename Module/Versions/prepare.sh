@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# bash prepare.sh SUITE MIRROR FOLDER: one of Debian's suites unpacked into a folder, with VTK of that
-# suite and all that building and testing need. Takes root. What is complete is left as it is.
+# bash prepare.sh SUITE MIRROR FOLDER: one of Debian's suites unpacked into a folder, with its VTK
+# and all that building and testing need. Takes root. What is complete is left as it is.
 set -eu
 suite=$1 mirror=$2 root=$3
 [ ! -e "$root/.prepared" ] || exit 0

@@ -3,7 +3,7 @@
 """The project's build backend: scikit-build-core's, with VTK's headers beside the wheel of vtk.
 
     pip install .                                        # with headers as Debian packages them
-    pip install . -C sdk=vtk-sdk                         # with the package index's, where it has them
+    pip install . -C sdk=vtk-sdk                         # with the package index's, if it has them
     pip install . -C cmake.define.VTK_DIR=FOLDER         # with an SDK that is there
 
 1. `get_requires_for_build_wheel` asks for the wheel of vtk of the release that pyproject.toml names
@@ -11,7 +11,8 @@
 2. `build_wheel` makes the SDK (sdk.py), hands it to CMake as VTK_DIR, and lets scikit-build-core
    build, install and pack.
 
-Packages that are unpacked for the SDK, and the SDK, are kept in build/wheel, or where POINTSPLATTING_CACHE says.
+Packages that are unpacked for the SDK, and the SDK, are kept in build/wheel, or where
+POINTSPLATTING_CACHE says.
 """
 import importlib.util
 import os

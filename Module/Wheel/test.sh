@@ -2,9 +2,9 @@
 # SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# bash Module/Wheel/test.sh: makes the wheel by pip and tests it in clean environments, beside PyVista
-# and the oldest and the newest release of vtk that it may be used with. PYTHON is the interpreter
-# (python3). Nothing of this tree's build is used.
+# bash Module/Wheel/test.sh: makes the wheel by pip and tests it in a clean environment, beside
+# PyVista and the newest release of vtk that it may be used with, and then the oldest one. PYTHON is
+# the interpreter (python3). Nothing of this tree's build is used.
 set -eu
 top=$(cd "$(dirname "$0")/../.." && pwd)
 . "$top/Module/setup.sh"

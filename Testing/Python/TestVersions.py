@@ -45,7 +45,9 @@ def draw():
     height.SetLowPoint(0, 0, -0.35)
     height.SetHighPoint(0, 0, 0.35)
     for source, colour, opacity in (
-            (ball(0.6, 120), (0.9, 0.9, 1), 0.4), (height, (1, 1, 1), 1), (torus(), (1, 0.6, 0.2), 1)):
+            (ball(0.6, 120), (0.9, 0.9, 1), 0.4),
+            (height, (1, 1, 1), 1),
+            (torus(), (1, 0.6, 0.2), 1)):
         mapper = vtkPointSplatMapper()
         mapper.SetInputConnection(source.GetOutputPort())
         mapper.SetScalarVisibility(source is height)

@@ -43,7 +43,8 @@ class TestApp(unittest.TestCase):
         until = time.monotonic() + 60
         address = None
         while address is None and time.monotonic() < until:
-            address = re.search(r"http://127\.0\.0\.1:(\d+)", folder.joinpath("output.txt").read_text())
+            said = folder.joinpath("output.txt").read_text()
+            address = re.search(r"http://127\.0\.0\.1:(\d+)", said)
             time.sleep(0.1)
         if address is None:
             raise AssertionError(folder.joinpath("output.txt").read_text())
@@ -115,7 +116,8 @@ class TestApp(unittest.TestCase):
         self.assert_changes(before, 0.1)
         before = self.picture()
         slider = self.page.locator(".opacity .v-slider-track").first.bounding_box()
-        self.page.mouse.click(slider["x"] + slider["width"] * 0.3, slider["y"] + slider["height"] / 2)
+        x, y = slider["x"] + slider["width"] * 0.3, slider["y"] + slider["height"] / 2
+        self.page.mouse.click(x, y)
         self.assert_changes(before, 0.05)
         self.assertRegex(self.page.content(), r"opacity 0\.[23]")
         before = self.picture()

@@ -154,7 +154,8 @@ assert "pointsplatting" in sys.modules
         self.assertGreater(self.picture().max(), 50)
 
     def test_scalar_bar_and_name(self):
-        self.plotter.splats.add(ball(), scalars="height", name="ball", scalar_bar_args={"title": "z"})
+        self.plotter.splats.add(ball(), scalars="height", name="ball",
+                                scalar_bar_args={"title": "z"})
         self.assertEqual(list(self.plotter.scalar_bars.keys()), ["z"])
         actor = self.plotter.splats.add(ball(40), color="r", name="ball")
         self.assertEqual(list(self.plotter.scalar_bars.keys()), [])

@@ -10,7 +10,8 @@ torus = pv.ParametricTorus(u_res=300, v_res=150).points
 noisy = pv.PolyData(torus + np.random.default_rng(1).normal(0, 0.012, torus.shape))
 
 pl = pv.Plotter(off_screen=True, shape=(1, 2), window_size=(900, 450))
-for column, (cloud, title) in enumerate(((noisy, "scanned"), (noisy.splats.project(), "projected"))):
+clouds = {"scanned": noisy, "projected": noisy.splats.project()}
+for column, (title, cloud) in enumerate(clouds.items()):
     pl.subplot(0, column)
     pl.splats.add(cloud, color="wheat")
     pl.add_text(title, font_size=10)
