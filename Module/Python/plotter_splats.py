@@ -18,17 +18,17 @@ web_geometry.register() # for Jupyter
 # Keywords of add_mesh and add_points that mean for splats what they mean for meshes.
 MESH_KEYWORDS = (
     "above_color", "ambient", "annotations", "below_color", "categories", "clim", "cmap", "color",
-    "component", "copy_mesh", "culling", "diffuse", "flip_scalars", "force_opaque",
+    "component", "copy_mesh", "culling", "diffuse", "edge_color", "flip_scalars", "force_opaque",
     "interpolate_before_map", "label", "lighting", "log_scale", "metallic", "n_colors", "name",
     "nan_color", "nan_opacity", "opacity", "pbr", "pickable", "preference", "remove_existing_actor",
-    "render", "reset_camera", "rgb", "roughness", "scalar_bar_args", "scalars", "show_scalar_bar",
-    "smooth_shading", "specular", "specular_power", "use_transparency", "user_matrix",
+    "render", "reset_camera", "rgb", "roughness", "scalar_bar_args", "scalars", "show_edges",
+    "show_scalar_bar", "smooth_shading", "specular", "specular_power", "texture",
+    "use_transparency", "user_matrix",
 )
 # Those of which splats show nothing, and why.
 MEANINGLESS_KEYWORDS = {
     "backface_params": "splats of back faces have the property of front faces",
-    "edge_color": "splats have no edges",
-    "edge_opacity": "splats have no edges",
+    "edge_opacity": "splats' edges are opaque",
     "emissive": "splats are lit surfaces: see lighting=False",
     "line_width": "splats have no lines",
     "multi_colors": "add the blocks one by one, each with its color",
@@ -36,13 +36,11 @@ MEANINGLESS_KEYWORDS = {
     "point_size": "splats have the size that covers the surface: see radius_scale",
     "render_lines_as_tubes": "splats have no lines",
     "render_points_as_spheres": "splats are disks in the surface",
-    "show_edges": "splats have no edges",
     "show_vertices": "see Plotter.add_points",
     "silhouette": "it is made from edges, which splats do not have",
     "split_sharp_edges": "dataset.splats.estimate() finds creases",
     "static": "a mapper of splats looks at its input when it changes",
     "style": "see Plotter.add_points for points as VTK draws them",
-    "texture": "splats have no texture coordinates",
 }
 
 

@@ -33,6 +33,12 @@ def ball(resolution=120):
     return cloud
 
 
+def checks():
+    """A texture of broad checks."""
+    squares = np.kron(np.indices((6, 6)).sum(axis=0) % 2, np.ones((20, 20)))
+    return pv.Texture(np.repeat(80 + 175 * squares[..., None], 3, axis=2).astype(np.uint8))
+
+
 class TestPyVista(unittest.TestCase):
     def setUp(self):
         self.plotter = pv.Plotter(off_screen=True, window_size=(SIZE, SIZE), lighting="light kit")
@@ -115,13 +121,17 @@ assert "pointsplatting" in sys.modules
                          {"scalars": "height", "opacity": "linear", "culling": "back"},
                          {"color": "w", "opacity": 0.4, "culling": "back"},
                          {"color": "w", "lighting": False}, {"color": "w", "specular": 0.8},
-                         {"color": "w", "culling": "front"}):
+                         {"color": "w", "culling": "front"}, {"texture": checks()}):
             with self.subTest(**keywords):
                 self.tearDown()
                 self.setUp()
-                self.plotter.splats.add(ball(), show_scalar_bar=False, **keywords)
+                # One that has texture coordinates; they are of no account without a texture.
+                cloud = ball()
+                if "texture" in keywords:
+                    cloud.texture_map_to_plane(inplace=True)
+                self.plotter.splats.add(cloud, show_scalar_bar=False, **keywords)
                 drawn = self.picture()
-                mesh = self.mesh_picture(ball(), show_scalar_bar=False, **keywords)
+                mesh = self.mesh_picture(cloud, show_scalar_bar=False, **keywords)
                 inside = mesh.max(axis=2) > 0
                 self.assertGreater(inside.mean(), 0.2)
                 self.assertGreater(psnr(drawn, mesh), 24)
@@ -181,7 +191,7 @@ assert "pointsplatting" in sys.modules
         add = self.plotter.splats.add
         for error, says, arguments, keywords in (
                 (TypeError, "shadows", (ball(),), {"shadow": True}),
-                (TypeError, "no edges", (ball(),), {"show_edges": True}),
+                (TypeError, "do not have", (ball(),), {"silhouette": True}),
                 (KeyError, "height", (ball(), "hight"), {}),
                 (ValueError, "two_pass", (ball(),), {"method": "fast"}),
                 (ValueError, "nearest", (ball(),), {"target_error": 7}),
