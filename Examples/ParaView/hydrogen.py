@@ -39,9 +39,8 @@ def show():
     view = GetActiveViewOrCreate("RenderView")
     splats = Show(surfaces(), view)
     splats.Representation = "Point Splats"
-    splats.BlockOpacities = ["/Root/Block0", "0.3", "/Root/Block1", "0.5"]
+    splats.BlockOpacities = ["/Root/Isovalue4", "0.3", "/Root/Isovalue18", "0.5"]
     view.CameraPosition = [260, -180, 150]
-    view.Update()
     ResetCamera(view)
     return view
 
