@@ -170,7 +170,12 @@ int vtkPVPointSplatRepresentation::ProcessViewRequest(
   {
     return 0;
   }
-  if (request == vtkPVView::REQUEST_RENDER())
+  if (request == vtkPVView::REQUEST_UPDATE())
+  {
+    // Points cannot be split: those on a border would be lost.
+    vtkPVRenderView::SetRedistributionModeToUniquelyAssignBoundaryCells(inputs, this);
+  }
+  else if (request == vtkPVView::REQUEST_RENDER())
   {
     this->PrepareToDraw(inputs);
   }

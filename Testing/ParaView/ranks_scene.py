@@ -1,0 +1,42 @@
+# SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Of TestManyRanks.py: pictures of one scene, opaque and translucent, and what a rectangle picks.
+
+Arguments: a folder to write to, EVEN or UNEVEN shares of points for the processes.
+"""
+import json
+import os
+import sys
+import time
+
+import numpy as np
+from paraview import servermanager
+from paraview.simple import Delete, ExtractSelection, Hide, Render, SelectSurfacePoints
+
+import splat_scenes as scenes
+
+folder, shares = sys.argv[1], getattr(scenes, sys.argv[2])
+view = scenes.new_view()
+sphere = scenes.cloud(shares=shares)
+splats = scenes.show(sphere, view)
+scenes.picture(view, os.path.join(folder, "opaque.png"))
+start = time.time()
+for frame in range(5):
+    Render(view)
+seconds = (time.time() - start) / 5
+SelectSurfacePoints(Rectangle=[120, 60, 280, 240], View=view)
+extracted = ExtractSelection(Input=sphere)
+extracted.UpdatePipeline()
+ids = np.asarray(servermanager.Fetch(extracted).GetPointData().GetArray("Id")).tolist()
+Delete(extracted)
+Delete(sphere)
+bare = scenes.cloud(shares=shares, normals=False, count=5000)
+scenes.show(bare, view)
+scenes.picture(view, os.path.join(folder, "estimated.png"))
+Delete(bare)
+blocks = scenes.cloud(scenes.THREE_SPHERES, "vtkMultiblockDataSet", shares=shares)
+nested = scenes.show(blocks, view)
+nested.BlockOpacities = ["/Root/Block0", "0.3", "/Root/Block1", "0.5"]
+scenes.picture(view, os.path.join(folder, "translucent.png"))
+with open(os.path.join(folder, "facts.json"), "w") as file:
+    json.dump({"ids": ids, "seconds": seconds}, file)
