@@ -240,13 +240,27 @@ std::vector<uint32_t> vtkPointSplatTileLists::OrderTiles(const glm::ivec2& rows)
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatTileLists::WriteRow(uint32_t tile, uint32_t* row) const
+size_t vtkPointSplatTileLists::BlockOf(uint32_t tile) const
 {
-  const uint32_t start = this->Starts[tile];
   const glm::ivec2 at = glm::ivec2(static_cast<int>(tile) % this->Grid.Tiles.x,
                           static_cast<int>(tile) / this->Grid.Tiles.x) >>
     BlockShift;
-  const size_t wide = static_cast<size_t>(this->Grid.GetCount() + at.y * this->Blocks.x + at.x);
+  return static_cast<size_t>(this->Grid.GetCount() + at.y * this->Blocks.x + at.x);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatTileLists::IsCurved(uint32_t tile) const
+{
+  const size_t block = this->BlockOf(tile);
+  return this->Starts[tile] + this->Flats[tile] + this->Bents[tile] < this->Starts[tile + 1] ||
+    this->Starts[block] < this->Starts[block + 1];
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatTileLists::WriteRow(uint32_t tile, uint32_t* row) const
+{
+  const uint32_t start = this->Starts[tile];
+  const size_t wide = this->BlockOf(tile);
   const uint32_t words[TableWords] = { start, start + this->Flats[tile],
     start + this->Flats[tile] + this->Bents[tile], tile, this->Starts[tile + 1],
     this->Starts[wide], this->Starts[wide + 1], 1 };
@@ -254,11 +268,28 @@ void vtkPointSplatTileLists::WriteRow(uint32_t tile, uint32_t* row) const
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatTileLists::AddToTable(
+size_t vtkPointSplatTileLists::AddToTable(
   const glm::ivec2& rows, size_t groupSize, std::vector<uint32_t>& table) const
 {
-  const std::vector<uint32_t> order = this->OrderTiles(rows);
-  const size_t groups = (order.size() + groupSize - 1) / groupSize;
+  std::vector<uint32_t> tiles = this->OrderTiles(rows);
+  const auto firstCurved = this->Curved
+    ? std::stable_partition(
+        tiles.begin(), tiles.end(), [this](uint32_t tile) { return !this->IsCurved(tile); })
+    : tiles.end();
+  const std::vector<uint32_t> curved(firstCurved, tiles.end());
+  tiles.erase(firstCurved, tiles.end());
+  const size_t before = table.size();
+  this->Deal(tiles, groupSize, table);
+  const size_t plain = (table.size() - before) / TableWords;
+  this->Deal(curved, groupSize, table);
+  return plain;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatTileLists::Deal(
+  const std::vector<uint32_t>& tiles, size_t groupSize, std::vector<uint32_t>& table) const
+{
+  const size_t groups = (tiles.size() + groupSize - 1) / groupSize;
   const size_t threads = std::max<size_t>(std::thread::hardware_concurrency(), 1);
   // Thread k takes groups k, k + threads, ...: each run of the table has what one thread takes.
   size_t to = table.size();
@@ -268,9 +299,9 @@ void vtkPointSplatTileLists::AddToTable(
     for (size_t group = thread; group < groups; group += threads)
     {
       size_t row = to;
-      for (size_t i = group * groupSize; i < std::min((group + 1) * groupSize, order.size()); ++i)
+      for (size_t i = group * groupSize; i < std::min((group + 1) * groupSize, tiles.size()); ++i)
       {
-        this->WriteRow(order[i], table.data() + row);
+        this->WriteRow(tiles[i], table.data() + row);
         row += TableWords;
       }
       to += TableWords * groupSize;

@@ -10,7 +10,9 @@
 //    one after the other, nearest buckets first.
 // 3. Tiles are put into an order in which tiles close to each other, whose splats are in the caches,
 //    follow one another, and among them those with lists of like lengths, since invocations go in
-//    lockstep; work groups are dealt out to the driver's threads, which take runs of them.
+//    lockstep; tiles with curved splats come after all others, so that these can be drawn by a
+//    program that knows none; work groups are dealt out to the driver's threads, which take runs of
+//    them.
 #ifndef vtkPointSplatTileLists_h
 #define vtkPointSplatTileLists_h
 
@@ -55,10 +57,11 @@ public:
   /**
    * The tiles of the grid's window in some rows of it, and where their splats are in the lists: first
    * of the flat, bent and curved ones, tile; end, first of the wide ones, their end, 1. Appended to a
-   * table, padded with zeros to whole work groups of so many invocations. rows: first and last,
-   * whole blocks of 16.
+   * table, those without curved and wide ones first, and either padded with zeros to whole work
+   * groups of so many invocations. rows: first and last, whole blocks of 16. Returns how many rows
+   * of the table those without take.
    */
-  void AddToTable(const glm::ivec2& rows, size_t groupSize, std::vector<uint32_t>& table) const;
+  size_t AddToTable(const glm::ivec2& rows, size_t groupSize, std::vector<uint32_t>& table) const;
 
 private:
   struct Listed
@@ -70,6 +73,10 @@ private:
   template <typename Function>
   void ForEachTile(const Listed& listed, const Function& function) const;
   std::vector<uint32_t> OrderTiles(const glm::ivec2& rows) const;
+  size_t BlockOf(uint32_t tile) const; // its list
+  bool IsCurved(uint32_t tile) const;
+  void Deal(
+    const std::vector<uint32_t>& tiles, size_t groupSize, std::vector<uint32_t>& table) const;
   template <typename Function>
   void ForParts(const Function& function) const;
 

@@ -95,13 +95,13 @@ vtkPointSplatTiles::Variant vtkPointSplatTiles::VariantOf(
   v.Colours = request.HasColours() || request.Gather;
   v.Factors = request.GetFactorCount();
   v.Ids = request.HasIds;
-  const std::string clips = std::string(clipping ? "#define CLIPPING\n" : "") +
-    (v.ClipLines ? "#define CLIP_LINES\n" : "");
-  std::string both = std::string(v.Colours ? "#define COLOURS\n" : "") +
+  const std::string clips = clipping ? "#define CLIPPING\n" : "";
+  v.Lines = v.ClipLines ? "#define CLIP_LINES\n" : "";
+  const std::string both = std::string(v.Colours ? "#define COLOURS\n" : "") +
     (v.Factors > 0 ? "#define FACTORS " + std::to_string(v.Factors) + "\n" : "") +
     (v.Ids ? "#define IDS\n" : "") + clips;
   const bool layers = request.IsPeeled();
-  v.Project = both;
+  v.Project = both + v.Lines;
   v.Walk = clips + (layers ? "#define LAYERS\n" : "");
   v.Tile = both + request.GetAppearanceDefines(false) + (layers ? "#define LAYERS\n" : "") +
     (request.Gather ? "#define GATHER\n" : "") +
@@ -337,7 +337,7 @@ vtkPointSplatProgram* vtkPointSplatTiles::UseTiles(const vtkPointSplatRequest& r
   const vtkPointSplatPart& part, vtkPointSplatUnits& units, const Shader& shader)
 {
   vtkPointSplatProgram* program = this->Use(
-    this->TilePrograms, shader.File, shader.Defines + (this->Curved ? "#define CURVED\n" : ""));
+    this->TilePrograms, shader.File, shader.Defines + (shader.Curved ? "#define CURVED\n" : ""));
   if (!program)
   {
     return nullptr;
@@ -379,16 +379,9 @@ vtkPointSplatProgram* vtkPointSplatTiles::UseTiles(const vtkPointSplatRequest& r
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatTiles::Run(
-  vtkPointSplatProgram& program, const Variant& variant, vtkPointSplatLayers& layers)
+std::vector<vtkPointSplatTiles::Band> vtkPointSplatTiles::MakeBands(
+  const Variant& variant, const vtkPointSplatLayers& layers)
 {
-  // The bands' tiles: first and count, of the device's lists or in the table.
-  struct Band
-  {
-    int Row;
-    size_t First;
-    size_t Count;
-  };
   std::vector<Band> bands;
   std::vector<uint32_t> table;
   constexpr size_t words = vtkPointSplatTileLists::TableWords;
@@ -399,31 +392,22 @@ void vtkPointSplatTiles::Run(
   {
     const glm::ivec2 rows(std::max(row, this->Grid.Window.y),
       std::min(row + tileRows - 1, this->Grid.Window.w));
+    const int pixelRow = row * variant.TileSize.y;
     if (variant.Lanes > 1)
     {
-      bands.push_back({ row * variant.TileSize.y, static_cast<size_t>(rows.x * across),
+      bands.push_back({ pixelRow, static_cast<size_t>(rows.x * across), 0,
         static_cast<size_t>((rows.y - rows.x + 1) * across) });
       continue;
     }
     const size_t first = table.size() / words;
-    this->HostLists.AddToTable(rows, static_cast<size_t>(GroupSize), table);
-    bands.push_back({ row * variant.TileSize.y, first, table.size() / words - first });
+    const size_t plain = this->HostLists.AddToTable(rows, static_cast<size_t>(GroupSize), table);
+    bands.push_back({ pixelRow, first, plain, table.size() / words - first - plain });
   }
-  vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
   if (variant.Lanes == 1)
   {
     this->Table.Upload(table);
   }
-  units.Bind(program, "Tiles", GL_TEXTURE_BUFFER,
-    variant.Lanes > 1 ? this->DeviceLists.GetStarts() : this->Table.GetTexture());
-  for (const Band& band : bands)
-  {
-    layers.BindRows(band.Row);
-    program.Set("FirstRow", band.Row);
-    program.Set("FirstTile", static_cast<int>(band.First));
-    program.Set("TileCount", static_cast<int>(band.Count));
-    vtkPointSplatProgram::Dispatch(variant.Lanes * static_cast<vtkIdType>(band.Count), GroupSize);
-  }
+  return bands;
 }
 
 //------------------------------------------------------------------------------
@@ -431,15 +415,6 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::DrawLayers(const vtkPointSplatReq
   const vtkPointSplatPart& part, const Variant& variant, vtkPointSplatLayers& layers)
 {
   const int capacity = layers.GetCapacity();
-  vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
-  vtkPointSplatProgram* program =
-    this->UseTiles(request, part, units, { "vtkPointSplatTileCS", variant.Tile });
-  if (!program)
-  {
-    return Failed;
-  }
-  program->Set("LayerCapacity", capacity);
-  program->Set("LayersToClear", request.ShowsEach ? capacity : 1);
   if (request.IsPeeled())
   {
     this->Counts.BindStorage(3);
@@ -449,7 +424,34 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::DrawLayers(const vtkPointSplatReq
     this->Summaries.Reserve(16 * static_cast<GLsizeiptr>(this->Grid.GetCount()));
     this->Summaries.BindStorage(4);
   }
-  this->Run(*program, variant, layers);
+  const std::vector<Band> bands = this->MakeBands(variant, layers);
+  for (const bool curved : { false, true })
+  {
+    const auto count = [curved](const Band& band) { return curved ? band.Curved : band.Plain; };
+    if (std::none_of(bands.begin(), bands.end(), count))
+    {
+      continue;
+    }
+    vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
+    vtkPointSplatProgram* program = this->UseTiles(request, part, units,
+      { "vtkPointSplatTileCS", variant.Tile + (curved ? variant.Lines : ""), curved });
+    if (!program)
+    {
+      return Failed;
+    }
+    program->Set("LayerCapacity", capacity);
+    program->Set("LayersToClear", request.ShowsEach ? capacity : 1);
+    units.Bind(*program, "Tiles", GL_TEXTURE_BUFFER,
+      variant.Lanes > 1 ? this->DeviceLists.GetStarts() : this->Table.GetTexture());
+    for (const Band& band : bands)
+    {
+      layers.BindRows(band.Row);
+      program->Set("FirstRow", band.Row);
+      program->Set("FirstTile", static_cast<int>(band.First + (curved ? band.Plain : 0)));
+      program->Set("TileCount", static_cast<int>(count(band)));
+      vtkPointSplatProgram::Dispatch(variant.Lanes * static_cast<vtkIdType>(count(band)), GroupSize);
+    }
+  }
   return Made;
 }
 
@@ -488,8 +490,10 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::SampleOutlines(const vtkPointSpla
   }
   vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
   vtkPointSplatProgram* program = this->UseTiles(request, part, units,
-    { "vtkPointSplatOutlineSamplesCS", variant.Walk + SizeDefines({ 2, 2 }, device ? 4 : 1) +
-        "#define SAMPLES\n#define LAYER_BUFFERS\n" });
+    { "vtkPointSplatOutlineSamplesCS",
+      variant.Walk + SizeDefines({ 2, 2 }, device ? 4 : 1) +
+        (this->Curved ? variant.Lines : "") + "#define SAMPLES\n#define LAYER_BUFFERS\n",
+      this->Curved });
   if (!program)
   {
     return Failed;

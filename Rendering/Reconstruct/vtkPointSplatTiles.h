@@ -70,8 +70,9 @@ private:
   struct Variant
   {
     std::string Project;
-    std::string Tile;
-    std::string Walk; // of it what the search for the nearest hits needs
+    std::string Tile;  // without what only some tiles need
+    std::string Lines; // where splats that are not flat or bent end at clip lines
+    std::string Walk;  // of it what the search for the nearest hits needs
     glm::ivec2 TileSize{ 4, 4 };
     int Lanes = 1;
     bool ClipLines = false;
@@ -93,12 +94,20 @@ private:
   {
     const char* File;
     std::string Defines;
+    bool Curved; // whether tiles may have other splats than flat and bent ones
   };
   /// One that walks over the lists.
   vtkPointSplatProgram* UseTiles(const vtkPointSplatRequest& request,
     const vtkPointSplatPart& part, vtkPointSplatUnits& units, const Shader& shader);
-  /// Runs the tiles in bands of rows.
-  void Run(vtkPointSplatProgram& program, const Variant& variant, vtkPointSplatLayers& layers);
+  /// Tiles of some rows: those without curved splats, then those with, in the table or on the device.
+  struct Band
+  {
+    int Row;
+    size_t First;
+    size_t Plain;
+    size_t Curved;
+  };
+  std::vector<Band> MakeBands(const Variant& variant, const vtkPointSplatLayers& layers);
   Result DrawLayers(const vtkPointSplatRequest& request, const vtkPointSplatPart& part,
     const Variant& variant, vtkPointSplatLayers& layers);
   Result SampleOutlines(const vtkPointSplatRequest& request, const vtkPointSplatPart& part,
