@@ -50,4 +50,4 @@ for ranks, shares in ((2, "EVEN"), (4, "UNEVEN")):
     missed = set(facts["ids"]) ^ set(other["ids"])
     print(f"{len(other['ids'])} points picked, {len(missed)} others than by one rank")
     assert len(other["ids"]) == len(set(other["ids"])), "a point is picked twice"
-    assert len(missed) <= 0.01 * len(facts["ids"]), f"other points are picked: {sorted(missed)}"
+    assert len(missed) <= 0.01 * len(facts["ids"]), f"other points are picked: {sorted(missed)[:20]}"

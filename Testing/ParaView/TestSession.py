@@ -6,7 +6,7 @@ import resource
 import tempfile
 
 import numpy as np
-from paraview import servermanager
+from paraview import servermanager, smstate
 from paraview.simple import (
     ClearSelection, Delete, ExtractSelection, GetActiveView, GetSources, Hide, LoadState,
     ParticleSurfacePoints, PointSplatEstimation, PointSplatGrouping, PointSplatProjection,
@@ -120,13 +120,14 @@ splats.SplatTargetError = 1 / 64
 splats.Opacity = 0.6
 reference = picture(view)
 folder = tempfile.mkdtemp(prefix="splats-")
-for name in ("state.pvsm", "state.py"):
-    SaveState(os.path.join(folder, name))
+SaveState(os.path.join(folder, "state.pvsm"))
+script = smstate.get_state()
+assert "Point Splats" in script
 ResetSession()
 LoadState(os.path.join(folder, "state.pvsm"))
 view = GetActiveView()
 at_least(psnr(reference, picture(view)), 50, "of a state in XML, dB")
 ResetSession()
-exec(open(os.path.join(folder, "state.py")).read())
+exec(script)
 view = GetActiveView()
 at_least(psnr(reference, picture(view)), 50, "of a state in Python, dB")

@@ -27,7 +27,10 @@ seconds = (time.time() - start) / 5
 SelectSurfacePoints(Rectangle=[120, 60, 280, 240], View=view)
 extracted = ExtractSelection(Input=sphere)
 extracted.UpdatePipeline()
-ids = np.asarray(servermanager.Fetch(extracted).GetPointData().GetArray("Id")).tolist()
+ids = []
+for rank in range(servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()):
+    picked = servermanager.Fetch(extracted, rank).GetPointData().GetArray("Id")
+    ids += np.asarray(picked).tolist() if picked else []
 Delete(extracted)
 Delete(sphere)
 bare = scenes.cloud(shares=shares, normals=False, count=5000)

@@ -5,9 +5,14 @@ import os
 import tempfile
 
 import numpy as np
-from paraview.simple import CreateRenderView, ProgrammableSource, Render, SaveScreenshot, Show
+from paraview.simple import (
+    CreateRenderView, ProgrammableSource, Render, SaveScreenshot, Show,
+    _DisableFirstRenderCameraReset,
+)  # fmt: skip
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
+
+_DisableFirstRenderCameraReset()
 
 # Each process makes its own share of points, so that all together have the same for any number of
 # processes: those whose heights lie in its part of [0, 1], as SHARES cuts it. No share, no points.
@@ -80,10 +85,16 @@ def cloud(body=ONE_SPHERE, type="vtkPolyData", count=20000, shares=EVEN, normals
 def new_view():
     view = CreateRenderView(ViewSize=[400, 300])
     view.OrientationAxesVisibility = 0
+    place(view)
+    return view
+
+
+def place(view):
+    """The camera of all pictures."""
+    view.CameraParallelProjection = 0
     view.CameraPosition = [3, -2, 2]
     view.CameraFocalPoint = [0, 0, 0]
     view.CameraViewUp = [0, 0, 1]
-    return view
 
 
 def show(source, view, representation="Point Splats"):

@@ -70,9 +70,9 @@ void vtkPVPointSplatMapper::ProcessSelectorPixelBuffers(
   const char* name = ofCells ? this->CellIdArray.c_str()
     : pass == Selector::POINT_ID_LOW24 || pass == Selector::POINT_ID_HIGH24
     ? this->PointIdArray.c_str()
-    : pass == Selector::COMPOSITE_INDEX_PASS                             ? "vtkCompositeIndex"
-    : pass == Selector::PROCESS_PASS && selector->GetUseProcessIdFromData() ? "vtkProcessId"
-                                                                            : nullptr;
+    : pass == Selector::COMPOSITE_INDEX_PASS ? "vtkCompositeIndex"
+    : pass == Selector::PROCESS_PASS ? "vtkProcessId"
+                                     : nullptr;
   unsigned char* written = name ? selector->GetPixelBuffer(pass) : nullptr;
   const unsigned char* lows =
     selector->GetRawPixelBuffer(ofCells ? Selector::CELL_ID_LOW24 : Selector::POINT_ID_LOW24);

@@ -36,11 +36,6 @@ vtkMultiProcessController* Processes()
   return vtkMultiProcessController::GetGlobalController();
 }
 
-bool AreMany()
-{
-  return Processes() && Processes()->GetNumberOfProcesses() > 1;
-}
-
 vtkIdType CountPoints(vtkDataObject* data)
 {
   return data ? data->GetNumberOfElements(vtkDataObject::POINT) : 0;
@@ -216,12 +211,13 @@ void vtkPVPointSplatRepresentation::PrepareToDraw(vtkInformation* inputs)
   vtkDataObject* less = vtkPVView::GetDeliveredPieceLOD(inputs, this);
   int points = CountPoints(full) > 0 ? 1 : 0;
   int any = points;
-  if (AreMany())
+  const bool many = this->IsDrawnByMany(inputs);
+  if (many)
   {
     Processes()->AllReduce(&points, &any, 1, vtkCommunicator::MAX_OP);
   }
   vtkDataObject* data = !any && inputs->Has(vtkPVRenderView::USE_LOD()) ? less : full;
-  vtkDataObject* drawn = this->WithNeighbours(data);
+  vtkDataObject* drawn = many ? this->WithNeighbours(data) : data;
   this->SplatMapper->SetInputDataObject(drawn);
   if (drawn &&
     (this->AttributesOf != drawn || this->AttributesTime < this->BlockAttributeTime.GetMTime()))
@@ -237,12 +233,19 @@ void vtkPVPointSplatRepresentation::PrepareToDraw(vtkInformation* inputs)
 }
 
 //------------------------------------------------------------------------------
+bool vtkPVPointSplatRepresentation::IsDrawnByMany(vtkInformation* inputs)
+{
+  // Where the data come to one process to be drawn, the others are not asked to draw.
+  auto view = vtkPVRenderView::SafeDownCast(this->GetView());
+  const bool distributed = view &&
+    (inputs->Has(vtkPVRenderView::USE_LOD()) ? view->GetUseDistributedRenderingForLODRender()
+                                             : view->GetUseDistributedRenderingForRender());
+  return distributed && Processes() && Processes()->GetNumberOfProcesses() > 1;
+}
+
+//------------------------------------------------------------------------------
 vtkDataObject* vtkPVPointSplatRepresentation::WithNeighbours(vtkDataObject* own)
 {
-  if (!AreMany())
-  {
-    return own;
-  }
   vtkMultiProcessController* processes = Processes();
   const vtkMTimeType time = own ? own->GetMTime() : 0;
   int changed = this->Delivered != own || this->DeliveredTime != time ? 1 : 0;

@@ -99,6 +99,7 @@ private:
   void ProvideLessDetail(vtkInformation* inputs);
   void PrepareToDraw(vtkInformation* inputs);
   vtkDataObject* WithNeighbours(vtkDataObject* own);
+  bool IsDrawnByMany(vtkInformation* inputs);
 
   vtkNew<vtkPVPointSplatMapper> SplatMapper;
   vtkNew<vtkPVPointSplatRegion> Region;
