@@ -222,50 +222,51 @@ bool vtkPointSplatCrease::GetVote(const float q[3], const float m[3], const floa
   return true;
 }
 
-/// Takes the line that others say like this one, if there is.
-bool vtkPointSplatCrease::Accept(const Vote& best,
-  const vtkPointSplatNeighbors::Neighborhood& around, const vtkPointSplatFace& face,
-  const float n[3], Line& line) const
+/// The mean of the open votes that say about the same line as this one.
+vtkPointSplatCrease::Candidate vtkPointSplatCrease::GetMean(const Vote& best) const
 {
-  const float spacing = this->Spacing;
-  line = { { 0, 0, 0 }, 0 };
+  Candidate mean{ { { 0, 0, 0 }, 0 }, 0 };
   float weights = 0;
-  int votes = 0, against = 0;
   for (int v = 0; v < this->NumberOfVotes; ++v)
   {
     const Vote& vote = this->Votes[v];
-    const float cosine = vtkMath::Dot(vote.At.Direction, best.At.Direction);
-    if (!vote.For)
-    {
-      against += cosine > AgainstDirection ? 1 : 0;
-      continue;
-    }
-    if (!vote.Open || !IsSame(vote.At, best.At, spacing))
+    if (!vote.For || !vote.Open || !IsSame(vote.At, best.At, this->Spacing))
     {
       continue;
     }
-    ++votes;
+    ++mean.Votes;
     weights += vote.Weight;
     for (int c = 0; c < 3; ++c)
     {
-      line.Direction[c] += vote.Weight * vote.At.Direction[c];
+      mean.At.Direction[c] += vote.Weight * vote.At.Direction[c];
     }
-    line.Distance += vote.Weight * vote.At.Distance;
+    mean.At.Distance += vote.Weight * vote.At.Distance;
   }
-  const float length = std::sqrt(vtkMath::Dot(line.Direction, line.Direction));
-  for (float& component : line.Direction)
+  const float length = std::sqrt(vtkMath::Dot(mean.At.Direction, mean.At.Direction));
+  for (float& component : mean.At.Direction)
   {
     component /= length;
   }
-  line.Distance = std::max(line.Distance / weights, LeastDistance * spacing);
+  mean.At.Distance = std::max(mean.At.Distance / weights, LeastDistance * this->Spacing);
+  return mean;
+}
 
-  for (int k = 0; k < this->NumberOfUnsound; ++k)
+/// Whether few enough are against a line, and it runs past the point. unsound: neighbours without a
+/// face of their own that are on no candidate.
+bool vtkPointSplatCrease::IsLine(const Candidate& candidate,
+  const vtkPointSplatNeighbors::Neighborhood& around, const vtkPointSplatFace& face,
+  const float n[3], int unsound) const
+{
+  const float spacing = this->Spacing;
+  const Line& line = candidate.At;
+  int against = unsound;
+  for (int v = 0; v < this->NumberOfVotes; ++v)
   {
-    const int i = this->Unsound[k];
-    const float q[3] = { around.X[i], around.Y[i], around.Z[i] };
-    against += !IsOn(line, q, spacing);
+    const Vote& vote = this->Votes[v];
+    against +=
+      !vote.For && vtkMath::Dot(vote.At.Direction, line.Direction) > AgainstDirection ? 1 : 0;
   }
-  if (votes < FewestVotes || votes < VotesPerAgainst * against)
+  if (candidate.Votes < FewestVotes || candidate.Votes < VotesPerAgainst * against)
   {
     return false;
   }
@@ -335,20 +336,33 @@ void vtkPointSplatCrease::Find(const vtkPointSplatNeighbors::Neighborhood& aroun
     this->NumberOfVotes += this->GetVote(
       q, faces.Normals + std::size_t(3) * j, C, n, face, this->Votes[this->NumberOfVotes]);
   }
-  Line found[MaximumNumberOfFound];
-  int count = 0;
-  while (count < MaximumNumberOfFound)
+  Candidate candidates[MaximumNumberOfFound];
+  int said = 0;
+  for (int best = this->GetBest(); best >= 0 && said < MaximumNumberOfFound; best = this->GetBest())
   {
-    const int best = this->GetBest();
-    if (best < 0)
-    {
-      break;
-    }
     const Vote vote = this->Votes[best];
-    count += this->Accept(vote, around, face, n, found[count]);
+    candidates[said++] = this->GetMean(vote);
     for (int v = 0; v < this->NumberOfVotes; ++v)
     {
       this->Votes[v].Open = this->Votes[v].Open && !IsSame(this->Votes[v].At, vote.At, spacing);
+    }
+  }
+  // Where edges meet at a corner, a neighbour is on another of them.
+  int unsound = 0;
+  for (int k = 0; k < this->NumberOfUnsound; ++k)
+  {
+    const int i = this->Unsound[k];
+    const float q[3] = { around.X[i], around.Y[i], around.Z[i] };
+    unsound += std::none_of(candidates, candidates + said,
+      [&q, spacing](const Candidate& candidate) { return IsOn(candidate.At, q, spacing); });
+  }
+  Line found[MaximumNumberOfFound];
+  int count = 0;
+  for (int c = 0; c < said; ++c)
+  {
+    if (this->IsLine(candidates[c], around, face, n, unsound))
+    {
+      found[count++] = candidates[c].At;
     }
   }
   std::stable_sort(found, found + count,

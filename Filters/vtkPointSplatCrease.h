@@ -114,8 +114,15 @@ private:
   bool GetVote(const float q[3], const float m[3], const float C[6], const float n[3],
     const vtkPointSplatFace& face, Vote& vote) const;
   int GetBest() const;
-  bool Accept(const Vote& best, const vtkPointSplatNeighbors::Neighborhood& around,
-    const vtkPointSplatFace& face, const float n[3], Line& line) const;
+  /// A line that several votes say.
+  struct Candidate
+  {
+    Line At;
+    int Votes;
+  };
+  Candidate GetMean(const Vote& best) const;
+  bool IsLine(const Candidate& candidate, const vtkPointSplatNeighbors::Neighborhood& around,
+    const vtkPointSplatFace& face, const float n[3], int unsound) const;
 
   float Spacing = 0;
   float Side[3]; // the mean offset of the face's members

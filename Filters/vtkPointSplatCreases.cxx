@@ -22,8 +22,8 @@ using Neighborhood = vtkPointSplatNeighbors::Neighborhood;
 
 /// Twice as far as the neighbours that disks are made of reach, and some.
 constexpr int NumberOfNeighbors = 32;
-/// How many points with lines a point with lines must have among these neighbours of theirs: of the
-/// dozen or more of them that a strip along a crease has ...
+/// How many points with lines a point with lines must be among these neighbours of, or have among
+/// its own: of the dozen or more of them that a strip along a crease has ...
 constexpr int LeastCompany = 10;
 /// ... and how many it, or one among its own neighbours, must have. A fold of a scan that is sharp
 /// over a few points has at most 15: too short to gain from, where each line makes all frames
@@ -189,6 +189,11 @@ bool vtkPointSplatCreases::FitFaces(
   });
 }
 
+bool vtkPointSplatCreases::HasLine(const Splat& splat)
+{
+  return std::any_of(splat.Clip, splat.Clip + 6, [](float v) { return v != 0; });
+}
+
 bool vtkPointSplatCreases::FindSplat(
   const Neighborhood& around, const float n[3], Splat& splat) const
 {
@@ -260,7 +265,8 @@ bool vtkPointSplatCreases::FindSplat(
       ++lines;
     }
   }
-  return lines > 0;
+  // Where no line is in reach of this disk, one may be of the disk that ends where its face does.
+  return true;
 }
 
 std::vector<vtkPointSplatCreases::Twin>::const_iterator vtkPointSplatCreases::FindTwin(
@@ -327,7 +333,8 @@ bool vtkPointSplatCreases::Find(vtkAlgorithm* self, double from, double to,
     std::vector<Splat>& local = found.Local();
     const std::size_t before = local.size();
     this->FindSplats(around, local);
-    for (int i = 0; i < around.Count && local.size() > before; ++i)
+    const bool ends = std::any_of(local.begin() + before, local.end(), HasLine);
+    for (int i = 0; i < around.Count && ends; ++i)
     {
       beside[around.Slots[i]].fetch_add(1, std::memory_order_relaxed);
     }
@@ -379,19 +386,24 @@ bool vtkPointSplatCreases::Find(vtkAlgorithm* self, double from, double to,
     this->Splats.insert(this->Splats.end(), local.begin(), local.end());
   }
   // 5. A crease is a line of points: what has hardly any beside it, or only such, is noise.
-  std::vector<unsigned char> kept(slots, 0), unsure(slots, 0), sure(slots, 0);
+  // A point that stands alone is a neighbour of few, but has as many itself.
+  std::vector<unsigned char> looked(slots, 0), lined(slots, 0), sure(slots, 0), kept(slots, 0);
   for (const Splat& splat : this->Splats)
   {
+    looked[splat.At] = 1;
+    lined[splat.At] |= HasLine(splat);
     sure[splat.At] = kept[splat.At] = beside[splat.At] >= LeastSureCompany;
-    unsure[splat.At] = !sure[splat.At] && beside[splat.At] >= LeastCompany;
   }
   auto confirm = [&](const Neighborhood& around, int) {
-    kept[around.Center] = std::any_of(
-      around.Slots, around.Slots + around.Count, [&sure](Slot s) { return sure[s] != 0; });
+    const Slot* end = around.Slots + around.Count;
+    const auto own = std::count_if(around.Slots, end, [&lined](Slot s) { return lined[s] != 0; });
+    kept[around.Center] =
+      std::max<std::ptrdiff_t>(own, beside[around.Center]) >= LeastCompany &&
+      std::any_of(around.Slots, end, [&sure](Slot s) { return sure[s] != 0; });
     return true;
   };
   if (!this->Neighbors.Visit(self, from + 5 * step, to, NumberOfNeighbors, confirm,
-        [&unsure](Slot s) { return unsure[s] != 0; }))
+        [&](Slot s) { return looked[s] && !sure[s]; }))
   {
     return false;
   }

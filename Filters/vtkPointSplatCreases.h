@@ -89,6 +89,7 @@ private:
   bool HasTwins(Slot s) const;
   void FindSplats(const Neighborhood& around, std::vector<Splat>& splats) const;
   bool FindSplat(const Neighborhood& around, const float n[3], Splat& splat) const;
+  static bool HasLine(const Splat& splat);
 
   const vtkPointSplatNeighbors& Neighbors;
   vtkPointSplatFaces Faces;

@@ -14,6 +14,7 @@
 #include "vtkLookupTable.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPointSplatIgnored.h"
 #include "vtkPointSplatMapperInternals.h"
@@ -93,6 +94,10 @@ void vtkPointSplatMapper::vtkInternals::UpdateCloud(
     input.ColourKey = [this] { return this->GetColourKey(); };
   }
   this->ActorColour = settings.ActorColour.value_or(this->ActorColour);
+  this->NeedCoordinates = this->NeedCoordinates || settings.NeedCoordinates;
+  this->NeedTangents = this->NeedTangents || settings.NeedTangents;
+  input.NeedCoordinates = this->NeedCoordinates;
+  input.NeedTangents = this->NeedTangents;
   this->LookAtBlocks(input);
   this->GetCloud().Update(input);
 }
@@ -144,6 +149,7 @@ vtkPointSplatSettings vtkPointSplatMapper::vtkInternals::GetSettings() const
   s.LayerDistance = m.LayerDistance;
   s.RadiusScale = m.RadiusScale;
   s.MaximumImageMemory = m.MaximumImageMemory;
+  s.MaximumWindowMemory = m.MaximumWindowMemory;
   s.PlateauKernel = m.Kernel == PLATEAU;
   s.KernelSigma = m.KernelSigma;
   s.PlateauFalloff = m.PlateauFalloff;
@@ -229,14 +235,13 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   {
     return;
   }
-  if (vtkPointSplatPrimitives::AreShown(actor))
+  if (internals.ArePrimitivesShown(renderer, actor))
   {
     internals.Report = vtkPointSplatReport();
     internals.Primitives.Render(this, this->GetExecutive()->GetInputData(0, 0), renderer, actor);
     this->UpdateProgress(1.0);
     return;
   }
-  vtkPointSplatIgnored::Warn(this, actor, this->Method == IMAGE_SPACE, internals.WarnedOf);
   if (vtkHardwareSelector* selector = renderer->GetSelector())
   {
     // Tells it how many passes the ids need.
@@ -261,6 +266,8 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   }
   if (!renderer->GetSelector())
   {
+    vtkPointSplatIgnored::Warn(
+      this, actor, internals.GetCloud(), internals.Report, internals.WarnedOf);
     const bool refused =
       internals.Report.Settings.Method == DEFERRED && internals.Report.Choice.Refused;
     if (refused && !drawn.Refused)
@@ -281,6 +288,24 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
     drawn.NoEnvironment = noEnvironment;
   }
   this->UpdateProgress(1.0);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatMapper::vtkInternals::ArePrimitivesShown(vtkRenderer* renderer, vtkActor* actor)
+{
+  if (vtkPointSplatPrimitives::AreShown(actor))
+  {
+    return true;
+  }
+  const bool foreign = !vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (foreign && !this->WarnedOfPrimitives)
+  {
+    this->WarnedOfPrimitives = true;
+    vtkWarningWithObjectMacro(this->Self,
+      "The window is not drawn by OpenGL, as splats are: the input's cells are drawn in their stead, "
+      "or plain vertices where there are none.");
+  }
+  return foreign;
 }
 
 //------------------------------------------------------------------------------

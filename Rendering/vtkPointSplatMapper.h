@@ -85,9 +85,8 @@
  * median, and as far off the nearest points' distances, are drawn with a warning: no filter of VTK's
  * scales `SplatRadius` and `SplatCurvature`, so that after a vtkTransformFilter that scales they
  * must be estimated anew. An actor's scale acts on all alike. NaN is refused by all setters. In a
- * window without an OpenGL context nothing is drawn. Windows of more than 11,500 x 11,500 pixels,
- * of 7,500 x 7,500 without tiles, are refused with an error, since their images would take more
- * than 4 GiB: vtkWindowToImageFilter::SetScale() draws larger pictures part by part.
+ * window without an OpenGL context nothing is drawn; in one that is not OpenGL's (WebGPU) VTK's own
+ * mapper draws as for wireframe, with one warning.
  *
  * Progress: while sizes and normals are estimated, ProgressEvent tells how much is done, and
  * AbortExecuteOn() ends it; nothing is drawn then, and the next Render() begins anew.
@@ -318,6 +317,16 @@ public:
 
   ///@{
   /**
+   * Bytes that the images of a layer may take, 28 a pixel of the window by tiles (60 with textures),
+   * 76 else: larger windows are drawn in parts of at least 256 x 256 pixels, with the same picture.
+   * Not with depth peeling; rays of Refraction end at parts' rims. 0: no bound. Default: 4 GiB.
+   */
+  vtkSetClampMacro(MaximumWindowMemory, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(MaximumWindowMemory, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
    * Of Method ImageSpace: how often holes are filled in a frame at most, each time by a pixel from
    * their rims, and no oftener than something changes. Default: 2; more close wider holes, and fill
    * creases. Points as dense as pixels take one step. How often it was done in the last frame is
@@ -383,11 +392,11 @@ public:
   /**
    * Whether lights cast shadows on these points (Dobrev, Rosenthal, Linsen 2010, section 6): how
    * much of each light arrives at each point is computed as vtkPointShadowTexture does it, and
-   * computed again only when lights, points, their actors or meshes change. All opaque splat actors
-   * of the renderer and the faces of all opaque meshes cast; translucent ones do not, nor what
-   * clipping planes cut away. The first four lights that are switched on and no headlights cast;
-   * from where a headlight stands its shadows cannot be seen. Off by default: then the input's
-   * array `ShadowFactor` is used, if there is one, whose components belong to the same lights.
+   * again only when lights, points, their actors or meshes change. All splat actors of the renderer
+   * cast, translucent ones by taking away part of the light's colour, and all opaque meshes' faces,
+   * but for what is clipped away; on meshes shadows fall by vtkPointSplatShadowPass. The first four
+   * lights that are on and no headlights cast. Off by default: then the input's array
+   * `ShadowFactor` is used, if there is one, of the same lights.
    */
   vtkSetMacro(Shadows, bool);
   vtkGetMacro(Shadows, bool);
@@ -454,18 +463,13 @@ public:
 
   ///@{
   /**
-   * The kernel that weights splats where they overlap. Default: Gaussian.
+   * The kernel that weights splats where they overlap. Default: Gaussian. Its sigma, as a fraction
+   * of the splat's radius. Default: 0.6.
    */
   vtkSetClampMacro(Kernel, int, GAUSSIAN, PLATEAU);
   vtkGetMacro(Kernel, int);
   void SetKernelToGaussian() { this->SetKernel(GAUSSIAN); }
   void SetKernelToPlateau() { this->SetKernel(PLATEAU); }
-  ///@}
-
-  ///@{
-  /**
-   * The Gaussian's sigma, as a fraction of the splat's radius. Default: 0.6.
-   */
   vtkPointSplatSetClampMacro(KernelSigma, 0.05, 10.0);
   vtkGetMacro(KernelSigma, double);
   ///@}
@@ -520,22 +524,15 @@ public:
   vtkIdType GetNumberOfSkippedPoints();
   ///@}
 
-  /**
-   * Bytes of the images that the last frame used, shared by all splat actors of
-   * its renderer.
-   */
+  /// Bytes of the images that the last frame used, shared by all splat actors of its renderer.
   vtkIdType GetImageMemorySize();
 
-  /**
-   * The input, polygonal or composite or any other point set.
-   */
+  /// The input, polygonal or composite or any other point set.
   void SetInputDataObject(vtkDataObject* input) { this->SetInputDataObject(0, input); }
   using vtkPolyDataMapper::SetInputDataObject;
   bool HasCompositeInput();
 
-  /**
-   * The points as an actor draws them, as plain vertices: see vtkPointSplatPlainScene.
-   */
+  /// The points as an actor draws them, as plain vertices: see vtkPointSplatPlainScene.
   void GetVertices(vtkActor* actor, vtkPolyData* vertices);
 
   double* GetBounds() VTK_SIZEHINT(6) override;
@@ -574,6 +571,7 @@ private:
   double OverlapFactor = 0.8;
   bool VoronoiDepth = true;
   vtkIdType MaximumImageMemory = vtkIdType(1) << 30;
+  vtkIdType MaximumWindowMemory = vtkIdType(1) << 32;
   int MaximumNumberOfFillSteps = 2;
   bool AntiAliasing = true;
   bool ProjectNoise = true;

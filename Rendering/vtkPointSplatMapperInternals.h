@@ -54,6 +54,10 @@ public:
   vtkPointSplatPrimitives Primitives;
   std::vector<Drawn> AllDrawn;
 
+  /// Whether VTK's mapper draws the input: by the actor's representation, or, with one warning,
+  /// because there cannot be splats.
+  bool ArePrimitivesShown(vtkRenderer* renderer, vtkActor* actor);
+
 private:
   vtkPointSplatColours MapColours(vtkDataSet* data);
   vtkPointSplatValues MapValues(vtkDataSet* data);
@@ -62,7 +66,10 @@ private:
   void LookAtBlocks(vtkPointSplatCloudInput& input);
 
   vtkPointSplatMapper* Self;
+  bool WarnedOfPrimitives = false;
   std::array<double, 4> ActorColour{ { 1.0, 1.0, 1.0, 1.0 } }; // of the one drawn last
+  bool NeedCoordinates = false; // of any that was drawn
+  bool NeedTangents = false;
 };
 
 VTK_ABI_NAMESPACE_END

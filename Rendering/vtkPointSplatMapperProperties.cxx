@@ -31,6 +31,7 @@ void vtkPointSplatMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetOverlapFactor(other->OverlapFactor);
     this->SetVoronoiDepth(other->VoronoiDepth);
     this->SetMaximumImageMemory(other->MaximumImageMemory);
+    this->SetMaximumWindowMemory(other->MaximumWindowMemory);
     this->SetMaximumNumberOfFillSteps(other->MaximumNumberOfFillSteps);
     this->SetAntiAliasing(other->AntiAliasing);
     this->SetProjectNoise(other->ProjectNoise);
@@ -81,6 +82,7 @@ void vtkPointSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OverlapFactor: " << this->OverlapFactor << "\n";
   os << indent << "VoronoiDepth: " << (this->VoronoiDepth ? "On" : "Off") << "\n";
   os << indent << "MaximumImageMemory: " << this->MaximumImageMemory << "\n";
+  os << indent << "MaximumWindowMemory: " << this->MaximumWindowMemory << "\n";
   os << indent << "MaximumNumberOfFillSteps: " << this->MaximumNumberOfFillSteps << "\n";
   os << indent << "NumberOfFillSteps: " << this->GetNumberOfFillSteps() << "\n";
   os << indent << "ProjectNoise: " << (this->ProjectNoise ? "On" : "Off") << "\n";

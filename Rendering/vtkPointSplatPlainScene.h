@@ -7,7 +7,10 @@
  * Exporters that write geometry (vtkOBJExporter, vtkGLTFExporter, vtkX3DExporter, vtkPOVExporter,
  * vtkRIBExporter, vtkVRMLExporter ...) take the input of each actor's mapper: of points without cells
  * they write nothing, and of composite data nothing, or three of them crash (also
- * with vtkCompositePolyDataMapper2, VTK 9.1). Between Begin() and End() actors have other mappers:
+ * with vtkCompositePolyDataMapper2, VTK 9.1). No mapper can help that by itself: an exporter asks it for
+ * nothing but the input, which is the user's own data object, and says nothing of being an exporter.
+ * (Points that come with a vertex each are written as they are. vtkGL2PSExporter has VTK draw the
+ * window, and gets the splats' picture.) Between Begin() and End() actors have other mappers:
  *
  * @code
  *   plain->SetRenderWindow(window);

@@ -316,7 +316,9 @@ FILES  points: .vtp .ply .obj .stl .xyz .pts .txt .csv .vtu .vts .vtk .vtm
        Without files splatview makes a hydrogen orbital of its own, cut open to show three
        nested isosurfaces, and writes hydrogen.png.
        Text points: a line a point, x y z [nx ny nz] [r g b]; an intensity, other orders,
-       # comments, a line of names and one with the count are understood.
+       # comments and a line with the count are understood. A line of names above the columns
+       decides: x y z, nx ny nz, r g b (or red green blue) and radius in any order, quoted or not,
+       in capitals or not; all others are arrays by their names (--array intensity).
        Missing normals are taken from a mesh's triangles, or estimated.
 
 What is drawn

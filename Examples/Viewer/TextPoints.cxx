@@ -4,6 +4,7 @@
 
 #include "PointColors.h"
 #include "Progress.h"
+#include "TextColumns.h"
 #include "TextTable.h"
 
 #include "vtkFloatArray.h"
@@ -20,56 +21,17 @@
 
 namespace
 {
-/**
- * Whether three columns hold unit vectors. Unknown normals are often zero or NaN.
- */
-bool HasNormalsAt(const TextTable& table, size_t column)
+vtkSmartPointer<vtkFloatArray> MakeArray(const std::string& name, int components)
 {
-  if (column + 3 > table.Columns)
-  {
-    return false;
-  }
-  bool any = false;
-  for (size_t i = 0; i < table.GetNumberOfRows(); ++i)
-  {
-    const double* n = table.Row(i) + column;
-    const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-    if (std::abs(length - 1.0) <= 0.01)
-    {
-      any = true;
-    }
-    else if (length > 0.0) // false for NaN too
-    {
-      return false;
-    }
-  }
-  return any;
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(components);
+  return array;
 }
 
-/**
- * Which columns are what; 0 is nowhere, since x is there.
- */
-void FindColumns(const TextTable& table, size_t& normalAt, size_t& colourAt, size_t& scalarAt)
+float Of(const double* row, size_t column)
 {
-  // What may follow x y z: (n)ormal, (c)olour, (s)calar; the first that fits is taken.
-  // Columns behind are passed over, but not where a scalar would then be guessed.
-  for (const std::string layout :
-    { "snc", "scn", "ncs", "cns", "nc", "cn", "sn", "ns", "sc", "n", "c", "s" })
-  {
-    normalAt = colourAt = scalarAt = 0;
-    size_t column = 3;
-    for (const char kind : layout)
-    {
-      (kind == 'n' ? normalAt : kind == 'c' ? colourAt : scalarAt) = column;
-      column += kind == 's' ? 1 : 3;
-    }
-    if ((scalarAt ? column == table.Columns : column <= table.Columns) &&
-      (!normalAt || HasNormalsAt(table, normalAt)))
-    {
-      return;
-    }
-  }
-  normalAt = colourAt = scalarAt = 0;
+  return static_cast<float>(row[column]);
 }
 }
 
@@ -77,56 +39,64 @@ void FindColumns(const TextTable& table, size_t& normalAt, size_t& colourAt, siz
 vtkSmartPointer<vtkPolyData> ReadTextPoints(const std::string& file, ProgressBar& progress)
 {
   const TextTable table = TextTable::Read(file, progress);
+  const TextColumns columns = TextColumns::Find(table);
   const size_t rows = table.GetNumberOfRows();
-
-  size_t normalAt = 0;
-  size_t colourAt = 0;
-  size_t scalarAt = 0;
-  FindColumns(table, normalAt, colourAt, scalarAt);
 
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(static_cast<vtkIdType>(rows));
-  vtkNew<vtkFloatArray> normals;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
-  vtkNew<vtkFloatArray> scalars;
-  scalars->SetName("Intensity");
+  const vtkSmartPointer<vtkFloatArray> normals = MakeArray("Normals", 3);
+  const vtkSmartPointer<vtkFloatArray> radii = MakeArray("SplatRadius", 1);
+  std::vector<vtkSmartPointer<vtkFloatArray>> others;
+  for (const auto& other : columns.Others)
+  {
+    others.push_back(MakeArray(other.first, 1));
+  }
   std::vector<float> colours;
   for (size_t i = 0; i < rows; ++i)
   {
     const double* row = table.Row(i);
-    points->SetPoint(static_cast<vtkIdType>(i), row);
-    if (normalAt)
+    points->SetPoint(static_cast<vtkIdType>(i), row[columns.Point[0]], row[columns.Point[1]],
+      row[columns.Point[2]]);
+    if (const auto& at = columns.Normal)
     {
-      normals->InsertNextTuple(row + normalAt);
+      normals->InsertNextTuple3(row[(*at)[0]], row[(*at)[1]], row[(*at)[2]]);
     }
-    if (colourAt)
+    if (const auto& at = columns.Colour)
     {
-      colours.insert(colours.end(), row + colourAt, row + colourAt + 3);
+      colours.insert(colours.end(), { Of(row, (*at)[0]), Of(row, (*at)[1]), Of(row, (*at)[2]) });
     }
-    if (scalarAt)
+    if (columns.Radius)
     {
-      scalars->InsertNextTuple(row + scalarAt);
+      radii->InsertNextValue(Of(row, *columns.Radius));
+    }
+    for (size_t k = 0; k < others.size(); ++k)
+    {
+      others[k]->InsertNextValue(Of(row, columns.Others[k].second));
     }
   }
 
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
-  if (normalAt)
+  if (columns.Normal)
   {
     data->GetPointData()->SetNormals(normals);
   }
-  if (scalarAt)
+  if (columns.Radius)
   {
-    data->GetPointData()->AddArray(scalars);
+    data->GetPointData()->AddArray(radii);
   }
-  if (colourAt)
+  for (const vtkSmartPointer<vtkFloatArray>& other : others)
+  {
+    data->GetPointData()->AddArray(other);
+  }
+  if (columns.Colour)
   {
     // std::fmax passes over NaN.
     const float greatest = std::accumulate(
       colours.begin(), colours.end(), 0.0f, [](float a, float b) { return std::fmax(a, b); });
-    data->GetPointData()->SetScalars(MakeColors(colours, greatest <= 1.0f ? 1.0 : 255.0));
+    const double white = greatest <= 1.0f ? 1.0 : greatest <= 255.0f ? 255.0 : 65535.0;
+    data->GetPointData()->SetScalars(MakeColors(colours, white));
   }
   return data;
 }

@@ -12,12 +12,8 @@ class ProgressBar;
 class vtkPolyData;
 
 /**
- * Columns are x y z, then normals, colours, both in either order, or neither, with
- * one scalar before or behind those: three columns are normals if they are unit
- * vectors within 1 % (or zero), else colours, from 0 to 1 or from 0 to 255. The
- * scalar becomes the array "Intensity".
- *
- * How the numbers may be written, TextTable tells. Throws UserError.
+ * What the columns are, TextColumns tells; how the numbers may be written, TextTable.
+ * Throws UserError.
  */
 vtkSmartPointer<vtkPolyData> ReadTextPoints(const std::string& file, ProgressBar& progress);
 

@@ -260,6 +260,52 @@ void Split(const std::string& given, const Style& style, std::vector<std::string
   }
 }
 
+/**
+ * The names of a line. They may have blanks in them, where these do not separate the columns.
+ */
+std::vector<std::string> SplitNames(const std::string& line, const Style& style)
+{
+  Style names = style;
+  if (style.Separator == ' ' && line.find('\t') != std::string::npos)
+  {
+    names.Separator = '\t';
+  }
+  std::vector<std::string> cells;
+  if (names.Separator == ' ')
+  {
+    Split(line, style, cells);
+    return cells;
+  }
+  std::string cell;
+  bool quoted = false;
+  const auto end = [&cells, &cell] {
+    const size_t first = cell.find_first_not_of(" \t");
+    const size_t last = cell.find_last_not_of(" \t");
+    cells.push_back(first == std::string::npos ? "" : cell.substr(first, last + 1 - first));
+    cell.clear();
+  };
+  for (const char c : line)
+  {
+    if (c == '"')
+    {
+      quoted = !quoted;
+    }
+    else if (c == names.Separator && !quoted)
+    {
+      end();
+    }
+    else
+    {
+      cell.push_back(c);
+    }
+  }
+  if (!cell.empty())
+  {
+    end();
+  }
+  return cells;
+}
+
 bool ParseNumber(std::string& cell, const Style& style, double& number)
 {
   const size_t start = cell.find_first_not_of(" \t");
@@ -359,7 +405,7 @@ TextTable TextTable::Read(const std::string& file, ProgressBar& progress)
     {
       if (table.Columns == 0 && BeginsLikeAName(line))
       {
-        table.Names = cells;
+        table.Names = SplitNames(line, style);
         continue;
       }
       throw UserError(place + ": '" + cells[numbers] + "' is not a number");

@@ -50,6 +50,7 @@ struct vtkPointSplatSettings
   double LayerDistance = 0.0;
   double RadiusScale = 1.0;
   vtkIdType MaximumImageMemory = vtkIdType(1) << 30;
+  vtkIdType MaximumWindowMemory = vtkIdType(1) << 32;
 
   bool PlateauKernel = false;
   double KernelSigma = 0.6;
@@ -69,6 +70,10 @@ struct vtkPointSplatSettings
 
   /// Diffuse colour and opacity of the actor that is drawn, if that is known.
   std::optional<std::array<double, 4>> ActorColour;
+
+  /// Whether the actor that is drawn has textures; whether its light goes by tangents.
+  bool NeedCoordinates = false;
+  bool NeedTangents = false;
 
   bool Shadows = false;
   int NumberOfShadowSamples = 16;

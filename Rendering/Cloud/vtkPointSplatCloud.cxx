@@ -11,6 +11,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPointSplatArrays.h"
+#include "vtkPointSplatCoordinates.h"
 #include "vtkPointSplatMorton.h"
 #include "vtkPointSplatPacking.h"
 #include "vtkPointSplatSpacing.h"
@@ -147,6 +148,7 @@ void vtkPointSplatCloud::Update(const vtkPointSplatCloudInput& input)
     this->FactorsMadeFrom = std::move(factorKey);
     this->FactorTime.Modified();
   }
+  this->UpdateCoordinates(input);
 }
 
 //------------------------------------------------------------------------------
@@ -449,8 +451,8 @@ double vtkPointSplatCloud::MeasureSpacing() const
 //------------------------------------------------------------------------------
 vtkMTimeType vtkPointSplatCloud::GetMTime() const
 {
-  return std::max(
-    { this->SplatTime.GetMTime(), this->ColourTime.GetMTime(), this->FactorTime.GetMTime() });
+  return std::max({ this->SplatTime.GetMTime(), this->ColourTime.GetMTime(),
+    this->FactorTime.GetMTime(), this->CoordinateTime.GetMTime() });
 }
 
 //------------------------------------------------------------------------------
@@ -537,6 +539,12 @@ vtkPointSplatCloud::Buffers& vtkPointSplatCloud::Fill(ContextBuffers& all, bool 
     buffers.ValueTime.Modified();
   }
   fill(buffers.Factors, buffers.FactorTime, this->FactorTime, this->Factors, 1);
+  if (!grouped)
+  {
+    fill(buffers.Coordinates, buffers.CoordinateTime, this->CoordinateTime, this->Coordinates,
+      vtkPointSplatCoordinates::Words);
+    fill(buffers.Tangents, buffers.TangentTime, this->CoordinateTime, this->Tangents, 1);
+  }
   return buffers;
 }
 

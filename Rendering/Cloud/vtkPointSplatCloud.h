@@ -23,6 +23,9 @@
 // s u + t v is kept what has dot(c, (u, v)) <= 1.
 // Colours: RGBA, 8 bits each, one a splat, where scalars colour the points; or values (see below).
 // Factors: of up to four lights, 8 bits each, one a splat, where the input has `ShadowFactor`.
+// Coordinates, of textures, where they are needed: four words a splat
+// (vtkPointSplatCoordinates.h), and tangents, coded as normals, one word. Blocks without them have
+// none beside those with.
 //
 // Colours of cells: a splat has that of the first cell, by its id, that uses the point, as of a
 // point's vertex; a point without a cell has the table's colour of NaN. They are not blended: a
@@ -58,7 +61,6 @@ class vtkPointSet;
 class vtkPolyData;
 VTK_ABI_NAMESPACE_END
 
-
 class vtkPointSplatCloud
 {
 public:
@@ -82,6 +84,8 @@ public:
     vtkPointSplatBuffer Colours{ GL_R32UI };
     vtkPointSplatBuffer ValueTable{ GL_R32UI };
     vtkPointSplatBuffer Factors{ GL_R32UI };
+    vtkPointSplatBuffer Coordinates{ GL_RGBA32UI };
+    vtkPointSplatBuffer Tangents{ GL_R32UI };
     vtkPointSplatBuffer Ids{ GL_R32UI };
     IdKind IdsAre = PointIds;
     vtkPointSplatHandle VertexArray{ vtkPointSplatHandle::VertexArray };
@@ -90,6 +94,8 @@ public:
     vtkTimeStamp ColourTime;
     vtkTimeStamp ValueTime;
     vtkTimeStamp FactorTime;
+    vtkTimeStamp CoordinateTime;
+    vtkTimeStamp TangentTime;
     vtkTimeStamp IdTime;
   };
 
@@ -160,13 +166,16 @@ public:
   const std::array<double, 2>& GetValueScale() const { return this->ValueScale; }
   /// Of how many lights the input has factors.
   int GetFactorCount() const { return this->FactorCount; }
+  /// Whether splats have texture coordinates, of which those were asked for; and tangents.
+  bool HasCoordinates() const { return !this->Coordinates.empty(); }
+  bool HasTangents() const { return !this->Tangents.empty(); }
   double GetMedianRadius() const { return this->MedianRadius; }
   double GetMaximumRadius() const { return this->MaximumRadius; }
   /// The distance of neighbouring points, world units (vtkPointSplatSpacing.h).
   double GetSpacing();
   const std::array<double, 3>& GetOrigin() const { return this->Origin; }
   const std::array<double, 6>& GetBounds() const { return this->Bounds; }
-  /// When splats, colours or factors changed.
+  /// When splats, colours, factors, coordinates or tangents changed.
   vtkMTimeType GetMTime() const;
   /// When splats changed.
   vtkMTimeType GetSplatTime() const { return this->SplatTime; }
@@ -210,6 +219,7 @@ private:
   void BuildLooks(const vtkPointSplatCloudInput& input, const std::vector<bool>& scalars);
   bool BuildValues(const vtkPointSplatCloudInput& input);
   void BuildFactors(vtkObject* owner);
+  void UpdateCoordinates(const vtkPointSplatCloudInput& input);
   std::vector<uint32_t> MakeIds(IdKind kind) const;
   /// RGBA, 8 bits each, whether splats have colours or values.
   uint32_t ColourOf(vtkIdType splat) const;
@@ -225,6 +235,8 @@ private:
   std::array<double, 2> ValueScale{ { 0.0, 0.0 } };
   std::vector<uint32_t> Factors;
   int FactorCount = 0;
+  std::vector<uint32_t> Coordinates;
+  std::vector<uint32_t> Tangents;
   std::vector<Block> Blocks;
   vtkIdType Count = 0;
   vtkIdType Points = 0;
@@ -252,9 +264,11 @@ private:
   std::map<unsigned int, vtkPointSplatBlockLook> Looks;
   std::array<double, 4> ActorColour{ { 1.0, 1.0, 1.0, 1.0 } };
   Key FactorsMadeFrom;
+  Key CoordinatesMadeFrom;
   vtkTimeStamp SplatTime;
   vtkTimeStamp ColourTime;
   vtkTimeStamp FactorTime;
+  vtkTimeStamp CoordinateTime;
   ContextBuffers PerContext;
   ContextBuffers GroupedPerContext;
 };

@@ -69,6 +69,9 @@ struct vtkPointSplatCloudInput
   bool NeedSizes = true;
   /// Whether points whose normals and neighbours contradict one another are moved onto one surface.
   bool ProjectNoise = true;
+  /// Whether some actor has textures; whether light goes by the points' tangents.
+  bool NeedCoordinates = false;
+  bool NeedTangents = false;
   /// A block's colours; null: of no worth.
   std::function<vtkPointSplatColours(vtkDataSet*)> MapColours;
   /// A block's values, that are blended and then mapped to colours; or null: colours are blended.

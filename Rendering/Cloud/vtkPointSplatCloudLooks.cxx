@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Of the cloud: colours, by scalars and by the looks of blocks, and what is kept of hidden blocks.
+// Of the cloud: colours, by scalars and by the looks of blocks, texture coordinates, and what is
+// kept of hidden blocks.
 #include "vtkPointSplatCloud.h"
 
+#include "vtkPointData.h"
 #include "vtkPointSet.h"
+#include "vtkPointSplatCoordinates.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -156,5 +159,57 @@ void vtkPointSplatCloud::BuildLooks(
         this->Colours[i] = (was & 0xffffffu) | byte((was >> 24) / 255.0 * opacity) << 24;
       }
     });
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatCloud::UpdateCoordinates(const vtkPointSplatCloudInput& input)
+{
+  auto wanted = [](const Block& block, vtkDataArray* array, int components) {
+    return array && array->GetNumberOfTuples() == block.Data->GetNumberOfPoints() &&
+        array->GetNumberOfComponents() >= components
+      ? array
+      : nullptr;
+  };
+  Key key{ { nullptr, this->SplatTime.GetMTime() } };
+  std::vector<std::array<vtkDataArray*, 2>> arrays;
+  for (const Block& block : this->Blocks)
+  {
+    vtkPointData* data = block.Data->GetPointData();
+    arrays.push_back({ { input.NeedCoordinates ? wanted(block, data->GetTCoords(), 1) : nullptr,
+      input.NeedTangents ? wanted(block, data->GetTangents(), 3) : nullptr } });
+    for (vtkDataArray* array : arrays.back())
+    {
+      key.emplace_back(array, array ? array->GetMTime() : 0);
+    }
+  }
+  if (key == this->CoordinatesMadeFrom)
+  {
+    return;
+  }
+  this->CoordinatesMadeFrom = std::move(key);
+  this->CoordinateTime.Modified();
+  this->Coordinates.clear();
+  this->Tangents.clear();
+  constexpr size_t words = vtkPointSplatCoordinates::Words;
+  const size_t count = static_cast<size_t>(this->Count);
+  for (size_t b = 0; b < arrays.size(); ++b)
+  {
+    const size_t first = static_cast<size_t>(this->Blocks[b].First);
+    const vtkPointSplatCoordinates::Splats splats{ this->Splats.data() +
+        this->GetWordsPerSplat() * first,
+      this->GetWordsPerSplat(), this->Blocks[b].Count, this->Circular };
+    if (arrays[b][0])
+    {
+      this->Coordinates.resize(words * count, vtkPointSplatCoordinates::None);
+      vtkPointSplatCoordinates::Make(
+        splats, arrays[b][0], this->Coordinates.data() + words * first);
+    }
+    if (arrays[b][1])
+    {
+      this->Tangents.resize(count, 0u);
+      vtkPointSplatCoordinates::MakeTangents(
+        splats, arrays[b][1], this->Tangents.data() + first);
+    }
   }
 }

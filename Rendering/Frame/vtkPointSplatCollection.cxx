@@ -6,6 +6,7 @@
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointSplatDeferred.h"
+#include "vtkPointSplatTextures.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
@@ -35,6 +36,27 @@ Spacing SpacingOf(const vtkPointSplatEntry& entry, const vtkPointSplatView& view
 bool IsPoints(const vtkPointSplatEntry& entry)
 {
   return entry.Settings.Method == vtkPointSplatSettings::ImageSpace;
+}
+
+/// What of an actor's look is blended beside colours.
+vtkPointSplatItemLook LookOf(const vtkPointSplatEntry& entry)
+{
+  const vtkPointSplatCloud& cloud = *entry.Item.Cloud;
+  vtkProperty* property = entry.Actor->GetProperty();
+  vtkPointSplatItemLook look;
+  const vtkPointSplatTextures textures =
+    vtkPointSplatTextures::Of(entry.Actor, cloud.HasTangents());
+  // As VTK has it, textures of colours have no effect beside values that are mapped at pixels.
+  const bool shows = textures.Colours.empty() || !cloud.HasValues();
+  look.Coordinates = cloud.HasCoordinates() && !textures.GetAll().empty() && shows;
+  look.Tangents = textures.IsAnisotropic || (textures.NeedTangents() && look.Coordinates);
+  look.Repeats = look.Coordinates && textures.Repeat();
+  look.HasMore = look.Tangents || (look.Coordinates && textures.HasMore());
+  look.EdgeWidth = property->GetEdgeVisibility() ? property->GetLineWidth() : 0.0f;
+  look.Time = look.Coordinates || look.Tangents
+    ? std::max(textures.GetMTime(), entry.Actor->GetMTime())
+    : 0;
+  return look;
 }
 
 /// The box about a cloud, world coordinates.
@@ -231,6 +253,7 @@ void vtkPointSplatCollection::MakeItem(vtkPointSplatEntry& entry, int slot,
     (property->GetBackfaceCulling() ? 1 : 0) | (property->GetFrontfaceCulling() ? 2 : 0);
   item.IsFlat = property->GetInterpolation() == VTK_FLAT && property->GetLighting() &&
     !IsPoints(entry);
+  item.Look = LookOf(entry);
   item.RadiusScale = s.RadiusScale;
   item.StrideShift = choice.StrideShifts[static_cast<size_t>(slot)];
   if (choice.Transparency > vtkPointSplatSettings::Peeling)
@@ -269,6 +292,10 @@ void vtkPointSplatCollection::MakeItem(vtkPointSplatEntry& entry, int slot,
                                    : glm::vec4(colour[0], colour[1], colour[2], opacity);
   item.Opacities =
     glm::vec2(opacity, back && !cloud.HasColours() ? back->GetOpacity() : opacity);
+  if (item.Look.Coordinates && vtkPointSplatTextures::Of(entry.Actor, false).AreTranslucent())
+  {
+    item.Opacities = glm::vec2(0.0f); // how little light comes through is not known before
+  }
   item.ClipPlanes = vtkPointSplatItem::ClipPlanesOf(entry.Source->GetMapper());
   // Splats that bend rise at their rim by half the squared support, in radii, at most.
   const double farthest =
@@ -283,8 +310,10 @@ vtkPointSplatMaterials::Entry vtkPointSplatCollection::MakeMaterial(
   const vtkPointSplatEntry& entry)
 {
   const vtkPointSplatSettings& s = entry.Settings;
+  const vtkPointSplatItemLook& look = entry.Item.Look;
   vtkPointSplatMaterials::Entry material{ entry.Actor, entry.Item.Cloud->HasColours(),
-    entry.Item.Cloud->HasOwnOpacity(), {} };
+    entry.Item.Cloud->HasOwnOpacity(), s.Shadows, {}, look.Coordinates || look.Tangents,
+    look.Tangents, look.EdgeWidth > 0.0f };
   if (s.Refraction)
   {
     material.Medium.Refracts = true;

@@ -7,6 +7,8 @@
 #include "vtkHardwareSelector.h"
 #include "vtkInformation.h"
 #include "vtkMapper.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkPointSplatStopwatch.h"
@@ -17,6 +19,11 @@
 
 namespace
 {
+/// Of the images of a layer, a pixel of the window, at most.
+constexpr vtkIdType BytesByTiles = 28;
+constexpr vtkIdType BytesALookTexel = 16;
+constexpr vtkIdType BytesByQuads = 76;
+
 GLint BoundFramebuffer()
 {
   GLint framebuffer = 0;
@@ -127,16 +134,21 @@ void vtkPointSplatFrame::Begin(vtkActor* actor, bool translucent)
 }
 
 //------------------------------------------------------------------------------
-size_t vtkPointSplatFrame::MostEntries(const Pass& pass) const
+bool vtkPointSplatFrame::MayUseTiles(const Pass& pass)
 {
-  const bool tiles = vtkPointSplatTiles::IsSupported(pass.View.Size) &&
+  return vtkPointSplatTiles::IsSupported(pass.View.Size) &&
     std::none_of(
       pass.Entries.begin(), pass.Entries.end(), [](const vtkPointSplatEntry& entry) {
         return entry.Settings.Projection == vtkPointSplatSettings::Quads ||
           entry.Settings.Method == vtkPointSplatSettings::Deferred ||
           entry.Settings.Method == vtkPointSplatSettings::ImageSpace;
       });
-  return tiles ? vtkPointSplatItemTable::MostSlots : vtkPointSplatPasses::MostItems;
+}
+
+//------------------------------------------------------------------------------
+size_t vtkPointSplatFrame::MostEntries(const Pass& pass) const
+{
+  return vtkPointSplatFrame::MayUseTiles(pass) ? vtkPointSplatItemTable::MostSlots : vtkPointSplatPasses::MostItems;
 }
 
 //------------------------------------------------------------------------------
@@ -239,10 +251,20 @@ bool vtkPointSplatFrame::Draw(Pass& pass, vtkActor* actor, size_t own)
   const bool first = budget.IsNew(this->Frame) && pass.SelectionPass < 0;
   vtkPointSplatStopwatch watch(first && vtkPointSplatStopwatch::IsInteracting(this->Renderer));
   const unsigned long generation = pass.Surfaces->GetGeneration();
-  const bool built = pass.Presented ? pass.Good : this->Build(pass);
-  const bool good = built &&
-    (pass.SelectionPass >= 0 ? this->PresentSelection(pass, actor, own)
-                             : this->PresentLayers(pass, actor, own));
+  const vtkPointSplatView whole = pass.View;
+  pass.Parts = vtkPointSplatFrame::PartsOf(pass, actor);
+  pass.Layers = 0;
+  pass.Projected.assign(pass.Entries.size(), 0);
+  bool good = true;
+  for (pass.Part = 0; pass.Part < pass.Parts.size(); ++pass.Part)
+  {
+    const vtkPointSplatWindowPart& part = pass.Parts[pass.Part];
+    pass.View = pass.Parts.size() > 1 ? whole.Part(part.First, part.Size) : whole;
+    // What was made for the actor before is of the last part.
+    const bool built = pass.Presented && pass.Parts.size() == 1 ? pass.Good : this->Build(pass);
+    good = built && this->DrawPart(pass, actor, own) && good;
+  }
+  pass.View = whole;
   if (first)
   {
     const bool made =
@@ -253,11 +275,54 @@ bool vtkPointSplatFrame::Draw(Pass& pass, vtkActor* actor, size_t own)
 }
 
 //------------------------------------------------------------------------------
+std::vector<vtkPointSplatWindowPart> vtkPointSplatFrame::PartsOf(const Pass& pass, vtkActor* actor)
+{
+  vtkInformation* keys = actor->GetPropertyKeys();
+  if (pass.Translucent && keys && keys->Has(vtkOpenGLRenderPass::RenderPasses()))
+  {
+    // Depth peeling draws to images of its own, between which layers must be kept.
+    return vtkPointSplatWindowParts::Divide(pass.View.Size, BytesByTiles, 0);
+  }
+  vtkIdType most = 0;
+  int texels = 0;
+  for (const vtkPointSplatEntry& entry : pass.Entries)
+  {
+    texels = std::max(texels, entry.Item.Look.GetTexels());
+    const vtkIdType bytes = entry.Settings.MaximumWindowMemory;
+    most = bytes > 0 && (most == 0 || bytes < most) ? bytes : most;
+  }
+  return vtkPointSplatWindowParts::Divide(pass.View.Size,
+    vtkPointSplatFrame::MayUseTiles(pass) ? BytesByTiles + BytesALookTexel * texels
+                                          : BytesByQuads,
+    most);
+}
+
+//------------------------------------------------------------------------------
+glm::ivec4 vtkPointSplatFrame::ShownWindow(const Pass& pass)
+{
+  const glm::ivec4 window = pass.Surfaces->GetRequest().GetWindow();
+  const glm::ivec4& shown = pass.Parts[pass.Part].Shown;
+  return { std::max(window.x, shown.x), std::max(window.y, shown.y), std::min(window.z, shown.z),
+    std::min(window.w, shown.w) };
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatFrame::DrawPart(Pass& pass, vtkActor* actor, size_t own)
+{
+  pass.Layers = std::max(pass.Layers, pass.Surfaces->GetLayers().GetNumberOfLayers());
+  for (size_t slot = 0; slot < pass.Entries.size(); ++slot)
+  {
+    pass.Projected[slot] += pass.Surfaces->GetNumberOfProjected(slot);
+  }
+  return pass.SelectionPass >= 0 ? this->PresentSelection(pass, actor, own)
+                                 : this->PresentLayers(pass, actor, own);
+}
+
+//------------------------------------------------------------------------------
 bool vtkPointSplatFrame::PresentLayers(Pass& pass, vtkActor* actor, size_t own)
 {
-  const vtkPointSplatRequest& request = pass.Surfaces->GetRequest();
   const vtkPointSplatLayers& layers = pass.Surfaces->GetLayers();
-  const glm::ivec4 window = request.GetWindow();
+  const glm::ivec4 window = vtkPointSplatFrame::ShownWindow(pass);
   if ((layers.GetNumberOfLayers() == 0 && pass.Sorted == vtkPointSplatFlat::None) ||
     window.x > window.z || window.y > window.w)
   {
@@ -273,7 +338,8 @@ bool vtkPointSplatFrame::PresentLayers(Pass& pass, vtkActor* actor, size_t own)
   const vtkPointSplatShading shading{ pass.View, &lights, &this->Materials,
     this->HasEnvironment ? &this->Environment : nullptr,
     this->Materials.ArePhysical() && this->Radiance.Prepare(this->Renderer) ? &this->Radiance
-                                                                            : nullptr };
+                                                                            : nullptr,
+    pass.Shadowed ? this->Shadows.GetMaps() : nullptr };
   const vtkPointSplatResolve::Target target{ this->Renderer, actor,
     pass.Entries[own].Source->GetMapper(), window,
     pass.Translucent || pass.Surfaces->GetOutlines().GetCount() == 0 ||
@@ -342,7 +408,7 @@ bool vtkPointSplatFrame::PresentSelection(Pass& pass, vtkActor* actor, size_t ow
       ? 24
       : 0 };
   const vtkPointSplatResolve::Target target{ this->Renderer, actor,
-    pass.Entries[own].Source->GetMapper(), request.GetWindow(), false };
+    pass.Entries[own].Source->GetMapper(), vtkPointSplatFrame::ShownWindow(pass), false };
   vtkHardwareSelector* selector = this->Renderer->GetSelector();
   selector->BeginRenderProp(); // sets the prop's colour
   if (pass.SelectionPass == vtkHardwareSelector::COMPOSITE_INDEX_PASS && !request.HasIds)
@@ -370,16 +436,34 @@ void vtkPointSplatFrame::Report(
     : pass.Sorted == vtkPointSplatFlat::All           ? "sorted"
     : pass.Sorted == vtkPointSplatFlat::AllButNearest ? "nearest-exact"
                                                       : "peeling";
-  report.Layers = pass.Surfaces->GetLayers().GetNumberOfLayers();
+  report.Layers = pass.Layers;
   report.FillSteps = pass.Surfaces->GetNumberOfFillSteps();
   report.ProjectedSpacing = item.Points.SpacingPixels;
   report.ImageMemory = this->GetMemorySize();
-  report.PointsProjected = pass.Surfaces->GetNumberOfProjected(own);
+  report.PointsProjected = own < pass.Projected.size() ? pass.Projected[own] : 0;
   report.StrideShift = item.StrideShift;
   report.ShadowSamples = this->Shadows.GetSamplesUsed();
   report.ShadowReason = this->Shadows.GetSamplesReason();
   report.ShadowUpdates = this->Shadows.GetNumberOfUpdates();
   report.HasEnvironment = this->HasEnvironment;
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatLightMaps* vtkPointSplatFrame::PrepareLightMaps()
+{
+  auto window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
+  if (!window || window->GetContextCreationTime() == 0)
+  {
+    return nullptr;
+  }
+  const vtkPointSplatContextScope scope(window);
+  window->GetShaderCache()->ReleaseCurrentShader();
+  if (!this->Shadows.UpdateMaps(this->Renderer, this->Reconstruction, true))
+  {
+    this->Error = this->Shadows.GetError();
+    return nullptr;
+  }
+  return this->Shadows.GetMaps();
 }
 
 //------------------------------------------------------------------------------
@@ -426,8 +510,9 @@ void vtkPointSplatFrame::ReleaseAll()
   this->Reconstruction.Release();
   this->Resolve.Release();
   this->Materials.Release();
+  this->Looks.Release();
   this->Shadows.Release();
-  this->Scene.Release();
+  this->Scene.clear();
   this->Environment.Release();
   this->SceneFrame = this->EnvironmentFrame = 0;
 }

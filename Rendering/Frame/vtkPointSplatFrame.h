@@ -13,6 +13,8 @@
 //    Translucent layers are flattened to one, where nothing else translucent can lie between them,
 //    or presented from the back, each with its own depth, to take part in the pass; before them
 //    what is seen through refracting bodies.
+// 4. Where the images of a window would take too many bytes, 2 and 3 are done part by part
+//    (vtkPointSplatWindowParts.h).
 //
 // A pass ends when an actor draws a second time, or another view, kind of geometry or framebuffer
 // comes. Actors that are no props of the renderer themselves (parts of vtkAssembly, vtkLODActor and
@@ -24,10 +26,12 @@
 #include "vtkPointSplatEnvironment.h"
 #include "vtkPointSplatFlat.h"
 #include "vtkPointSplatFrameShadows.h"
+#include "vtkPointSplatLooks.h"
 #include "vtkPointSplatReconstruction.h"
 #include "vtkPointSplatResolve.h"
 #include "vtkPointSplatSceneDepth.h"
 #include "vtkPointSplatSurfaces.h"
+#include "vtkPointSplatWindowParts.h"
 
 #include "vtkWeakPointer.h"
 
@@ -86,6 +90,12 @@ public:
   void SetWishes(const vtkPointSplatWishes* wishes);
 
   /**
+   * The maps by which splats cast shadows on what is not drawn here, and on one another; null where
+   * no mapper wants shadows, or, with GetError(), where OpenGL refuses. Good for one rendering.
+   */
+  vtkPointSplatLightMaps* PrepareLightMaps();
+
+  /**
    * A mapper that is drawn here goes, or has released its share of the window's resources; with
    * the last one go the images and the programs.
    */
@@ -101,7 +111,9 @@ private:
   {
     bool Translucent = false;
     unsigned long Frame = 0;
-    vtkPointSplatView View;
+    vtkPointSplatView View;      // of the window; of a part while that is drawn
+    std::vector<vtkPointSplatWindowPart> Parts;
+    size_t Part = 0; // that is drawn
     GLint Framebuffer = 0;
     int SelectionPass = -1;
     vtkPointSplatCollection::Entries Entries;
@@ -112,9 +124,12 @@ private:
     bool Presented = false;
     bool Good = true;
     bool Flat = false;
+    bool Shadowed = false; // shadows fall on some
     vtkPointSplatFlat::SortedLayers Sorted = vtkPointSplatFlat::None;
     vtkPointSplatChoice Choice;
     vtkPointSplatSurfaces* Surfaces = nullptr;
+    int Layers = 0;                   // the most that a part has
+    std::vector<vtkIdType> Projected; // splats of each slot, in all parts
   };
 
   void Begin(vtkActor* actor, bool translucent);
@@ -124,13 +139,19 @@ private:
   static std::optional<size_t> OwnOf(
     const Pass& pass, vtkActor* actor, const vtkPointSplatSource& source);
   bool PresentAlone(vtkActor* actor, vtkPointSplatSource& source, vtkPointSplatReport& report);
+  static bool MayUseTiles(const Pass& pass);
+  static std::vector<vtkPointSplatWindowPart> PartsOf(const Pass& pass, vtkActor* actor);
+  static glm::ivec4 ShownWindow(const Pass& pass);
   bool Draw(Pass& pass, vtkActor* actor, size_t own);
+  bool DrawPart(Pass& pass, vtkActor* actor, size_t own);
   bool Build(Pass& pass);
   void Choose(Pass& pass);
   bool CastShadows(Pass& pass);
   vtkPointSplatRequest MakeRequest(Pass& pass, GLuint sceneDepth);
-  GLuint CaptureScene(const vtkPointSplatView& view, bool& failed);
+  GLuint CaptureScene(const Pass& pass, bool& failed);
+  bool CaptureParts(const Pass& pass);
   void PrepareEnvironment(const Pass& pass);
+  bool LookUpTextures(Pass& pass);
   bool PresentLayers(Pass& pass, vtkActor* actor, size_t own);
   bool PresentSelection(Pass& pass, vtkActor* actor, size_t own);
   bool Flatten(Pass& pass, const vtkPointSplatShading& shading);
@@ -152,10 +173,12 @@ private:
   vtkPointSplatFlat Flat;
   vtkPointSplatResolve Resolve;
   vtkPointSplatMaterials Materials;
+  vtkPointSplatLooks Looks;
   vtkPointSplatRadiance Radiance;
   vtkPointSplatFrameShadows Shadows;
-  vtkPointSplatSceneDepth Scene;
+  std::vector<std::unique_ptr<vtkPointSplatSceneDepth>> Scene; // of each part
   unsigned long SceneFrame = 0;
+  std::vector<vtkPointSplatWindowPart> SceneParts;
   bool SceneGood = false;
   vtkPointSplatEnvironment Environment;
   unsigned long EnvironmentFrame = 0;

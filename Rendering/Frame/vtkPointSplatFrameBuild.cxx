@@ -48,7 +48,7 @@ bool IdsOf(int selectionPass, bool composite, vtkPointSplatCloud::IdKind& kind)
 }
 
 //------------------------------------------------------------------------------
-GLuint vtkPointSplatFrame::CaptureScene(const vtkPointSplatView& view, bool& failed)
+GLuint vtkPointSplatFrame::CaptureScene(const Pass& pass, bool& failed)
 {
   failed = false;
   const std::vector<vtkProp*> props = vtkPointSplatCollection::VisibleProps(this->Renderer);
@@ -57,30 +57,49 @@ GLuint vtkPointSplatFrame::CaptureScene(const vtkPointSplatView& view, bool& fai
   {
     return 0;
   }
-  if (this->SceneFrame != this->Frame)
+  if (this->SceneFrame != this->Frame || !(this->SceneParts == pass.Parts))
   {
-    auto window = static_cast<vtkOpenGLRenderWindow*>(this->Renderer->GetRenderWindow());
-    GLint draw = 0;
-    GLint read = 0;
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw);
-    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
-    glm::ivec2 origin = view.Origin;
-    if (draw != read)
-    {
-      // Depth peeling draws to images of the viewport's size; the scene is still where the renderer's
-      // viewport has it, unless a pass chain draws to images itself.
-      origin = glm::ivec2(0);
-      if (read == static_cast<GLint>(window->GetRenderFramebuffer()->GetFBOIndex()))
-      {
-        int size[2];
-        this->Renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin.x, &origin.y);
-      }
-    }
-    this->SceneGood = this->Scene.Capture(window, origin, view.Size);
+    // Of all parts at once: later passes have other framebuffers.
+    this->SceneGood = this->CaptureParts(pass);
     this->SceneFrame = this->Frame;
+    this->SceneParts = pass.Parts;
   }
   failed = !this->SceneGood;
-  return this->SceneGood ? this->Scene.GetTexture() : 0;
+  return this->SceneGood ? this->Scene[pass.Part]->GetTexture() : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatFrame::CaptureParts(const Pass& pass)
+{
+  auto window = static_cast<vtkOpenGLRenderWindow*>(this->Renderer->GetRenderWindow());
+  GLint draw = 0;
+  GLint read = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw);
+  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
+  glm::ivec2 origin = pass.View.Origin - pass.Parts[pass.Part].First;
+  if (draw != read)
+  {
+    // Depth peeling draws to images of the viewport's size; the scene is still where the renderer's
+    // viewport has it, unless a pass chain draws to images itself.
+    origin = glm::ivec2(0);
+    if (read == static_cast<GLint>(window->GetRenderFramebuffer()->GetFBOIndex()))
+    {
+      int size[2];
+      this->Renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin.x, &origin.y);
+    }
+  }
+  this->Scene.resize(pass.Parts.size());
+  bool good = true;
+  for (size_t i = 0; i < pass.Parts.size(); ++i)
+  {
+    if (!this->Scene[i])
+    {
+      this->Scene[i].reset(new vtkPointSplatSceneDepth);
+    }
+    const vtkPointSplatWindowPart& part = pass.Parts[i];
+    good = this->Scene[i]->Capture(window, origin + part.First, part.Size) && good;
+  }
+  return good;
 }
 
 //------------------------------------------------------------------------------
@@ -139,8 +158,8 @@ bool vtkPointSplatFrame::CastShadows(Pass& pass)
   {
     return true;
   }
-  if (AnyOf(pass.Entries, [](const Settings& s) { return s.Shadows; }) &&
-    !this->Shadows.Update(this->Renderer))
+  pass.Shadowed = AnyOf(pass.Entries, [](const Settings& s) { return s.Shadows; });
+  if (pass.Shadowed && !this->Shadows.Update(this->Renderer, this->Reconstruction))
   {
     this->Error = this->Shadows.GetError();
     return false;
@@ -178,7 +197,8 @@ vtkPointSplatRequest vtkPointSplatFrame::MakeRequest(Pass& pass, GLuint sceneDep
     request.Items.push_back(entry.Item);
     request.CloudTimes.push_back(std::max(entry.Item.Cloud->GetMTime(),
       choice.Deferred ? entry.Item.Cloud->GetGroups().GetMTime() : 0));
-    request.Outlines = request.Outlines && s.AntiAliasing;
+    request.Outlines = request.Outlines && s.AntiAliasing &&
+      vtkPointSplatResolve::AreOutlinesSmooth(entry.Actor);
     request.Voronoi = request.Voronoi && s.VoronoiDepth;
     composite = composite || entry.Item.Cloud->IsComposite();
     automatic = automatic && s.TileLists == Settings::AutomaticLists;
@@ -192,6 +212,13 @@ vtkPointSplatRequest vtkPointSplatFrame::MakeRequest(Pass& pass, GLuint sceneDep
   }
   request.OnDevice = automatic ? !vtkPointSplatTiles::IsSoftware() : device;
   request.HasIds = IdsOf(pass.SelectionPass, composite, request.Ids);
+  if (request.HasIds || !vtkPointSplatReconstruction::UsesTiles(request))
+  {
+    for (vtkPointSplatItem& item : request.Items)
+    {
+      item.Look = vtkPointSplatItemLook();
+    }
+  }
   return request;
 }
 
@@ -203,7 +230,7 @@ bool vtkPointSplatFrame::Build(Pass& pass)
   bool failed = false;
   if (pass.Translucent && pass.SelectionPass < 0)
   {
-    sceneDepth = this->CaptureScene(pass.View, failed);
+    sceneDepth = this->CaptureScene(pass, failed);
     // Hooks of one actor's passes alone have a say in each of its layers.
     pass.Flat = pass.Joint && pass.Batched && !failed &&
       !vtkPointSplatCollection::HasOthersBetween(this->Renderer, pass.Entries);
@@ -220,5 +247,30 @@ bool vtkPointSplatFrame::Build(Pass& pass)
     this->Error = pass.Surfaces->GetError();
     return false;
   }
-  return true;
+  return this->LookUpTextures(pass);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatFrame::LookUpTextures(Pass& pass)
+{
+  vtkPointSplatSurfaces& surfaces = *pass.Surfaces;
+  const vtkPointSplatLayers& layers = surfaces.GetLayers();
+  if (surfaces.LookGeneration == surfaces.GetGeneration() || layers.GetNumberOfLayers() == 0 ||
+    layers.GetLookTexels() == 0)
+  {
+    return true;
+  }
+  surfaces.LookGeneration = surfaces.GetGeneration();
+  std::vector<vtkPointSplatLooks::Entry> entries;
+  for (const vtkPointSplatItem& item : surfaces.GetRequest().Items)
+  {
+    if (item.Look.Coordinates || item.Look.Tangents)
+    {
+      entries.push_back({ pass.Entries[static_cast<size_t>(item.Slot)].Actor, item.Slot,
+        item.Look.Tangents });
+    }
+  }
+  const bool good = this->Looks.Apply(this->Renderer, pass.View, entries, layers);
+  this->Error = good ? this->Error : this->Looks.GetError();
+  return good;
 }

@@ -32,6 +32,21 @@ double Rms(const double* colour)
     (colour[0] * colour[0] + colour[1] * colour[1] + colour[2] * colour[2]) / 3.0);
 }
 
+// Of translucent splats that a light sees. Behind so many next to nothing of it is left.
+constexpr int MostLayers = 16;
+
+/// By which requests of casters are told apart, whatever their views are.
+vtkPointSplatView SomeView()
+{
+  vtkPointSplatView view;
+  view.Size = glm::ivec2(1);
+  view.PixelX = glm::vec4(1.0f, 0.0f, 0.0f, 0.0f);
+  view.PixelY = glm::vec4(0.0f, 1.0f, 0.0f, 0.0f);
+  view.PixelW = glm::vec4(0.0f, 0.0f, 0.0f, 1.0f);
+  view.Parallel = true;
+  return view;
+}
+
 /// The meshes that a mapper draws; its input is brought up to date, as it will do itself.
 std::vector<vtkPolyData*> MeshesOf(vtkMapper* mapper)
 {
@@ -79,6 +94,7 @@ void vtkPointSplatFrameShadows::AddActor(
       cloud.ClipPlanes = vtkPointSplatItem::ClipPlanesOf(mapper);
       cloud.Casts = !actor->HasTranslucentPolygonalGeometry();
       cloud.Receives = settings.Shadows;
+      all.HasTranslucent = all.HasTranslucent || !cloud.Casts;
       all.Scene.Clouds.push_back(cloud);
       if (cloud.Receives)
       {
@@ -103,6 +119,7 @@ void vtkPointSplatFrameShadows::AddActor(
 vtkPointSplatFrameShadows::Gathered vtkPointSplatFrameShadows::Gather(vtkRenderer* renderer)
 {
   Gathered all;
+  all.Interacting = vtkPointSplatStopwatch::IsInteracting(renderer);
   for (vtkProp* prop : vtkPointSplatCollection::VisibleProps(renderer))
   {
     if (auto actor = vtkActor::SafeDownCast(prop))
@@ -122,6 +139,29 @@ vtkPointSplatFrameShadows::Gathered vtkPointSplatFrameShadows::Gather(vtkRendere
           actor, vtkPointSplatView::Matrix(node->GetMatrix()), all);
       }
     }
+  }
+  if (all.Receivers.empty())
+  {
+    return all;
+  }
+  const double intensity = this->AddLights(renderer, all);
+  const vtkPointSplatSettings& first = all.Receivers[0].Settings;
+  vtkPointSplatShadowSettings& settings = all.Settings;
+  settings.Seed = static_cast<unsigned int>(first.ShadowSeed);
+  settings.LayerDistance = first.ShadowLayerDistance;
+  settings.Resolution = first.ShadowResolution;
+  for (const Receiver& receiver : all.Receivers)
+  {
+    std::string reason;
+    const int samples = vtkPointSplatChoices::ShadowSamples(
+      receiver.Settings, all.Interacting, receiver.Diffuse * intensity, reason);
+    if (samples >= settings.Samples)
+    {
+      settings.Samples = samples;
+      this->Reason = reason;
+    }
+    settings.Compute =
+      settings.Compute && receiver.Settings.Projection != vtkPointSplatSettings::Quads;
   }
   return all;
 }
@@ -154,34 +194,116 @@ double vtkPointSplatFrameShadows::AddLights(vtkRenderer* renderer, Gathered& all
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatFrameShadows::Update(vtkRenderer* renderer)
+bool vtkPointSplatFrameShadows::Update(
+  vtkRenderer* renderer, vtkPointSplatReconstruction& reconstruction)
 {
-  Gathered all = vtkPointSplatFrameShadows::Gather(renderer);
+  const Gathered all = this->Gather(renderer);
   if (all.Receivers.empty())
   {
     return true;
   }
-  const double intensity = this->AddLights(renderer, all);
-  const bool interacting = vtkPointSplatStopwatch::IsInteracting(renderer);
-  const vtkPointSplatSettings& first = all.Receivers[0].Settings;
-  vtkPointSplatShadowSettings settings;
-  settings.Seed = static_cast<unsigned int>(first.ShadowSeed);
-  settings.LayerDistance = first.ShadowLayerDistance;
-  settings.Resolution = first.ShadowResolution;
-  for (const Receiver& receiver : all.Receivers)
+  if (!this->Cache.Update(all.Scene, all.Settings, all.Interacting))
   {
-    std::string reason;
-    const int samples = vtkPointSplatChoices::ShadowSamples(
-      receiver.Settings, interacting, receiver.Diffuse * intensity, reason);
-    if (samples >= settings.Samples)
-    {
-      settings.Samples = samples;
-      this->Reason = reason;
-    }
-    settings.Compute =
-      settings.Compute && receiver.Settings.Projection != vtkPointSplatSettings::Quads;
+    this->Error = this->Cache.GetError();
+    return false;
   }
-  return this->Cache.Update(all.Scene, settings, interacting);
+  return this->UpdateMaps(renderer, reconstruction, all, false);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatFrameShadows::UpdateMaps(
+  vtkRenderer* renderer, vtkPointSplatReconstruction& reconstruction, bool opaque)
+{
+  return this->UpdateMaps(renderer, reconstruction, this->Gather(renderer), opaque);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatFrameShadows::UpdateMaps(vtkRenderer* renderer,
+  vtkPointSplatReconstruction& reconstruction, const Gathered& all, bool opaque)
+{
+  this->HasMaps = !all.Scene.Lights.empty() && (opaque || all.HasTranslucent);
+  if (!this->HasMaps)
+  {
+    return true;
+  }
+  vtkPointSplatTranslucentCasters casters;
+  if (all.HasTranslucent)
+  {
+    this->Casters = vtkPointSplatCollection::Collect(renderer, true, nullptr);
+    casters.Request = this->MakeRequest(SomeView());
+    for (const vtkPointSplatItem& item : casters.Request.Items)
+    {
+      casters.Colours.push_back(item.Colour);
+    }
+    casters.Peel = [this, &reconstruction](const vtkPointSplatView& view, glm::ivec4& window)
+    {
+      const bool good = this->Layers.Build(this->MakeRequest(view), reconstruction);
+      window = this->Layers.GetRequest().GetWindow();
+      return good ? &this->Layers.GetLayers() : nullptr;
+    };
+  }
+  if (!this->Maps.Update(all.Scene, all.Settings,
+        { opaque, casters.Colours.empty() ? nullptr : &casters, all.Interacting }))
+  {
+    this->Error = this->Maps.GetError();
+    this->HasMaps = false;
+    return false;
+  }
+  std::vector<vtkPointSplatLightMaps::Light>& lights = this->Maps.GetMaps().Lights;
+  lights.clear();
+  size_t casting = 0;
+  for (vtkLight* light : vtkPointSplatLights::Of(renderer, false))
+  {
+    const bool casts =
+      vtkPointSplatLights::Casts(light) && casting < this->Maps.GetLights().size();
+    lights.push_back(
+      casts ? this->Maps.GetLights()[casting++] : vtkPointSplatLightMaps::Light());
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatRequest vtkPointSplatFrameShadows::MakeRequest(const vtkPointSplatView& view)
+{
+  vtkPointSplatFacts facts =
+    vtkPointSplatCollection::Describe(this->Casters, view, true, 0.0);
+  facts.Compute = vtkPointSplatTiles::IsSupported(view.Size);
+  facts.AsksDeferred = false;
+  facts.Transparency = vtkPointSplatSettings::Peeling;
+  const vtkPointSplatChoice choice = vtkPointSplatChoices::Make(facts);
+  vtkPointSplatRequest request;
+  request.View = view;
+  request.Compute = choice.Compute;
+  request.OnDevice = !vtkPointSplatTiles::IsSoftware();
+  request.FillSteps = choice.FillSteps;
+  request.MaximumLayers = std::min(choice.MaximumLayers, MostLayers);
+  request.LeastContribution = choice.LeastContribution;
+  for (vtkPointSplatEntry& entry : this->Casters)
+  {
+    vtkPointSplatCollection::MakeItem(
+      entry, static_cast<int>(request.Items.size()), view, choice);
+    request.Items.push_back(entry.Item);
+    request.CloudTimes.push_back(entry.Item.Cloud->GetMTime());
+    request.MaximumMemory =
+      std::max(request.MaximumMemory, entry.Settings.MaximumImageMemory);
+  }
+  return request;
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatLightMaps* vtkPointSplatFrameShadows::GetMaps()
+{
+  return this->HasMaps && !this->Maps.GetMaps().Lights.empty() ? &this->Maps.GetMaps() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatFrameShadows::Release()
+{
+  this->Cache.Release();
+  this->Maps.Release();
+  this->Layers.Release();
+  this->Casters.clear();
+  this->HasMaps = false;
 }
 
 //------------------------------------------------------------------------------

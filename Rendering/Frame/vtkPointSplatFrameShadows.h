@@ -2,13 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The shadows in a renderer's frame: which actors cast them, on which splats, by which lights, and
 // by how many samples. All visible splats and meshes that are not translucent cast; splats whose
-// mapper wants shadows receive them. What follows from that is kept as long as it is right
-// (vtkPointSplatShadowCache.h).
+// mapper wants shadows receive them, as textures of the splats. What follows from that is kept as
+// long as it is right (vtkPointSplatShadowCache.h). Translucent splats cast, too, what of the
+// lights' colours they do not let pass: by maps that are asked by the pixel
+// (vtkPointSplatShadowMaps.h), as they are for meshes, where these are to receive shadows.
 #ifndef vtkPointSplatFrameShadows_h
 #define vtkPointSplatFrameShadows_h
 
+#include "vtkPointSplatCollection.h"
 #include "vtkPointSplatSettings.h"
 #include "vtkPointSplatShadowCache.h"
+#include "vtkPointSplatShadowMaps.h"
+#include "vtkPointSplatSurfaces.h"
 
 #include <string>
 #include <vector>
@@ -23,7 +28,12 @@ class vtkPointSplatFrameShadows
 {
 public:
   /// Computes what is not right any more. False, with GetError(), where OpenGL refuses.
-  bool Update(vtkRenderer* renderer);
+  bool Update(vtkRenderer* renderer, vtkPointSplatReconstruction& reconstruction);
+  /// The same of maps alone. opaque: whether they are to tell of opaque surfaces, too.
+  bool UpdateMaps(
+    vtkRenderer* renderer, vtkPointSplatReconstruction& reconstruction, bool opaque);
+  /// Null where there are none, or nothing in them.
+  vtkPointSplatLightMaps* GetMaps();
 
   /// The factors of lights that an item is drawn with: those of shadows, where its mapper wants
   /// these, else those that its input has. grouped: in the order of its groups.
@@ -33,8 +43,8 @@ public:
   /// Why so many.
   const std::string& GetSamplesReason() const { return this->Reason; }
   unsigned long GetNumberOfUpdates() const { return this->Cache.GetNumberOfUpdates(); }
-  const std::string& GetError() const { return this->Cache.GetError(); }
-  void Release() { this->Cache.Release(); }
+  const std::string& GetError() const { return this->Error; }
+  void Release();
 
 private:
   struct Receiver
@@ -47,13 +57,24 @@ private:
   {
     vtkPointSplatShadowScene Scene;
     std::vector<Receiver> Receivers;
+    bool HasTranslucent = false; // splats that cast
+    vtkPointSplatShadowSettings Settings;
+    bool Interacting = false;
   };
   static void AddActor(vtkActor* actor, const glm::dmat4& matrix, Gathered& all);
-  static Gathered Gather(vtkRenderer* renderer);
+  Gathered Gather(vtkRenderer* renderer);
+  bool UpdateMaps(vtkRenderer* renderer, vtkPointSplatReconstruction& reconstruction,
+    const Gathered& all, bool opaque);
+  vtkPointSplatRequest MakeRequest(const vtkPointSplatView& view);
   double AddLights(vtkRenderer* renderer, Gathered& all);
 
   vtkPointSplatShadowCache Cache;
+  vtkPointSplatShadowMaps Maps;
+  bool HasMaps = false;
+  vtkPointSplatCollection::Entries Casters; // translucent ones
+  vtkPointSplatSurfaces Layers;             // of these, as a light sees them
   std::string Reason;
+  std::string Error;
   bool Warned = false;
 };
 

@@ -13,16 +13,18 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkObject;
 VTK_ABI_NAMESPACE_END
+class vtkPointSplatCloud;
+struct vtkPointSplatReport;
 
 class vtkPointSplatIgnored
 {
 public:
   /**
-   * Warns of it, if that is none of what was warned of already. points: whether points of one pixel
-   * are drawn.
+   * Warns of it, after it was drawn, if that is none of what was warned of already. report: how it
+   * was drawn.
    */
-  static void Warn(
-    vtkObject* mapper, vtkActor* actor, bool points, std::set<std::string>& warned);
+  static void Warn(vtkObject* mapper, vtkActor* actor, const vtkPointSplatCloud& cloud,
+    const vtkPointSplatReport& report, std::set<std::string>& warned);
 };
 
 #endif

@@ -5,6 +5,7 @@
 #include "vtkActor.h"
 #include "vtkMapper.h"
 #include "vtkPointSplatPrimitives.h"
+#include "vtkPointSplatTextures.h"
 #include "vtkProperty.h"
 
 #include <map>
@@ -49,6 +50,9 @@ vtkPointSplatSettings vtkPointSplatSource::GetSettings(vtkActor* actor) const
   vtkPointSplatSettings settings = this->GetSettings();
   const double* colour = actor->GetProperty()->GetDiffuseColor();
   settings.ActorColour = { colour[0], colour[1], colour[2], actor->GetProperty()->GetOpacity() };
+  const vtkPointSplatTextures textures = vtkPointSplatTextures::Of(actor, true);
+  settings.NeedCoordinates = !textures.GetAll().empty();
+  settings.NeedTangents = textures.NeedTangents();
   return settings;
 }
 

@@ -24,15 +24,6 @@ vtkIdType ProjectedOf(const vtkPointSplatItem& item)
   }
   return count;
 }
-
-/// Whether the images of a layer are not too large to try. They take up to 28 bytes a pixel of the
-/// window by tiles, and 76 else.
-bool Fits(const vtkPointSplatRequest& request)
-{
-  constexpr vtkIdType most = vtkIdType(1) << 32;
-  const vtkIdType pixels = static_cast<vtkIdType>(request.View.Size.x) * request.View.Size.y;
-  return pixels * (vtkPointSplatReconstruction::UsesTiles(request) ? 28 : 76) <= most;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -57,16 +48,6 @@ bool vtkPointSplatSurfaces::Build(
     this->Outlines.Clear();
     this->Built = true;
     return true;
-  }
-  if (!Fits(this->Request))
-  {
-    std::ostringstream text;
-    text << "a window of " << this->Request.View.Size.x << " x " << this->Request.View.Size.y
-         << " pixels takes more than 4 GiB of images for splats. Draw a smaller one; "
-            "vtkWindowToImageFilter::SetScale() makes large pictures of several.";
-    this->Error = text.str();
-    this->Layers.Release();
-    return false;
   }
   vtkPointSplatTiles::Result result = vtkPointSplatTiles::TooMany;
   for (vtkIdType splats = this->SplatsAtOnce;

@@ -36,6 +36,7 @@ public:
   vtkPointSplatFlatImages Flat;
   unsigned long FlatFrame = 0; // whose layers Flat shows
   unsigned long FlatGeneration = 0;
+  unsigned long LookGeneration = 0; // whose layers' textures were looked up
 
   vtkIdType GetMemorySize() const { return this->Layers.GetMemorySize() + this->Outlines.GetMemorySize(); }
   const std::string& GetError() const { return this->Error; }

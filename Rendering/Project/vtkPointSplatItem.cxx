@@ -40,7 +40,8 @@ bool vtkPointSplatItem::operator==(const vtkPointSplatItem& other) const
     this->Opacities == other.Opacities && this->CoveringScale == other.CoveringScale &&
     this->Factors == other.Factors &&
     this->FactorCount == other.FactorCount && this->FactorVersion == other.FactorVersion &&
-    this->IsFlat == other.IsFlat && this->IsPoints == other.IsPoints &&
+    this->IsFlat == other.IsFlat && this->Look == other.Look &&
+    this->IsPoints == other.IsPoints &&
     this->Points == other.Points;
 }
 

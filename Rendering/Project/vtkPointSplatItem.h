@@ -48,6 +48,32 @@ struct vtkPointSplatPoints
   }
 };
 
+/**
+ * What of an item's look is blended beside colours, for textures, tangents and edges.
+ */
+struct vtkPointSplatItemLook
+{
+  bool Coordinates = false; // of textures
+  bool Repeats = false;     // that differ by whole numbers mean the same
+  bool Tangents = false;
+  bool HasMore = false;     // than textures of colours
+  float EdgeWidth = 0.0f;   // pixels; 0: there are none
+  vtkMTimeType Time = 0;    // of textures, and of how they are taken
+  bool IsPlain() const { return !this->Coordinates && !this->Tangents && this->EdgeWidth == 0.0f; }
+  /// How many texels a pixel takes beside a layer's (vtkPointSplatLook.glsl).
+  int GetTexels() const
+  {
+    const bool more = this->HasMore || this->Tangents || this->EdgeWidth > 0.0f;
+    return more ? 2 : this->Coordinates ? 1 : 0;
+  }
+  bool operator==(const vtkPointSplatItemLook& other) const
+  {
+    return this->Coordinates == other.Coordinates && this->Repeats == other.Repeats &&
+      this->Tangents == other.Tangents && this->HasMore == other.HasMore &&
+      this->EdgeWidth == other.EdgeWidth && this->Time == other.Time;
+  }
+};
+
 struct vtkPointSplatItem
 {
   /// As many as the shaders take; VTK's own mappers take six.
@@ -70,6 +96,7 @@ struct vtkPointSplatItem
   int FactorCount = 0;                        // the lights
   unsigned long FactorVersion = 0;            // counts what was in the buffer
   bool IsFlat = false;                        // a pixel has the normal of one splat
+  vtkPointSplatItemLook Look;
   double CoveringScale = 1.0;                 // how much larger group-sorted splats are drawn
   bool IsPoints = false;                      // projected as single pixels
   vtkPointSplatPoints Points;

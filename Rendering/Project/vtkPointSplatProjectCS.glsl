@@ -3,10 +3,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Projects each splat once: its record and its box, for the tiles; and its colour, factors of
-// lights, id or clip lines, beside them.
-// Variants: CLIPPING, CLIP_LINES, COLOURS, FACTORS, IDS.
-// Reads: Splats, ClipLineTexels, Colours, Factors, Ids. Writes: Records, Boxes, RecordClipLines,
-// RecordColours, RecordFactors, RecordIds.
+// lights, texture coordinates, tangent, id or clip lines, beside them.
+// Variants: CLIPPING, CLIP_LINES, COLOURS, FACTORS, COORDINATES, TANGENTS, IDS.
+// Reads: Splats, ClipLineTexels, Colours, Factors, Coordinates, Tangents, Ids. Writes: Records,
+// Boxes, RecordClipLines, RecordColours, RecordFactors, RecordCoordinates, RecordTangents, RecordIds.
 
 #include "vtkPointSplatProjection"
 #include "vtkPointSplatRecord"
@@ -31,6 +31,18 @@ layout(std430, binding = 2) writeonly buffer RecordColours { uint recordColours[
 uniform usamplerBuffer Factors; // R32UI, where HasFactors
 uniform bool HasFactors;
 layout(std430, binding = 3) writeonly buffer RecordFactors { uint recordFactors[]; };
+#endif
+#ifdef COORDINATES
+uniform usamplerBuffer Coordinates; // RGBA32UI, where HasCoordinates (vtkPointSplatCoordinates.h)
+uniform bool HasCoordinates;
+const uint NoCoordinates = 0x7fc00000u; // in the first two words
+layout(std430, binding = 6) writeonly buffer RecordCoordinates { uvec4 recordCoordinates[]; };
+#endif
+#ifdef TANGENTS
+uniform usamplerBuffer Tangents; // R32UI, coded as normals, where HasTangents
+uniform bool HasTangents;
+// Where there are ids there are no looks.
+layout(std430, binding = 4) writeonly buffer RecordTangents { uint recordTangents[]; };
 #endif
 #ifdef IDS
 uniform usamplerBuffer Ids; // R32UI
@@ -163,6 +175,10 @@ void main()
   float shift = KernelSupport * longest * nearer;
   bool isFlat = whole && (!narrow || leans) &&
     shift + max(bend.highest, -bend.lowest) * length(q.m.xy) <= StillPixels;
+#ifdef COORDINATES
+  // Of flat ones that the filter widens it would not be known how coarse pixels are.
+  isFlat = isFlat && thin >= PrefilterRadius;
+#endif
   ivec2 tiles = last - first;
   bool isWide = max(tiles.x, tiles.y) >= WideTiles;
 #ifdef CLIP_LINES
@@ -193,6 +209,12 @@ void main()
   uvec4 r2;
   uvec4 r3;
   uvec4 r4;
+#ifdef COORDINATES
+  uvec4 coordinates =
+    HasCoordinates ? texelFetch(Coordinates, int(splat)) : uvec4(NoCoordinates);
+  vec2 changeS = RadiusScale * unpackHalf2x16(coordinates.z);
+  vec2 changeT = RadiusScale * unpackHalf2x16(coordinates.w);
+#endif
   if (kind == Flat)
   {
     // Along each axis u and v change by 1 over its length; where the axis is widened, the best
@@ -215,6 +237,12 @@ void main()
     r3 = uvec4(floatBitsToUint(filtered), normal, 0u);
     r4 = uvec4(encodeTurns(onMajor.x * turn1 + onMinor.x * turn2,
                  onMajor.y * turn1 + onMinor.y * turn2), 0u);
+#ifdef COORDINATES
+    vec2 change1 = end.x * changeS + end.y * changeT;
+    vec2 change2 = otherEnd.x * changeS + otherEnd.y * changeT;
+    changeS = onMajor.x * change1 + onMinor.x * change2;
+    changeT = onMajor.y * change1 + onMinor.y * change2;
+#endif
   }
   else
   {
@@ -237,6 +265,14 @@ void main()
 #endif
 #ifdef FACTORS
   recordFactors[to] = HasFactors ? texelFetch(Factors, int(splat)).r : 0xffffffffu;
+#endif
+#ifdef COORDINATES
+  recordCoordinates[to] = uvec4(coordinates.xy, packHalf2x16(changeS), packHalf2x16(changeT));
+#endif
+#ifdef TANGENTS
+  vec3 tangent =
+    NormalMatrix * (HasTangents ? decodeNormal(texelFetch(Tangents, int(splat)).r) : vec3(1.0));
+  recordTangents[to] = encodeNormal(normalize(tangent));
 #endif
 #ifdef IDS
   recordIds[to] = texelFetch(Ids, int(splat)).r;

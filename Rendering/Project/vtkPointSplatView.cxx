@@ -68,6 +68,18 @@ vtkPointSplatView vtkPointSplatView::Current(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
+vtkPointSplatView vtkPointSplatView::Part(const glm::ivec2& first, const glm::ivec2& size) const
+{
+  vtkPointSplatView part = *this;
+  part.Origin += first;
+  part.Size = size;
+  const glm::dvec4 w(this->PixelW);
+  part.PixelX = glm::vec4(glm::dvec4(this->PixelX) - static_cast<double>(first.x) * w);
+  part.PixelY = glm::vec4(glm::dvec4(this->PixelY) - static_cast<double>(first.y) * w);
+  return part;
+}
+
+//------------------------------------------------------------------------------
 bool vtkPointSplatView::operator==(const vtkPointSplatView& other) const
 {
   // The origin is left out: the same images serve wherever they are presented.

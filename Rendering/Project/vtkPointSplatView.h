@@ -37,6 +37,9 @@ struct vtkPointSplatView
    */
   static vtkPointSplatView Current(vtkRenderer* renderer);
 
+  /// A part of the viewport, pixels, as a view of its own.
+  vtkPointSplatView Part(const glm::ivec2& first, const glm::ivec2& size) const;
+
   bool operator==(const vtkPointSplatView& other) const;
   bool operator!=(const vtkPointSplatView& other) const { return !(*this == other); }
 

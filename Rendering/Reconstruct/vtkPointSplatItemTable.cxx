@@ -31,7 +31,8 @@ void vtkPointSplatItemTable::Upload(
       item.Points.LayerPixels, item.Points.Spacing, item.Points.Silhouettes ? 1.0f : 0.0f);
     std::copy(planes.begin(), planes.end(), row + 4);
     row[10] = item.GetValueMap(values.size());
-    row[11].x = item.IsFlat ? 1.0f : 0.0f;
+    row[11] = glm::vec4(item.IsFlat ? 1.0f : 0.0f, item.Look.EdgeWidth,
+      item.Look.Repeats ? 1.0f : 0.0f, 0.0f);
     const std::vector<uint32_t>& own = item.Cloud->GetValueTable();
     values.insert(values.end(), own.begin(), own.end());
   }

@@ -67,6 +67,13 @@ bool itemIsFlat(uint tag)
   return itemTexel(tag, 11).x > 0.0;
 }
 
+// Of its look: whether each splat has one tone; how wide its edges are, pixels; whether texture
+// coordinates that differ by whole numbers mean the same; 0.
+vec4 itemLook(uint tag)
+{
+  return itemTexel(tag, 11);
+}
+
 // How its values are mapped, as mapValue() takes it.
 vec4 itemValueMap(uint tag)
 {

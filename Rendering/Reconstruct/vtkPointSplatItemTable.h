@@ -8,7 +8,7 @@
 //   3  of points: least layer distance in world units, in pixels; spacing; silhouettes
 //   4  to 9: clipping planes, view coordinates
 //   10 how values are mapped (vtkPointSplatValue.glsl)
-//   11 whether each splat has one tone
+//   11 whether each splat has one tone; width of edges, pixels; whether texture coordinates repeat
 // And beside it (R32UI) the tables of colours of all items whose clouds have values, one after the
 // other.
 #ifndef vtkPointSplatItemTable_h

@@ -17,7 +17,7 @@ constexpr int BandRows = 64;
 
 //------------------------------------------------------------------------------
 void vtkPointSplatLayers::AllocateBuffers(
-  const glm::ivec2& size, int layers, int factors, bool ids)
+  const glm::ivec2& size, int layers, int factors, int looks, bool ids)
 {
   if (!this->Buffers)
   {
@@ -33,6 +33,11 @@ void vtkPointSplatLayers::AllocateBuffers(
   if (factors > 0)
   {
     this->FactorBuffer.Reserve(4 * pixels * layers);
+  }
+  this->Looks = looks;
+  if (looks > 0)
+  {
+    this->LookBuffer.Reserve(16 * looks * pixels * layers);
   }
   if (ids)
   {
@@ -52,6 +57,7 @@ void vtkPointSplatLayers::AllocateImages(
   this->Size = size;
   this->Capacity = layers;
   this->Factors = factors;
+  this->Looks = 0;
   this->Ids = ids;
   this->TexelImage.Allocate(size, layers);
   if (factors > 0)
@@ -70,7 +76,7 @@ int vtkPointSplatLayers::GetRowsPerBand() const
   GLint64 bound = 0;
   glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bound);
   const vtkIdType rows = std::max<vtkIdType>(static_cast<vtkIdType>(bound), LeastBlockBytes) /
-    (16 * static_cast<vtkIdType>(this->Size.x) * this->Capacity);
+    (16 * std::max(this->Looks, 1) * static_cast<vtkIdType>(this->Size.x) * this->Capacity);
   return static_cast<int>(
     std::max<vtkIdType>(std::min<vtkIdType>(rows, 1 << 20) / BandRows, 1) * BandRows);
 }
@@ -91,13 +97,18 @@ void vtkPointSplatLayers::BindRows(int row) const
   {
     bind(this->IdBuffer, 2, 4);
   }
+  if (this->Looks > 0)
+  {
+    bind(this->LookBuffer, 5, 16 * this->Looks * this->Capacity);
+  }
 }
 
 //------------------------------------------------------------------------------
 std::string vtkPointSplatLayers::GetDefines() const
 {
   return std::string(this->Buffers ? "#define LAYER_BUFFERS\n" : "") +
-    (this->Factors > 0 ? "#define FACTORS " + std::to_string(this->Factors) + "\n" : "");
+    (this->Factors > 0 ? "#define FACTORS " + std::to_string(this->Factors) + "\n" : "") +
+    (this->Looks > 0 ? "#define LOOKS " + std::to_string(this->Looks) + "\n" : "");
 }
 
 //------------------------------------------------------------------------------
@@ -108,6 +119,8 @@ void vtkPointSplatLayers::Bind(vtkPointSplatUnits& units, vtkPointSplatProgram& 
     units.Bind(program, "LayerTexels", GL_TEXTURE_BUFFER, this->TexelBuffer.GetTexture());
     units.Bind(program, "LayerFactors", GL_TEXTURE_BUFFER,
       this->Factors > 0 ? this->FactorBuffer.GetTexture() : 0);
+    units.Bind(program, "LayerLooks", GL_TEXTURE_BUFFER,
+      this->Looks > 0 ? this->LookBuffer.GetTexture() : 0);
     units.Bind(
       program, "LayerIds", GL_TEXTURE_BUFFER, this->Ids ? this->IdBuffer.GetTexture() : 0);
   }
@@ -128,7 +141,8 @@ void vtkPointSplatLayers::Bind(vtkPointSplatUnits& units, vtkPointSplatProgram& 
 vtkIdType vtkPointSplatLayers::GetMemorySize() const
 {
   return this->Buffers
-    ? this->TexelBuffer.GetSize() + this->FactorBuffer.GetSize() + this->IdBuffer.GetSize()
+    ? this->TexelBuffer.GetSize() + this->FactorBuffer.GetSize() + this->LookBuffer.GetSize() +
+      this->IdBuffer.GetSize()
     : this->TexelImage.GetMemorySize() + this->FactorImage.GetMemorySize() +
       this->IdImage.GetMemorySize();
 }
@@ -138,6 +152,7 @@ void vtkPointSplatLayers::Release()
 {
   this->TexelBuffer.Release();
   this->FactorBuffer.Release();
+  this->LookBuffer.Release();
   this->IdBuffer.Release();
   this->TexelImage.Release();
   this->FactorImage.Release();

@@ -18,6 +18,9 @@ uniform int GatheredLayer; // that holds all that is behind the others; or -1
 #define ID_SAMPLER usampler2D
 #endif
 uniform LAYER_SAMPLER LayerTexels;
+#ifdef LOOKS
+uniform usamplerBuffer LayerLooks;
+#endif
 uniform LAYER_SAMPLER LayerFactors;
 uniform ID_SAMPLER LayerIds;
 
@@ -34,6 +37,13 @@ uvec4 fetchLayer(ivec2 pixel, int layer)
   return texelFetch(LayerTexels, ivec3(pixel, layer), 0);
 #endif
 }
+
+#ifdef LOOKS
+uvec4 fetchLayerLook(ivec2 pixel, int layer, int texel)
+{
+  return texelFetch(LayerLooks, LOOKS * layerAt(pixel, layer) + texel);
+}
+#endif
 
 uint fetchLayerId(ivec2 pixel)
 {

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The surface layers of a frame, nearest first: what all ways to reconstruct them write, and all
 // that follows reads. A layer has a texel a pixel (RGBA32UI, vtkPointSplatTexel.glsl); where lights
-// cast shadows beside it the factors of up to four of them (R32UI); the first layer, for hardware
-// selection, the ids of the splats of the greatest weight (R32UI). A pixel's layers end with the
-// first that is empty there.
+// cast shadows beside it the factors of up to four of them (R32UI); where some actor has textures
+// or edges one or two of its look (RGBA32UI, vtkPointSplatLook.glsl), in buffers only; the first layer,
+// for hardware selection, the ids of the splats of the greatest weight (R32UI). A pixel's layers end
+// with the first that is empty there.
 //
 // Compute shaders write buffers, which have all layers of a row of pixels side by side, so that
 // some rows can be bound where a driver bounds storage blocks; the rasteriser writes array textures.
@@ -26,14 +27,14 @@ public:
   ///@{
   /**
    * Room for so many layers; what was in them is lost if there was less, or of another kind.
-   * factors: of how many lights; ids: whether there are some.
+   * factors: of how many lights; looks: their texels; ids: whether there are some.
    */
-  void AllocateBuffers(const glm::ivec2& size, int layers, int factors, bool ids);
+  void AllocateBuffers(const glm::ivec2& size, int layers, int factors, int looks, bool ids);
   void AllocateImages(const glm::ivec2& size, int layers, int factors, bool ids);
   ///@}
-  static vtkIdType BytesPerLayer(const glm::ivec2& size, int factors)
+  static vtkIdType BytesPerLayer(const glm::ivec2& size, int factors, int looks)
   {
-    return static_cast<vtkIdType>(size.x) * size.y * (16 + (factors > 0 ? 4 : 0));
+    return static_cast<vtkIdType>(size.x) * size.y * (16 + (factors > 0 ? 4 : 0) + 16 * looks);
   }
 
   ///@{ How many layers there are; the last one that gathers what is behind the others, or -1.
@@ -46,12 +47,13 @@ public:
   bool AreBuffers() const { return this->Buffers; }
   int GetCapacity() const { return this->Capacity; }
   int GetFactorCount() const { return this->Factors; }
+  int GetLookTexels() const { return this->Looks; }
   const glm::ivec2& GetSize() const { return this->Size; }
 
   ///@{
   /**
    * Of buffers: how many rows of pixels are bound at once, and to bind those from a row on, a
-   * multiple of that, as storage 0, 1 and 2: texels, factors, ids.
+   * multiple of that, as storage 0, 1, 2 and 5: texels, factors, ids, looks.
    */
   int GetRowsPerBand() const;
   void BindRows(int row) const;
@@ -78,9 +80,11 @@ private:
   int Count = 0;
   int Gathered = -1;
   int Factors = 0;
+  int Looks = 0;
   bool Ids = false;
   vtkPointSplatBuffer TexelBuffer{ GL_RGBA32UI };
   vtkPointSplatBuffer FactorBuffer{ GL_R32UI };
+  vtkPointSplatBuffer LookBuffer{ GL_RGBA32UI };
   vtkPointSplatBuffer IdBuffer{ GL_R32UI };
   vtkPointSplatImage TexelImage{ GL_RGBA32UI };
   vtkPointSplatImage FactorImage{ GL_R32UI };

@@ -5,6 +5,7 @@
 #include "vtkPointSplatLayers.h"
 
 #include <algorithm>
+#include <utility>
 
 //------------------------------------------------------------------------------
 bool vtkPointSplatRequest::operator==(const vtkPointSplatRequest& other) const
@@ -69,6 +70,42 @@ bool vtkPointSplatRequest::HasClipLines() const
 }
 
 //------------------------------------------------------------------------------
+bool vtkPointSplatRequest::HasLook(bool (*test)(const vtkPointSplatItemLook&)) const
+{
+  return !this->HasIds &&
+    std::any_of(this->Items.begin(), this->Items.end(),
+      [test](const vtkPointSplatItem& item) { return test(item.Look); });
+}
+
+//------------------------------------------------------------------------------
+int vtkPointSplatRequest::GetLookTexels() const
+{
+  int most = 0;
+  for (const vtkPointSplatItem& item : this->Items)
+  {
+    most = std::max(most, this->HasIds ? 0 : item.Look.GetTexels());
+  }
+  return most;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkPointSplatRequest::GetLookDefines() const
+{
+  using Look = vtkPointSplatItemLook;
+  const std::pair<const char*, bool (*)(const Look&)> parts[] = {
+    { "#define COORDINATES\n", [](const Look& look) { return look.Coordinates; } },
+    { "#define TANGENTS\n", [](const Look& look) { return look.Tangents; } },
+    { "#define EDGES\n", [](const Look& look) { return look.EdgeWidth > 0.0f; } },
+  };
+  std::string defines;
+  for (const auto& part : parts)
+  {
+    defines += this->HasLook(part.second) ? part.first : "";
+  }
+  return defines;
+}
+
+//------------------------------------------------------------------------------
 int vtkPointSplatRequest::GetFactorCount() const
 {
   int count = 0;
@@ -97,7 +134,8 @@ int vtkPointSplatRequest::GetMostLayers(vtkIdType room) const
   {
     room = std::min(room,
       this->MaximumMemory /
-        vtkPointSplatLayers::BytesPerLayer(this->View.Size, this->GetFactorCount()));
+        vtkPointSplatLayers::BytesPerLayer(
+          this->View.Size, this->GetFactorCount(), this->GetLookTexels()));
   }
   return static_cast<int>(
     std::min<vtkIdType>(this->MaximumLayers, std::max<vtkIdType>(room, 1)));

@@ -54,6 +54,11 @@ struct vtkPointSplatRequest
   /// Whether something of the splat with the greatest weight is shown: its colour or its normal.
   bool ShowsGreatest() const { return this->HasCellColours() || this->HasFacets(); }
   bool HasClipLines() const;
+  /// Texels beside a layer's for looks of items (vtkPointSplatLook.glsl), by tiles; none for ids.
+  int GetLookTexels() const;
+  /// Lines for programs of tiles that blend what looks need.
+  std::string GetLookDefines() const;
+  bool HasLook(bool (*test)(const vtkPointSplatItemLook&)) const;
   int GetFactorCount() const;
   /// The bits that tags of the items need (vtkPointSplatDepthCode.glsl).
   unsigned int GetTagMask() const;

@@ -10,10 +10,11 @@
 //    through the layers before that what is behind could not be seen.
 // Variants: LAYERS, GATHER (the last layer takes all that is left, weighted by opacity), COLOURS,
 // VALUES (of some clouds in the place of colours), CELL_COLOURS (of some), FACETS (some are flat),
-// FACTORS, IDS (names the splat of the greatest weight), KERNELS, PLATEAU, CURVED (some splats need exact rays), CLIPPING,
+// FACTORS, LOOKS (texels of looks) and of these COORDINATES, TANGENTS and EDGES, IDS (names the splat
+// of the greatest weight), KERNELS, PLATEAU, CURVED (some splats need exact rays), CLIPPING,
 // CLIP_LINES (some splats are clipped).
 // Reads: Records, RecordClipLines, Lists, Tiles, SceneDepth. Writes: Texels, FactorTexels,
-// IdTexels, Counts.
+// LookTexels, IdTexels, Counts.
 
 #include "vtkPointSplatTilePixels"
 #include "vtkPointSplatTileFlat"
@@ -37,6 +38,9 @@ layout(std430, binding = 1) writeonly buffer FactorTexels { uint factorTexels[];
 #endif
 #ifdef IDS
 layout(std430, binding = 2) writeonly buffer IdTexels { uint idTexels[]; };
+#endif
+#ifdef LOOKS
+layout(std430, binding = 5) writeonly buffer LookTexels { uvec4 lookTexels[]; };
 #endif
 #ifdef LAYERS
 layout(std430, binding = 3) buffer Counts { uint layersMade; }; // the most of any pixel
@@ -116,6 +120,16 @@ void writeLayer(ivec2 first, int layer)
       texels[at] = texel;
 #ifdef FACTORS
       factorTexels[at] = packColour(vec4(factors[k] * share));
+#endif
+#ifdef LOOKS
+      uvec4 coordinates = coordinateTexel(k);
+#ifdef GATHER
+      coordinates = gathering ? uvec4(NoCoordinates) : coordinates;
+#endif
+      lookTexels[LOOKS * at] = coordinates;
+#if LOOKS > 1
+      lookTexels[LOOKS * at + 1] = surfaceTexel(k);
+#endif
 #endif
 #ifdef IDS
       idTexels[row * ImageWidth + pixel.x] = ids[k];

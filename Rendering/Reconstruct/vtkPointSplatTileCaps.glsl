@@ -39,11 +39,17 @@ struct Widened
   vec2 lean;
   vec2 along;  // over their squared lengths
   vec2 across;
+#ifdef LOOKS
+  vec4 places; // placesByPixels()
+#endif
 };
 
-Widened widenedOf(uvec4 r2, uvec4 r4, float radius)
+Widened widenedOf(Cap q, uvec4 r2, uvec4 r4, float radius)
 {
   Widened w;
+#ifdef LOOKS
+  w.places = placesByPixels(q.a.xy, q.b.xy);
+#endif
   w.lean = unpackSnorm2x16(r2.w);
   vec2 along = unpackHalf2x16(r4.w);
   float l = dot(along, along);
@@ -236,6 +242,9 @@ void addCap(int k, Head h, Paint p, bool met, vec2 uv, float behind, Widened w, 
   vec3 normal = n.centre + uv.x * n.turnS + uv.y * n.turnT;
   // One step of Newton's towards unit length: the turn is small.
   normal *= 1.5 - 0.5 * dot(normal, normal);
+#ifdef LOOKS
+  placeCapLook(p.look, w.places, uv);
+#endif
   share = !cut || isWithin(k, h.tag, h.depth + behind) ? share : 0.0;
 #ifdef FACETS
   p.facet = n.centre;
@@ -265,8 +274,11 @@ void addBent(int i, int end, float layerEnd)
     Cap cap = capOf(texelFetch(Records, at + 1), r2, texelFetch(Records, at + 3));
     Paint p = paintOf(record, h.tag);
     Bundle rays = bundleOf(cap, imageW(cap, h.depth), h.from + middle, p.kernel.z);
-    Widened widened = widenedOf(r2, r4, PrefilterRadius);
+    Widened widened = widenedOf(cap, r2, r4, PrefilterRadius);
     Normal n = normalOf(r2, r4);
+#ifdef LOOKS
+    prepareCapLook(p.look, widened.places);
+#endif
     for (int k = 0; k < Pixels; ++k)
     {
       vec2 uv;
@@ -341,9 +353,12 @@ void addCurved(int i, int end, float layerEnd)
     uvec4 r4 = texelFetch(Records, at + 4);
     Cap cap = capOf(texelFetch(Records, at + 1), r2, texelFetch(Records, at + 3));
     vec3 w = imageW(cap, h.depth);
-    Widened widened = widenedOf(r2, r4, PrefilterRadius);
+    Widened widened = widenedOf(cap, r2, r4, PrefilterRadius);
     Normal n = normalOf(r2, r4);
     Paint p = paintOf(record, h.tag);
+#ifdef LOOKS
+    prepareCapLook(p.look, widened.places);
+#endif
 #ifdef CLIP_LINES
     p.lines = clipLinesOf(cap, record);
 #endif

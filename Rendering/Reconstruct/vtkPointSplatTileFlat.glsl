@@ -62,10 +62,16 @@ void addFlat(int i, int end, float layerEnd)
 #ifdef FACETS
     p.facet = normal;
 #endif
+#ifdef LOOKS
+    prepareFlatLook(p.look, form);
+#endif
     for (int k = 0; k < Pixels; ++k)
     {
       vec2 d = h.from + offsetOf(k);
       float r2 = (form.x * d.x + form.y * d.y) * d.x + form.z * d.y * d.y;
+#ifdef LOOKS
+      placeFlatLook(p.look, form, d, r2);
+#endif
       addToLayer(k, h, p, 1.0, r2, h.depth + slope.x * d.x + slope.y * d.y,
         normal + d.x * turnX + d.y * turnY);
     }

@@ -67,6 +67,10 @@ vec4 colours[Pixels];
 #endif
 LightFactors factors[Pixels];
 #endif
+#ifdef LOOKS
+#include "vtkPointSplatLook"
+#include "vtkPointSplatTileLooks"
+#endif
 #if defined(IDS) || defined(CELL_COLOURS) || defined(FACETS)
 #define GREATEST
 float greatest[Pixels]; // kernel, and who has it: the id, or the colour
@@ -222,6 +226,9 @@ struct Paint
   bool isFacet; // of one tone, by the normal of its centre, which is set by who knows it
   vec3 facet;
 #endif
+#ifdef LOOKS
+  SplatLook look; // prepared by who knows the splat's form
+#endif
 };
 
 Paint paintOf(int record, uint tag)
@@ -265,6 +272,9 @@ Paint paintOf(int record, uint tag)
   p.isFacet = p.isFacet && !gathering;
 #endif
 #endif
+#ifdef LOOKS
+  p.look = lookOf(record, tag);
+#endif
   return p;
 }
 
@@ -303,6 +313,9 @@ void addToLayer(int k, Head h, Paint p, float share, float r2, float depth, vec3
 #else
   normals[k] += round(turned * normal);
 #endif
+#ifdef LOOKS
+  addLook(k, p.look, weight);
+#endif
   behinds[k] += round(weight * (mine ? behind : 0.0) * (DepthScale / DepthUnit));
 #ifdef COLOURS
 #ifdef VALUES
@@ -339,6 +352,9 @@ void clearLayer()
 #endif
 #if defined(IDS) || defined(CELL_COLOURS)
     ids[k] = 0xffffffffu;
+#endif
+#ifdef LOOKS
+    clearLooks(k);
 #endif
   }
 }

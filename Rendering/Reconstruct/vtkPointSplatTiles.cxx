@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 
 namespace
 {
@@ -18,6 +19,7 @@ constexpr vtkIdType GroupSize = 64; // as in the shaders
 constexpr GLsizeiptr RecordBytes = 80;
 constexpr GLsizeiptr BoxBytes = 8;
 constexpr GLsizeiptr LineBytes = 16;
+constexpr GLsizeiptr CoordinateBytes = 16;
 constexpr double Buckets = 1024.0; // as in vtkPointSplatRecord.glsl
 constexpr vtkIdType SplatsPerDispatch = vtkIdType(1) << 20;
 // Entries of all lists, so that these are within a storage block, which has at least 128 MiB in
@@ -94,17 +96,22 @@ vtkPointSplatTiles::Variant vtkPointSplatTiles::VariantOf(
   v.ClipLines = request.HasClipLines();
   v.Colours = request.HasColours() || request.Gather;
   v.Factors = request.GetFactorCount();
+  v.Looks = request.GetLookTexels();
+  v.Coordinates = request.HasLook(
+    [](const vtkPointSplatItemLook& look) { return look.Coordinates; });
+  v.Tangents = request.HasLook([](const vtkPointSplatItemLook& look) { return look.Tangents; });
   v.Ids = request.HasIds;
   const std::string clips = clipping ? "#define CLIPPING\n" : "";
   v.Lines = v.ClipLines ? "#define CLIP_LINES\n" : "";
   const std::string both = std::string(v.Colours ? "#define COLOURS\n" : "") +
     (v.Factors > 0 ? "#define FACTORS " + std::to_string(v.Factors) + "\n" : "") +
-    (v.Ids ? "#define IDS\n" : "") + clips;
+    (v.Ids ? "#define IDS\n" : "") + request.GetLookDefines() + clips;
   const bool layers = request.IsPeeled();
   v.Project = both + v.Lines;
   v.Walk = clips + (layers ? "#define LAYERS\n" : "");
   v.Tile = both + request.GetAppearanceDefines(false) + (layers ? "#define LAYERS\n" : "") +
     (request.Gather ? "#define GATHER\n" : "") +
+    (v.Looks > 0 ? "#define LOOKS " + std::to_string(v.Looks) + "\n" : "") +
     (plateau ? "#define PLATEAU\n" : "") + (kernels ? "#define KERNELS\n" : "");
   if (request.OnDevice)
   {
@@ -115,7 +122,8 @@ vtkPointSplatTiles::Variant vtkPointSplatTiles::VariantOf(
   else
   {
     // As many pixels as leave registers to work with.
-    v.TileSize = layers || v.Colours || v.Factors > 0 ? glm::ivec2(4, 2) : glm::ivec2(4, 4);
+    v.TileSize = layers || v.Colours || v.Factors > 0 || v.Looks > 0 ? glm::ivec2(4, 2)
+                                                                     : glm::ivec2(4, 4);
     v.Lanes = 1;
     v.Tile += request.Outlines ? "#define SUMMARIES\n" : "";
   }
@@ -167,26 +175,19 @@ void vtkPointSplatTiles::Measure(
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatTiles::Reserve(const Variant& variant)
+std::vector<vtkPointSplatTiles::Share> vtkPointSplatTiles::SharesOf(const Variant& variant)
 {
-  this->Records.Reserve(RecordBytes * this->Splats);
-  this->Boxes.Reserve(BoxBytes * this->Splats);
-  if (variant.ClipLines)
-  {
-    this->ClipLines.Reserve(LineBytes * this->Splats);
-  }
-  if (variant.Colours)
-  {
-    this->Colours.Reserve(4 * this->Splats);
-  }
-  if (variant.Factors > 0)
-  {
-    this->Factors.Reserve(4 * this->Splats);
-  }
-  if (variant.Ids)
-  {
-    this->Ids.Reserve(4 * this->Splats);
-  }
+  // Where there are ids there are no tangents.
+  const Share all[] = { { true, &this->Records, 0, RecordBytes },
+    { true, &this->Boxes, 1, BoxBytes }, { variant.Colours, &this->Colours, 2, 4 },
+    { variant.Factors > 0, &this->Factors, 3, 4 }, { variant.Ids, &this->Ids, 4, 4 },
+    { variant.Tangents, &this->Tangents, 4, 4 },
+    { variant.ClipLines, &this->ClipLines, 5, LineBytes },
+    { variant.Coordinates, &this->Coordinates, 6, CoordinateBytes } };
+  std::vector<Share> wanted;
+  std::copy_if(std::begin(all), std::end(all), std::back_inserter(wanted),
+    [](const Share& share) { return share.IsWanted; });
+  return wanted;
 }
 
 //------------------------------------------------------------------------------
@@ -208,6 +209,7 @@ bool vtkPointSplatTiles::Project(
   program->Set("TileReach",
     variant.Lanes > 1 ? 0.0f : 0.5f * glm::length(glm::vec2(variant.TileSize - 1)));
   program->Set("BucketScale", this->BucketScale);
+  const std::vector<Share> shares = this->SharesOf(variant);
   vtkIdType first = 0;
   for (const vtkPointSplatItem& item : part.Items)
   {
@@ -233,6 +235,12 @@ bool vtkPointSplatTiles::Project(
     units.Bind(*program, "Colours", GL_TEXTURE_BUFFER, buffers.Colours.GetTexture());
     units.Bind(*program, "Factors", GL_TEXTURE_BUFFER,
       item.Factors ? item.Factors->GetTexture() : 0);
+    program->Set("HasCoordinates", item.Look.Coordinates);
+    program->Set("HasTangents", item.Look.Tangents);
+    units.Bind(*program, "Coordinates", GL_TEXTURE_BUFFER,
+      item.Look.Coordinates ? buffers.Coordinates.GetTexture() : 0);
+    units.Bind(*program, "Tangents", GL_TEXTURE_BUFFER,
+      item.Look.Tangents ? buffers.Tangents.GetTexture() : 0);
     units.Bind(*program, "Ids", GL_TEXTURE_BUFFER, variant.Ids ? buffers.Ids.GetTexture() : 0);
     if (item.Blocks)
     {
@@ -243,23 +251,9 @@ bool vtkPointSplatTiles::Project(
     {
       const vtkIdType splats = std::min(SplatsPerDispatch, count - begin);
       const GLintptr at = static_cast<GLintptr>(first + begin);
-      this->Records.BindStorage(0, RecordBytes * at, RecordBytes * splats);
-      this->Boxes.BindStorage(1, BoxBytes * at, BoxBytes * splats);
-      if (variant.Colours)
+      for (const Share& share : shares)
       {
-        this->Colours.BindStorage(2, 4 * at, 4 * splats);
-      }
-      if (variant.Factors > 0)
-      {
-        this->Factors.BindStorage(3, 4 * at, 4 * splats);
-      }
-      if (variant.Ids)
-      {
-        this->Ids.BindStorage(4, 4 * at, 4 * splats);
-      }
-      if (variant.ClipLines)
-      {
-        this->ClipLines.BindStorage(5, LineBytes * at, LineBytes * splats);
+        share.Buffer->BindStorage(share.Binding, share.Bytes * at, share.Bytes * splats);
       }
       program->Set("FirstInvocation", static_cast<unsigned int>(begin));
       vtkPointSplatProgram::Dispatch(splats, GroupSize);
@@ -328,7 +322,10 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::Prepare(
   {
     return TooMany;
   }
-  this->Reserve(variant);
+  for (const Share& share : this->SharesOf(variant))
+  {
+    share.Buffer->Reserve(share.Bytes * this->Splats);
+  }
   return this->Project(request, part, variant) ? this->Bin(variant) : Failed;
 }
 
@@ -348,6 +345,8 @@ vtkPointSplatProgram* vtkPointSplatTiles::UseTiles(const vtkPointSplatRequest& r
   units.Bind(*program, "RecordClipLines", GL_TEXTURE_BUFFER, this->ClipLines.GetTexture());
   units.Bind(*program, "RecordColours", GL_TEXTURE_BUFFER, this->Colours.GetTexture());
   units.Bind(*program, "RecordFactors", GL_TEXTURE_BUFFER, this->Factors.GetTexture());
+  units.Bind(*program, "RecordCoordinates", GL_TEXTURE_BUFFER, this->Coordinates.GetTexture());
+  units.Bind(*program, "RecordTangents", GL_TEXTURE_BUFFER, this->Tangents.GetTexture());
   units.Bind(*program, "RecordIds", GL_TEXTURE_BUFFER, this->Ids.GetTexture());
   units.Bind(*program, "Lists", GL_TEXTURE_BUFFER, this->Lists.GetTexture());
   units.Bind(*program, "ItemTable", GL_TEXTURE_BUFFER, this->Items.GetTexture());
@@ -520,13 +519,15 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::Reconstruct(const vtkPointSplatRe
   GLint texels = 0;
   glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
   request.MaximumLayers = request.GetMostLayers(
-    texels / (static_cast<vtkIdType>(request.View.Size.x) * request.View.Size.y));
+    texels / std::max(variant.Looks, 1) /
+    (static_cast<vtkIdType>(request.View.Size.x) * request.View.Size.y));
   this->Items.Upload(request.Items, request.View);
   int capacity = std::min(request.MaximumLayers, std::max(FirstCapacity, layers.GetCapacity()));
   Result result = Made;
   for (bool fits = false; !fits && result == Made;)
   {
-    layers.AllocateBuffers(request.View.Size, capacity, variant.Factors, variant.Ids);
+    layers.AllocateBuffers(
+      request.View.Size, capacity, variant.Factors, variant.Looks, variant.Ids);
     layers.SetNumberOfLayers(capacity);
     outlines.Clear();
     GLuint made = 1;
@@ -565,8 +566,8 @@ vtkIdType vtkPointSplatTiles::GetMemorySize() const
 {
   vtkIdType bytes = this->DeviceLists.GetMemorySize();
   for (const vtkPointSplatBuffer* buffer :
-    { &this->Records, &this->Boxes, &this->ClipLines, &this->Colours, &this->Factors, &this->Ids,
-      &this->Lists, &this->Table, &this->Summaries })
+    { &this->Records, &this->Boxes, &this->ClipLines, &this->Colours, &this->Factors,
+      &this->Coordinates, &this->Tangents, &this->Ids, &this->Lists, &this->Table, &this->Summaries })
   {
     bytes += buffer->GetSize();
   }
@@ -581,8 +582,8 @@ void vtkPointSplatTiles::Release()
   this->Items.Release();
   this->DeviceLists.Release();
   for (vtkPointSplatBuffer* buffer : { &this->Records, &this->Boxes, &this->ClipLines,
-         &this->Colours, &this->Factors, &this->Ids, &this->Blocks, &this->Lists, &this->Table,
-         &this->Summaries, &this->Counts })
+         &this->Colours, &this->Factors, &this->Coordinates, &this->Tangents, &this->Ids,
+         &this->Blocks, &this->Lists, &this->Table, &this->Summaries, &this->Counts })
   {
     buffer->Release();
   }

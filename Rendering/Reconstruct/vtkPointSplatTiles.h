@@ -78,15 +78,26 @@ private:
     bool ClipLines = false;
     bool Colours = false;
     int Factors = 0;
+    int Looks = 0; // texels
+    bool Coordinates = false;
+    bool Tangents = false;
     bool Ids = false;
   };
+  /// What is kept of each projected splat, in a buffer of its own.
+  struct Share
+  {
+    bool IsWanted;
+    vtkPointSplatBuffer* Buffer;
+    GLuint Binding;
+    GLsizeiptr Bytes; // a splat
+  };
+  std::vector<Share> SharesOf(const Variant& variant);
   static Variant VariantOf(const vtkPointSplatRequest& request);
   vtkPointSplatProgram* Use(std::map<std::string, vtkPointSplatProgram>& programs,
     const char* file, const std::string& defines);
   Result Prepare(
     const vtkPointSplatRequest& request, const vtkPointSplatPart& part, const Variant& variant);
   void Measure(const vtkPointSplatRequest& request, const vtkPointSplatPart& part);
-  void Reserve(const Variant& variant);
   bool Project(
     const vtkPointSplatRequest& request, const vtkPointSplatPart& part, const Variant& variant);
   Result Bin(const Variant& variant);
@@ -121,6 +132,8 @@ private:
   vtkPointSplatBuffer ClipLines{ GL_RGBA32F };
   vtkPointSplatBuffer Colours{ GL_R32UI };
   vtkPointSplatBuffer Factors{ GL_R32UI };
+  vtkPointSplatBuffer Coordinates{ GL_RGBA32UI };
+  vtkPointSplatBuffer Tangents{ GL_R32UI };
   vtkPointSplatBuffer Ids{ GL_R32UI };
   vtkPointSplatBuffer Blocks;
   vtkPointSplatBuffer Lists{ GL_R32UI };

@@ -5,21 +5,26 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Shades one surface layer and presents it as ordinary geometry: colour, opacity and depth, so
-// that the depth test, depth peeling and the passes that work on depth treat it as they treat a
-// mesh. Hooks as in VTK's own fragment shaders let render passes add to it; names that their code
+// Shades one surface layer and presents it as ordinary geometry: colour, opacity and depth, so that
+// the depth test, depth peeling and the passes that work on depth treat it as they treat a mesh.
+// Hooks as in VTK's own fragment shaders let render passes add to it; names that their code
 // declares (pixel, front, ...) are not used here.
 // OUTPUT: 0 shaded, 1 one colour for hardware selection, 2 ids for it. REFLECTION: some surfaces
-// reflect the environment. OUTLINES (vtkPointSplatOutline): a pixel that an outline runs through gets
-// the mean of the shaded pixels that its samples take after, and the share that these cover as
+// reflect the environment. OUTLINES (vtkPointSplatOutline): a pixel that an outline runs through
+// gets the mean of the shaded pixels that its samples take after, and the share that these cover as
 // opacity, at the depth of the nearest; in multisampled framebuffers each sample has its own colour
 // and depth, so that splats and meshes meet within pixels. 0: there are none.
+// PASS_FACTORS: a shadow map pass of VTK's tells how much of each light arrives, by code that finds
+// the point as vertexVC. SHADOW_MAP: such a pass's map is drawn, by code that finds the pixel as
+// coordinate, since here gl_FragCoord is a full-screen triangle's.
 
 //PointSplat::Defines
 
 //VTK::CustomUniforms::Dec
 
 //VTK::DepthPeeling::Dec
+
+//VTK::Light::Dec
 
 #include "vtkPointSplatLayers"
 #include "vtkPointSplatRay"
@@ -84,6 +89,11 @@ void main()
   id >>= uint(SelectionShift);
   gl_FragData[0] = vec4(uvec4(id, id >> 8, id >> 16, 255u) & 255u) / 255.0;
 #else
+#ifdef PASS_FACTORS
+  vec4 vertexVC = vec4(pointOfPixel(at, -(NearDistance + depth)), 1.0);
+  //VTK::Light::Impl
+  //PointSplat::PassFactors
+#endif
   Shaded s = shadeTexel(texel, at, Layer);
   vec3 positionVC = s.positionVC;
   vec3 normalVC = s.normalVC;
@@ -99,6 +109,12 @@ void main()
   shaded.rgb /= max(shaded.a, 1e-6);
 #endif
   gl_FragData[0] = shaded;
+#ifdef SHADOW_MAP
+  int cameraParallel = Parallel ? 1 : 0;
+  vec4 coordinate =
+    vec4(gl_FragCoord.xy, gl_FragDepth, Parallel ? 1.0 : 1.0 / (NearDistance + depth));
+  //PointSplat::ShadowMap
+#endif
   //PointSplat::GeometryBuffer
 #endif
 

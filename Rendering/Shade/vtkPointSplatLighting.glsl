@@ -1,10 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// VTK's Phong lighting, term by term as vtkOpenGLPolyDataMapper has it for
-// each of its levels, since users put clouds and meshes into one scene.
-// LIGHT_LEVEL: 0 no light, 1 one headlight, 2 directional lights, 3 positional too.
-// SPECULAR: some surface has highlights. UNLIT: some surface is not lit.
+// VTK's Phong lighting, term by term as vtkOpenGLPolyDataMapper has it for each of its levels,
+// since users put clouds and meshes into one scene.
+// LIGHT_LEVEL: 0 no light, 1 one headlight, 2 directional lights, 3 positional too. SPECULAR: some
+// surface has highlights. UNLIT: some surface is not lit. FACTORS: points have factors of lights.
+// PASS_FACTORS: so does the pixel, by a render pass. LIGHT_MAPS: translucent splats cast shadows
+// (vtkPointSplatLightMaps).
+
+#include "vtkPointSplatLightMaps"
 
 #if LIGHT_LEVEL > 0
 uniform vec4 LightColour[LIGHT_COUNT];      // and whether it is positional
@@ -16,6 +20,14 @@ uniform vec4 LightAttenuation[LIGHT_COUNT]; // constant, linear, quadratic; the 
 #ifdef FACTORS
 // How much of each light arrives at what is shaded (Dobrev, Rosenthal, Linsen 2010, section 6).
 vec4 lightFactors = vec4(1.0);
+#endif
+#ifdef PASS_FACTORS
+// The same of each light, as the render pass has it that draws shadow maps.
+float passFactors[LIGHT_COUNT];
+#endif
+
+#ifdef LIGHT_MAPS
+bool asksLightMaps = true; // whether such shadows fall on the surface
 #endif
 
 // How much of the lights' light a surface keeps whose normals contradict one another.
@@ -57,7 +69,23 @@ float lightAt(int i, vec3 positionVC, out vec3 direction)
   int component = int(LightDirection[i].w);
   attenuation *= component < 0 ? 1.0 : lightFactors[component];
 #endif
+#ifdef PASS_FACTORS
+  attenuation *= passFactors[i];
+#endif
   return attenuation;
+}
+#endif
+
+#if LIGHT_LEVEL > 1
+// What of a light's colour translucent surfaces let pass to a point.
+vec3 colourOfLight(int i, vec3 positionVC, vec3 normalVC)
+{
+#ifdef LIGHT_MAPS
+  vec3 passed = lightPassed(i, positionVC, normalVC);
+  return LightColour[i].rgb * (asksLightMaps ? passed : vec3(1.0));
+#else
+  return LightColour[i].rgb;
+#endif
 }
 #endif
 
@@ -83,12 +111,13 @@ vec3 shade(Material m, vec3 positionVC, vec3 normalVC)
   {
     vec3 direction;
     float attenuation = lightAt(i, positionVC, direction);
+    vec3 lightColour = colourOfLight(i, positionVC, normalVC);
     float df = max(0.0, attenuation * dot(normalVC, -direction));
-    diffuse += df * LightColour[i].rgb;
+    diffuse += df * lightColour;
 #ifdef SPECULAR
     float reflected = max(0.0, dot(reflect(direction, normalVC), view));
     float sf = df > 0.0 ? attenuation * pow(reflected, m.power) : 0.0;
-    specular += sf * LightColour[i].rgb;
+    specular += sf * lightColour;
 #endif
   }
   vec3 colour = m.ambient + keptLight * (diffuse * m.diffuse + specular * m.specular);

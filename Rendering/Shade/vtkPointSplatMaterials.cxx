@@ -14,11 +14,11 @@ namespace
 {
 constexpr size_t AbsorptionTexel = 9;
 
-void AddPhysical(vtkProperty* property, std::vector<glm::vec4>& texels)
+void AddPhysical(vtkProperty* property, bool tangents, std::vector<glm::vec4>& texels)
 {
   if (property->GetInterpolation() != VTK_PBR)
   {
-    texels.resize(texels.size() + 3, glm::vec4(0.0f));
+    texels.resize(texels.size() + 5, glm::vec4(0.0f));
     return;
   }
   const double* tint = property->GetEdgeTint();
@@ -28,6 +28,11 @@ void AddPhysical(vtkProperty* property, std::vector<glm::vec4>& texels)
     1.0 + vtkProperty::ComputeReflectanceFromIOR(property->GetCoatIOR(), 1.0));
   texels.emplace_back(tint[0], tint[1], tint[2], property->GetCoatStrength());
   texels.emplace_back(coat[0], coat[1], coat[2], property->GetCoatRoughness());
+  const double* emission = property->GetEmissiveFactor();
+  texels.emplace_back(emission[0], emission[1], emission[2], property->GetOcclusionStrength());
+  texels.emplace_back(property->GetAnisotropy(),
+    property->GetTexture("albedoTex") ? 1.0f : 0.0f,
+    tangents && property->GetAnisotropy() != 0.0 ? 1.0f : 0.0f, 0.0f);
 }
 
 glm::vec3 Multiply(const double colour[3], double intensity)
@@ -39,7 +44,7 @@ glm::vec3 Multiply(const double colour[3], double intensity)
 //------------------------------------------------------------------------------
 size_t vtkPointSplatMaterials::GetTexelsPerSlot() const
 {
-  return this->HasPhysical ? 13 : 10; // as in vtkPointSplatMaterials.glsl
+  return this->HasPhysical ? 16 : 11; // as in vtkPointSplatMaterials.glsl
 }
 
 //------------------------------------------------------------------------------
@@ -68,7 +73,8 @@ void vtkPointSplatMaterials::Upload(const std::vector<Entry>& entries)
       texels.emplace_back(Multiply(p->GetAmbientColor(), p->GetAmbient()),
         entry.HasOwnOpacity ? 1.0 : p->GetOpacity());
       texels.emplace_back(Multiply(p->GetDiffuseColor(), p->GetDiffuse()), p->GetSpecularPower());
-      texels.emplace_back(Multiply(p->GetSpecularColor(), p->GetSpecular()), 0.0f);
+      texels.emplace_back(
+        Multiply(p->GetSpecularColor(), p->GetSpecular()), entry.Receives ? 1.0 : 0.0);
       texels.emplace_back(p->GetAmbient(), p->GetDiffuse(), front->GetLighting() ? 1.0 : 0.0,
         entry.HasColours ? 1.0 : 0.0);
       specular = specular || p->GetSpecular() > 0.0;
@@ -80,9 +86,11 @@ void vtkPointSplatMaterials::Upload(const std::vector<Entry>& entries)
     texels.emplace_back(m.Index, 0.5 * m.Index * m.Dispersion, glm::length(m.High - m.Low),
       m.Refracts ? 1.0 : 0.0);
     texels.emplace_back(glm::vec3(m.Absorption), 0.0f);
+    texels.emplace_back(Multiply(front->GetEdgeColor(), 1.0),
+      (entry.HasLook ? 1.0f : 0.0f) + (entry.HasEdges ? 2.0f : 0.0f));
     if (this->HasPhysical)
     {
-      AddPhysical(front, texels);
+      AddPhysical(front, entry.HasTangents, texels);
     }
     low = m.Refracts ? glm::min(low, m.Low) : low;
     high = m.Refracts ? glm::max(high, m.High) : high;

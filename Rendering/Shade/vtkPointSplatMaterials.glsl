@@ -4,17 +4,20 @@
 // What a surface looks like: the materials of the actors (vtkPointSplatMaterials.h), and their
 // light. ONE_MATERIAL: there is one actor, whose material comes as uniforms. TWO_SIDED: some actor's
 // back faces look otherwise. COLOURED: some points have colours of their own. PHYSICAL: some actor's
-// interpolation is physically based.
+// interpolation is physically based. LOOKS: some have textures, tangents or edges.
 
 #include "vtkPointSplatLighting"
 #include "vtkPointSplatRay"
+#ifdef LOOKS
+#include "vtkPointSplatShownLook"
+#endif
 #ifdef PHYSICAL
 #include "vtkPointSplatPhysical"
 
-const int MaterialTexels = 13;
+const int MaterialTexels = 16;
 #else
 
-const int MaterialTexels = 10;
+const int MaterialTexels = 11;
 #endif
 
 #ifdef ONE_MATERIAL
@@ -77,17 +80,50 @@ vec4 shadeSurface(
   m.diffuse = coloured ? plain.y * colour.rgb : m.diffuse;
   opacity = own ? colour.a : coloured ? opacity * colour.a : opacity;
 #endif
+#ifdef LIGHT_MAPS
+  asksLightMaps = specular.w > 0.0;
+#endif
+#ifdef LOOKS
+  // Edges are not lit.
+  vec3 edgeColour = materialTexel(slot, 10).rgb;
+  vec3 smoothNormal = normalVC;
+  normalVC = look.isSet ? look.normal : normalVC;
+#endif
   vec3 shaded = shade(m, positionVC, normalVC);
+#ifdef LOOKS
+  bool multiplies = look.isSet;
+#endif
 #ifdef PHYSICAL
   // These formulas are not for unlit surfaces, nor for scenes without any light.
 #if LIGHT_LEVEL > 0 || defined(RADIANCE)
   vec4 physical[3] =
-    vec4[3](materialTexel(slot, 10), materialTexel(slot, 11), materialTexel(slot, 12));
+    vec4[3](materialTexel(slot, 11), materialTexel(slot, 12), materialTexel(slot, 13));
   if (physical[0].w > 0.0 && m.lit)
   {
-    shaded = shadePhysical(physicalOf(physical), m.diffuse, positionVC, normalVC);
+    Physical p = physicalOf(physical);
+    vec3 albedo = m.diffuse;
+#ifdef LOOKS
+    p.coatNormal = smoothNormal;
+    if (look.isSet)
+    {
+      addLook(p, smoothNormal, materialTexel(slot, 14), materialTexel(slot, 15));
+      albedo *= look.colour.rgb;
+      // As VTK has it, the opacity is that of the texture.
+      opacity = materialTexel(slot, 15).y > 0.0 ? look.colour.a : opacity;
+    }
+    multiplies = false;
+#endif
+    shaded = shadePhysical(p, albedo, positionVC, normalVC);
   }
 #endif
+#endif
+#ifdef LOOKS
+  shaded = mix(shaded, edgeColour, look.edge);
+  if (multiplies)
+  {
+    shaded *= look.colour.rgb;
+    opacity *= look.colour.a;
+  }
 #endif
   return vec4(shaded, opacity);
 }

@@ -1,19 +1,22 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The materials of a frame's splat actors, which layers name by their slots. A buffer (RGBA32F) of
-// ten or 13 texels a slot:
+// eleven or 16 texels a slot:
 //   0  of front faces: ambient colour times intensity; opacity
 //   1  diffuse colour times intensity; specular power
-//   2  specular colour times intensity; 0
+//   2  specular colour times intensity; whether shadows fall on it
 //   3  ambient and diffuse intensities alone; whether it is lit; whether points have colours
 //   4 to 7  the same of back faces
 //   8  of a dielectric: index of refraction; its spread; the longest way through the body; whether
 //      it refracts
 //   9  of a dielectric: absorption; the longest way from a dielectric to another one
+//   10 colour of edges; 1 if textures are looked up, or tangents turned, and 2 if there are edges
 // and where some actor's interpolation is physically based, of such, else 0:
-//   10 metallic; roughness; reflectance at normal incidence of what is no metal; that of the coat + 1
-//   11 edge tint; strength of the coat
-//   12 colour of the coat; its roughness
+//   11 metallic; roughness; reflectance at normal incidence of what is no metal; that of the coat + 1
+//   12 edge tint; strength of the coat
+//   13 colour of the coat; its roughness
+//   14 factor of emission; strength of occlusion
+//   15 anisotropy; whether a texture has the opacity; whether there is a lobe along tangents; 0
 #ifndef vtkPointSplatMaterials_h
 #define vtkPointSplatMaterials_h
 
@@ -53,7 +56,11 @@ public:
     vtkActor* Actor;
     bool HasColours;
     bool HasOwnOpacity; // which the colours hold, so that the property's does not count
+    bool Receives; // shadows
     vtkPointSplatMedium Medium;
+    bool HasLook;  // textures are looked up, or tangents turned
+    bool HasTangents;
+    bool HasEdges;
   };
 
   /// In the order of the slots.

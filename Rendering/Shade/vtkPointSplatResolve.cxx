@@ -15,6 +15,8 @@
 #include "vtkRenderer.h"
 #include "vtkSSAOPass.h"
 #include "vtkShaderProgram.h"
+#include "vtkShadowMapBakerPass.h"
+#include "vtkShadowMapPass.h"
 
 #include <algorithm>
 #include <vector>
@@ -63,6 +65,31 @@ std::vector<vtkOpenGLRenderPass*> PassesOf(vtkActor* actor)
   }
   return passes;
 }
+
+/// What a pass that draws shadow maps writes of a pixel. The code is a mesh's, whose fragments have
+/// coordinates of their own.
+std::string ShadowMapCode(vtkOpenGLRenderPass* baker, vtkMapper* mapper, vtkActor* actor)
+{
+  std::string vertex;
+  std::string geometry;
+  std::string code = "//VTK::Light::Impl";
+  baker->PreReplaceShaderValues(vertex, geometry, code, mapper, actor);
+  vtkShaderProgram::Substitute(code, "gl_FragCoord", "coordinate");
+  return code;
+}
+
+/// Hands a shadow map pass's factors on, by the lights' places among those that are on, as
+/// vtkOpenGLPolyDataMapper takes them.
+std::string PassFactorsCode(size_t lights)
+{
+  std::string code;
+  for (size_t i = 0; i < lights; ++i)
+  {
+    const std::string index = std::to_string(i);
+    code += "passFactors[" + index + "] = factor" + index + ".r;\n";
+  }
+  return code;
+}
 }
 
 /**
@@ -79,7 +106,16 @@ struct vtkPointSplatResolve::Hooks
     return std::any_of(this->Passes.begin(), this->Passes.end(),
       [](vtkOpenGLRenderPass* pass) { return vtkSSAOPass::SafeDownCast(pass) != nullptr; });
   }
+  /// Of VTK's shadow maps: the pass that draws them, and that whose light they take away; or null.
+  vtkOpenGLRenderPass* GetShadowBaker() const { return this->Find("vtkShadowMapBakerPass"); }
+  vtkOpenGLRenderPass* GetShadowPass() const { return this->Find("vtkShadowMapPass"); }
 
+  vtkOpenGLRenderPass* Find(const char* name) const
+  {
+    const auto found = std::find_if(this->Passes.begin(), this->Passes.end(),
+      [name](vtkOpenGLRenderPass* pass) { return pass->IsA(name) != 0; });
+    return found == this->Passes.end() ? nullptr : *found;
+  }
   std::vector<vtkOpenGLRenderPass*> Passes;
 };
 
@@ -88,11 +124,19 @@ bool vtkPointSplatResolve::AreHooksShared(vtkActor* actor)
 {
   const std::vector<vtkOpenGLRenderPass*> passes = PassesOf(actor);
   const char* const shared[] = { "vtkDualDepthPeelingPass", "vtkDepthPeelingPass",
-    "vtkOrderIndependentTranslucentPass", "vtkSSAOPass" };
+    "vtkOrderIndependentTranslucentPass", "vtkSSAOPass", "vtkShadowMapBakerPass",
+    "vtkShadowMapPass", "vtkPointSplatShadowPass" };
   return std::all_of(passes.begin(), passes.end(), [&shared](vtkOpenGLRenderPass* pass) {
     return std::any_of(std::begin(shared), std::end(shared),
       [pass](const char* name) { return pass->IsA(name) != 0; });
   });
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatResolve::AreOutlinesSmooth(vtkActor* actor)
+{
+  const Hooks hooks(actor);
+  return !hooks.GetShadowBaker() && !hooks.GetShadowPass();
 }
 
 //------------------------------------------------------------------------------
@@ -107,7 +151,21 @@ bool vtkPointSplatResolve::Use(const Target& target, const char* vertexFile, con
   {
     pass->PreReplaceShaderValues(vertex, geometry, fragment, target.Mapper, target.Actor);
   }
-  vtkShaderProgram::Substitute(fragment, "//PointSplat::Defines", defines);
+  const auto shadows = vtkShadowMapPass::SafeDownCast(hooks.GetShadowPass());
+  vtkOpenGLRenderPass* baker = hooks.GetShadowBaker();
+  vtkShaderProgram::Substitute(fragment, "//PointSplat::Defines",
+    defines + (shadows ? "#define PASS_FACTORS\n" : "") + (baker ? "#define SHADOW_MAP\n" : ""));
+  if (shadows)
+  {
+    vtkShaderProgram::Substitute(fragment, "//PointSplat::PassFactors",
+      PassFactorsCode(std::min(shadows->GetShadowMapTextureUnits().size(),
+        vtkPointSplatLights::Of(target.Renderer, false).size())));
+  }
+  if (baker)
+  {
+    vtkShaderProgram::Substitute(
+      fragment, "//PointSplat::ShadowMap", ShadowMapCode(baker, target.Mapper, target.Actor));
+  }
   vtkShaderProgram::Substitute(fragment, "//PointSplat::GeometryBuffer",
     hooks.WantGeometryBuffer() ? vtkPointSplatProgram::Source("vtkPointSplatGeometryBuffer")
                                : std::string());
@@ -248,6 +306,12 @@ void vtkPointSplatResolve::Draw(
     state->vtkglScissor(low.x, low.y, high.x - low.x, high.y - low.y);
     state->vtkglDisable(GL_CULL_FACE);
     state->vtkglEnable(GL_DEPTH_TEST);
+    // Points have their places in the images, which may be of a part of the window.
+    vtkOpenGLState::ScopedglViewport viewport(state);
+    if (points > 0)
+    {
+      state->vtkglViewport(view.Origin.x, view.Origin.y, view.Size.x, view.Size.y);
+    }
     points > 0 ? this->Screen.DrawPoints(points) : this->Screen.Draw();
   }
 }

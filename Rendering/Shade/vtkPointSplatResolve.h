@@ -69,6 +69,10 @@ public:
   /// Whether the hooks of the render passes that an actor is drawn in are the same for all actors.
   static bool AreHooksShared(vtkActor* actor);
 
+  /// Whether an actor's outlines may be smoothed: not where render passes shade pixels, or draw
+  /// maps of depths, whose means are of no use.
+  static bool AreOutlinesSmooth(vtkActor* actor);
+
   const std::string& GetError() const { return this->Error; }
   void Release()
   {

@@ -26,6 +26,15 @@ Shaded shadeTexel(uvec4 texel, ivec2 at, int layer)
   shaded.slot = int(s.tag >> 1);
   shaded.positionVC = pointOfPixel(at, -(NearDistance + s.depth));
   shaded.normalVC = s.normal;
+#ifdef LOOKS
+  vec4 kinds = materialTexel(shaded.slot, 10);
+#if LOOKS > 1
+  setLook(kinds.w == 1.0 || kinds.w == 3.0, kinds.w >= 2.0, fetchLayerLook(at, layer, 0),
+    fetchLayerLook(at, layer, 1));
+#else
+  setLook(kinds.w > 0.0, fetchLayerLook(at, layer, 0));
+#endif
+#endif
   keptLight = clamp(s.agreement / FullAgreement, 0.0, 1.0);
   shaded.colour = shadeSurface(shaded.slot, shaded.positionVC, shaded.normalVC, s.colour,
     layer == GatheredLayer, shaded.back);

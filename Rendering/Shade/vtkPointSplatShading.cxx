@@ -10,6 +10,7 @@ std::string vtkPointSplatShading::GetDefines(bool gathered) const
 {
   return this->Lights->GetDefines() + this->Materials->GetDefines(gathered) +
     (this->Radiance ? this->Radiance->GetDefines() : std::string()) +
+    (this->LightMaps ? this->LightMaps->GetDefines(false) : std::string()) +
     (this->Reflects() ? "#define REFLECTION\n" + this->Environment->GetDefines() : std::string());
 }
 
@@ -23,6 +24,10 @@ void vtkPointSplatShading::Bind(
   if (this->Radiance)
   {
     this->Radiance->Bind(this->View, units, program);
+  }
+  if (this->LightMaps)
+  {
+    this->LightMaps->Bind(this->View.WCVC, units, program);
   }
   if (this->Reflects())
   {

@@ -5,6 +5,7 @@
 #define vtkPointSplatShading_h
 
 #include "vtkPointSplatEnvironment.h"
+#include "vtkPointSplatLightMaps.h"
 #include "vtkPointSplatLights.h"
 #include "vtkPointSplatMaterials.h"
 #include "vtkPointSplatRadiance.h"
@@ -17,6 +18,7 @@ struct vtkPointSplatShading
   const vtkPointSplatMaterials* Materials = nullptr;
   const vtkPointSplatEnvironment* Environment = nullptr; // that is reflected and refracted, or null
   const vtkPointSplatRadiance* Radiance = nullptr; // of image-based lighting, or null
+  vtkPointSplatLightMaps* LightMaps = nullptr; // by which translucent splats cast shadows, or null
 
   bool Reflects() const { return this->Environment && this->Materials->Refracts(); }
   /// As vtkPointSplatMaterials has them, and more.

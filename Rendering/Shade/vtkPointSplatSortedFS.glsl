@@ -1,4 +1,5 @@
 #version 330
+#extension GL_ARB_shading_language_packing : enable
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 //

@@ -10,15 +10,7 @@
 bool vtkPointSplatShadowCache::Update(const vtkPointSplatShadowScene& scene,
   const vtkPointSplatShadowSettings& settings, bool interacting)
 {
-  std::vector<vtkMTimeType> times;
-  for (const vtkPointSplatShadowCloud& cloud : scene.Clouds)
-  {
-    times.push_back(cloud.Cloud->GetSplatTime());
-  }
-  for (const vtkPointSplatShadowMesh& mesh : scene.Meshes)
-  {
-    times.push_back(mesh.Data->GetMTime());
-  }
+  std::vector<vtkMTimeType> times = scene.GetTimes();
   vtkPointSplatShadowSettings like = settings;
   if (interacting && this->Settings.Samples > settings.Samples)
   {

@@ -29,37 +29,6 @@ constexpr double OutlinePixel = 0.1;
 constexpr double LayerRadii = 1.0;
 constexpr double LayerPixels = 1.5;
 
-// What an automatic map's pixel should measure among the points, world units.
-double PixelSizeFor(const vtkPointSplatShadowLight& light, int samples,
-  const std::vector<glm::dvec3>& corners, double radius)
-{
-  glm::dvec3 low = corners[0];
-  glm::dvec3 high = corners[0];
-  for (const glm::dvec3& corner : corners)
-  {
-    low = glm::min(low, corner);
-    high = glm::max(high, corner);
-  }
-  // Half the points' extent is how far they may be behind what casts a shadow on them.
-  const double tangent = light.Positional
-    ? light.Radius / std::max(glm::distance(light.Position, 0.5 * (low + high)), light.Radius)
-    : light.Radius;
-  const double penumbra = light.Radius > 0.0 ? tangent * glm::distance(low, high) : 0.0;
-  const double apart = penumbra / std::sqrt(static_cast<double>(std::max(samples, 1)));
-  return std::min(std::max(OutlinePixel * apart, FinestPixel * radius), CoarsestPixel * radius);
-}
-
-/// The corners of a cloud's box, world coordinates.
-void AddCorners(const vtkPointSplatShadowCloud& cloud, std::vector<glm::dvec3>& corners)
-{
-  const std::array<double, 6>& b = cloud.Cloud->GetBounds();
-  for (size_t k = 0; k < 8; ++k)
-  {
-    corners.emplace_back(
-      cloud.MCWC * glm::dvec4(b[k & 1], b[2 + (k >> 1 & 1)], b[4 + (k >> 2 & 1)], 1.0));
-  }
-}
-
 /// Of a cloud's counts.
 glm::ivec2 CountSize(const vtkPointSplatCloud& cloud)
 {
@@ -93,11 +62,79 @@ double vtkPointSplatShadowCloud::GetRadius() const
 }
 
 //------------------------------------------------------------------------------
+std::vector<vtkMTimeType> vtkPointSplatShadowScene::GetTimes() const
+{
+  std::vector<vtkMTimeType> times;
+  for (const vtkPointSplatShadowCloud& cloud : this->Clouds)
+  {
+    times.push_back(cloud.Cloud->GetSplatTime());
+  }
+  for (const vtkPointSplatShadowMesh& mesh : this->Meshes)
+  {
+    times.push_back(mesh.Data->GetMTime());
+  }
+  return times;
+}
+
+//------------------------------------------------------------------------------
 bool vtkPointSplatShadowSettings::operator==(const vtkPointSplatShadowSettings& other) const
 {
   return this->Samples == other.Samples && this->Seed == other.Seed &&
     this->LayerDistance == other.LayerDistance && this->Resolution == other.Resolution &&
     this->Compute == other.Compute;
+}
+
+//------------------------------------------------------------------------------
+double vtkPointSplatShadows::PixelSizeFor(const vtkPointSplatShadowLight& light, int samples,
+  const std::vector<glm::dvec3>& corners, double radius)
+{
+  glm::dvec3 low = corners[0];
+  glm::dvec3 high = corners[0];
+  for (const glm::dvec3& corner : corners)
+  {
+    low = glm::min(low, corner);
+    high = glm::max(high, corner);
+  }
+  // Half the points' extent is how far they may be behind what casts a shadow on them.
+  const double tangent = light.Positional
+    ? light.Radius / std::max(glm::distance(light.Position, 0.5 * (low + high)), light.Radius)
+    : light.Radius;
+  const double penumbra = light.Radius > 0.0 ? tangent * glm::distance(low, high) : 0.0;
+  const double apart = penumbra / std::sqrt(static_cast<double>(std::max(samples, 1)));
+  return std::min(std::max(OutlinePixel * apart, FinestPixel * radius), CoarsestPixel * radius);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatShadows::AddCorners(
+  const glm::dmat4& MCWC, const double b[6], std::vector<glm::dvec3>& corners)
+{
+  for (size_t k = 0; k < 8; ++k)
+  {
+    corners.emplace_back(
+      MCWC * glm::dvec4(b[k & 1], b[2 + (k >> 1 & 1)], b[4 + (k >> 2 & 1)], 1.0));
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkPointSplatShadows::RadiusOf(const vtkPointSplatShadowScene& scene)
+{
+  double radius = 0.0;
+  for (const vtkPointSplatShadowCloud& cloud : scene.Clouds)
+  {
+    if (cloud.Cloud->GetNumberOfSplats() > 0)
+    {
+      radius = std::max(radius, cloud.GetRadius());
+    }
+  }
+  return radius;
+}
+
+//------------------------------------------------------------------------------
+glm::dvec2 vtkPointSplatShadows::LayerDistanceFor(
+  const vtkPointSplatShadowSettings& settings, double radius)
+{
+  return settings.LayerDistance > 0.0 ? glm::dvec2(settings.LayerDistance, 0.0)
+                                      : glm::dvec2(LayerRadii * radius, LayerPixels);
 }
 
 //------------------------------------------------------------------------------
@@ -113,7 +150,9 @@ vtkPointSplatProgram* vtkPointSplatShadows::Use(Program which)
       { GL_FRAGMENT_SHADER, "vtkPointSplatShadowTestFS" } },
     { { GL_COMPUTE_SHADER, "vtkPointSplatShadowProjectCS" } },
     { { GL_VERTEX_SHADER, "vtkPointSplatShadowPointVS" },
-      { GL_FRAGMENT_SHADER, "vtkPointSplatShadowPointFS" } }
+      { GL_FRAGMENT_SHADER, "vtkPointSplatShadowPointFS" } },
+    { { GL_VERTEX_SHADER, "vtkPointSplatScreenVS" },
+      { GL_FRAGMENT_SHADER, "vtkPointSplatShadowFillFS" } }
   };
   const bool clipped = which == ProjectComputeClipped || which == ProjectPointsClipped;
   vtkPointSplatProgram& program = this->Programs[which];
@@ -339,24 +378,60 @@ void vtkPointSplatShadows::ReadCounts(const std::vector<vtkPointSplatShadowCloud
 }
 
 //------------------------------------------------------------------------------
+bool vtkPointSplatShadows::DrawMap(
+  const Face& face, const vtkPointSplatShadowScene& scene, bool compute)
+{
+  return this->DrawMeshes(face, scene.Meshes) &&
+    this->DrawPoints(false, face, scene.Clouds, compute) &&
+    this->DrawPoints(true, face, scene.Clouds, compute);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatShadows::DrawTo(const vtkPointSplatFramebuffer::Target& target,
+  const vtkPointSplatShadowView& view, int index, const vtkPointSplatShadowScene& scene,
+  const vtkPointSplatShadowSettings& settings)
+{
+  vtkOpenGLRenderWindow* window = vtkPointSplatContext::Entered().GetWindow();
+  const vtkPointSplatSavedState saved(window->GetState());
+  saved.SetForImages(view.Size);
+  this->Triangles.Upload(scene.Meshes);
+  const glm::dvec2 layer =
+    vtkPointSplatShadows::LayerDistanceFor(settings, vtkPointSplatShadows::RadiusOf(scene));
+  const Face face{ &view, index, layer.x, layer.y };
+  if (!this->DrawMap(
+        face, scene, settings.Compute && vtkPointSplatProgram::IsComputeSupported()))
+  {
+    return false;
+  }
+  vtkPointSplatProgram* program = this->Use(Fill);
+  if (!program)
+  {
+    return false;
+  }
+  window->GetState()->vtkglDisable(GL_DEPTH_TEST);
+  this->CountFramebuffer.Bind(window->GetState(), { target });
+  vtkPointSplatUnits units(window);
+  vtkPointSplatShadows::SetMap(*program, face);
+  units.Bind(*program, "Map", GL_TEXTURE_2D, this->Map.Get());
+  this->Screen.Draw();
+  return true;
+}
+
+//------------------------------------------------------------------------------
 bool vtkPointSplatShadows::Cast(const vtkPointSplatShadowLight& light,
   const vtkPointSplatShadowScene& scene, const vtkPointSplatShadowSettings& settings,
   std::vector<std::vector<float>>& factors)
 {
   factors.assign(scene.Clouds.size(), std::vector<float>());
   std::vector<glm::dvec3> corners; // of what receives
-  double radius = 0.0;             // of median splats, of the coarsest cloud
   for (const vtkPointSplatShadowCloud& cloud : scene.Clouds)
   {
-    if (cloud.Cloud->GetNumberOfSplats() > 0)
+    if (cloud.Cloud->GetNumberOfSplats() > 0 && cloud.Receives)
     {
-      if (cloud.Receives)
-      {
-        AddCorners(cloud, corners);
-      }
-      radius = std::max(radius, cloud.GetRadius());
+      vtkPointSplatShadows::AddCorners(cloud.MCWC, cloud.Cloud->GetBounds().data(), corners);
     }
   }
+  const double radius = vtkPointSplatShadows::RadiusOf(scene);
   if (corners.empty())
   {
     return true;
@@ -364,7 +439,7 @@ bool vtkPointSplatShadows::Cast(const vtkPointSplatShadowLight& light,
   GLint largest = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
   largest = std::min(largest, settings.Resolution > 0 ? largest : LargestMap);
-  const double pixel = PixelSizeFor(light, settings.Samples, corners, radius);
+  const double pixel = vtkPointSplatShadows::PixelSizeFor(light, settings.Samples, corners, radius);
   std::vector<vtkPointSplatShadowView> views;
   for (const vtkPointSplatShadowLight& sample : light.Sample(settings.Samples, settings.Seed))
   {
@@ -380,9 +455,8 @@ bool vtkPointSplatShadows::Cast(const vtkPointSplatShadowLight& light,
   const vtkPointSplatSavedState saved(state);
   saved.SetForImages(views[0].Size);
   this->Triangles.Upload(scene.Meshes);
-  const bool automatic = settings.LayerDistance <= 0.0;
-  Face face{ nullptr, -1, automatic ? LayerRadii * radius : settings.LayerDistance,
-    automatic ? LayerPixels : 0.0 };
+  const glm::dvec2 layer = vtkPointSplatShadows::LayerDistanceFor(settings, radius);
+  Face face{ nullptr, -1, layer.x, layer.y };
   const bool compute = settings.Compute && vtkPointSplatProgram::IsComputeSupported();
   bool good = true;
   for (const vtkPointSplatShadowView& view : views)
@@ -391,9 +465,7 @@ bool vtkPointSplatShadows::Cast(const vtkPointSplatShadowLight& light,
     for (int k = 0; k < (view.Cube ? 6 : 1) && good; ++k)
     {
       face.Index = view.Cube ? k : -1;
-      good = this->DrawMeshes(face, scene.Meshes) &&
-        this->DrawPoints(false, face, scene.Clouds, compute) &&
-        this->DrawPoints(true, face, scene.Clouds, compute) &&
+      good = this->DrawMap(face, scene, compute) &&
         this->TestPoints(face, scene.Clouds, &view == &views[0] && k == 0);
     }
     this->PixelSizeUsed = view.PixelSize;

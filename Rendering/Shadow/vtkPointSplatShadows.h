@@ -55,6 +55,8 @@ struct vtkPointSplatShadowScene
   std::vector<vtkPointSplatShadowCloud> Clouds;
   std::vector<vtkPointSplatShadowMesh> Meshes;
 
+  /// When clouds and meshes changed.
+  std::vector<vtkMTimeType> GetTimes() const;
   bool operator==(const vtkPointSplatShadowScene& other) const
   {
     return this->Lights == other.Lights && this->Clouds == other.Clouds &&
@@ -84,6 +86,27 @@ public:
   bool Cast(const vtkPointSplatShadowLight& light, const vtkPointSplatShadowScene& scene,
     const vtkPointSplatShadowSettings& settings, std::vector<std::vector<float>>& factors);
 
+  /**
+   * Draws the map of all that casts, by steps 1 and 2, to a layer of an array (R32UI) with its
+   * holes filled. index: the face of the view's cube, or -1.
+   */
+  bool DrawTo(const vtkPointSplatFramebuffer::Target& target, const vtkPointSplatShadowView& view,
+    int index, const vtkPointSplatShadowScene& scene,
+    const vtkPointSplatShadowSettings& settings);
+
+  ///@{
+  /**
+   * How large a pixel of an automatic map should be among points in a box; a box's corners; the
+   * radius of median splats of the coarsest cloud; d~, and pixels that it measures at least.
+   */
+  static double PixelSizeFor(const vtkPointSplatShadowLight& light, int samples,
+    const std::vector<glm::dvec3>& corners, double radius);
+  static void AddCorners(
+    const glm::dmat4& MCWC, const double bounds[6], std::vector<glm::dvec3>& corners);
+  static double RadiusOf(const vtkPointSplatShadowScene& scene);
+  static glm::dvec2 LayerDistanceFor(const vtkPointSplatShadowSettings& settings, double radius);
+  ///@}
+
   ///@{
   /**
    * Of the last light: the samples taken, the map's longer side, d~ (world units; where it grows
@@ -108,6 +131,7 @@ private:
     Test,
     ProjectComputeClipped,
     ProjectPointsClipped,
+    Fill,
     NumberOfPrograms
   };
   struct Face;
@@ -117,6 +141,7 @@ private:
     const glm::dmat4& MCWC, const double origin[3], const std::vector<glm::dvec4>& clipPlanes);
   static void SetCloud(
     vtkPointSplatProgram& program, const Face& face, const vtkPointSplatShadowCloud& cloud);
+  bool DrawMap(const Face& face, const vtkPointSplatShadowScene& scene, bool compute);
   bool DrawMeshes(const Face& face, const std::vector<vtkPointSplatShadowMesh>& meshes);
   /// Of those clouds that have clip lines, or of those that have none.
   bool DrawPoints(bool clipped,

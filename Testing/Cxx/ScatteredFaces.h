@@ -142,6 +142,33 @@ public:
     }
   }
 
+  /**
+   * The vertices of a cube's mesh, so many to an edge, whose normals are averaged over its faces:
+   * on an edge a vertex has one fold, at a corner two, of directions that are not told.
+   */
+  void AddGridCube(int count)
+  {
+    this->Spacing = 1.0 / (count - 1);
+    const int last = count - 1;
+    for (int i = 0; i < count * count * count; ++i)
+    {
+      const int at[3] = { i % count, i / count % count, i / count / count };
+      double x[3], n[3];
+      int faces = 0;
+      for (int c = 0; c < 3; ++c)
+      {
+        x[c] = at[c] * this->Spacing - 0.5;
+        n[c] = at[c] == 0 ? -1 : at[c] == last ? 1 : 0;
+        faces += n[c] != 0;
+      }
+      if (faces > 0)
+      {
+        vtkMath::Normalize(n);
+        this->Add(x, n, std::vector<Edge>(faces - 1));
+      }
+    }
+  }
+
   /// A cylinder along z and its end.
   void AddCylinder(double radius)
   {

@@ -352,10 +352,20 @@ void TestFlatInLayers(Checks& checks)
 void TestWarnings(Checks& checks)
 {
   const std::pair<std::string, std::function<void(vtkActor*)>> all[] = {
-    { "textures", [](vtkActor* a) { a->SetTexture(vtkNew<vtkTexture>()); } },
-    { "EdgeVisibility", [](vtkActor* a) { a->GetProperty()->EdgeVisibilityOn(); } },
+    { "no texture coordinates", [](vtkActor* a) { a->SetTexture(vtkNew<vtkTexture>()); } },
+    { "textures with Method Deferred; EdgeVisibility with Method Deferred",
+      [](vtkActor* a) {
+        static_cast<vtkPointSplatMapper*>(a->GetMapper())->SetMethodToDeferred();
+        a->SetTexture(vtkNew<vtkTexture>());
+        a->GetProperty()->EdgeVisibilityOn();
+      } },
+    { "EdgeVisibility where splats are drawn by quads",
+      [](vtkActor* a) {
+        static_cast<vtkPointSplatMapper*>(a->GetMapper())->SetProjectionToQuads();
+        a->GetProperty()->EdgeVisibilityOn();
+      } },
     { "VertexVisibility", [](vtkActor* a) { a->GetProperty()->VertexVisibilityOn(); } },
-    { "Anisotropy",
+    { "Anisotropy, since the points have no tangents",
       [](vtkActor* a) {
         a->GetProperty()->SetInterpolationToPBR();
         a->GetProperty()->SetAnisotropy(0.5);
@@ -365,6 +375,7 @@ void TestWarnings(Checks& checks)
         static_cast<vtkPointSplatMapper*>(a->GetMapper())->SetMethodToImageSpace();
         a->GetProperty()->SetInterpolationToFlat();
       } },
+    { "", [](vtkActor* a) { a->GetProperty()->EdgeVisibilityOn(); } },
     { "", [](vtkActor*) {} },
   };
   for (const auto& one : all)

@@ -52,7 +52,7 @@ struct Known
 const Known KnownArrays[] = { { "Normals", 3, UnitVectors }, { "SplatRadius", 1, Lengths },
   { "SplatAxis1", 3, Lengths }, { "SplatAxis2", 3, Lengths }, { "SplatGroup", 1, Small },
   { "SplatCurvature", 6, Lengths }, { "SplatPlaneNormal", 3, UnitVectors },
-  { "SplatClip", 6, Lengths }, { "ShadowFactor", 1, Lengths }, { "Isovalue", 1, Small },
+  { "SplatClip", 6, Lengths }, { "SplatFold", 6, UnitVectors }, { "ShadowFactor", 1, Lengths }, { "Isovalue", 1, Small },
   { "vtkGhostType", 1, Ghosts }, { "scalars", 1, Lengths }, { "rgba", 4, Colours },
   { "vtkOriginalPointIds", 1, Small } };
 
@@ -124,9 +124,9 @@ void Fill(FuzzRandom& random, vtkDataArray* array, Values kind, double wrong)
                          : random.Below(256);
       value *= kind == Lengths && integers ? 10 / scale : 1;
     }
-    if (kind == UnitVectors && components == 3 && !integers)
+    for (size_t c = 0; kind == UnitVectors && !integers && c + 3 <= tuple.size(); c += 3)
     {
-      vtkMath::Normalize(tuple.data());
+      vtkMath::Normalize(&tuple[c]);
     }
     for (double& value : tuple)
     {

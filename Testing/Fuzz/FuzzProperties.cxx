@@ -35,6 +35,49 @@ void SetShadows(FuzzRandom& random, vtkPointSplatMapper* mapper)
   mapper->SetShadowResolution(random.Pick({ 0, 1, 2, 33, 256, -5 }));
 }
 
+/// Of physically based interpolation.
+void SetPhysical(FuzzRandom& random, vtkProperty* property)
+{
+  property->SetMetallic(random.Property(0, 1));
+  property->SetRoughness(random.Property(0, 1));
+  property->SetBaseIOR(random.Property(1, 3));
+  property->SetEdgeTint(random.Uniform(), random.Uniform(), random.Uniform());
+  property->SetAnisotropy(random.Chance(0.8) ? 0 : random.Uniform());
+  if (random.Chance(0.4))
+  {
+    property->SetCoatStrength(random.Property(0, 1));
+    property->SetCoatRoughness(random.Property(0, 1));
+    property->SetCoatIOR(random.Property(1, 3));
+    property->SetCoatColor(random.Uniform(), random.Uniform(), random.Uniform());
+  }
+}
+
+void SetBlocks(FuzzRandom& random, vtkPointSplatMapper* mapper)
+{
+  mapper->SetCompositeDataDisplayAttributes(nullptr);
+  for (int k = random.Chance(0.6) ? 0 : random.Below(5); k > 0; --k)
+  {
+    const unsigned int block = static_cast<unsigned int>(random.Below(8));
+    switch (random.Below(4))
+    {
+      case 0:
+        mapper->SetBlockVisibility(block, random.Chance(0.5));
+        break;
+      case 1:
+        mapper->SetBlockOpacity(block, random.Property(0, 1));
+        break;
+      case 2:
+        mapper->SetBlockColor(
+          block, random.Property(0, 1), random.Property(0, 1), random.Property(0, 1));
+        break;
+      default:
+        mapper->RemoveBlockVisibility(block);
+        mapper->RemoveBlockOpacities();
+        break;
+    }
+  }
+}
+
 vtkSmartPointer<vtkImageData> MakePicture(FuzzRandom& random, int side, bool wild)
 {
   auto picture = vtkSmartPointer<vtkImageData>::New();
@@ -96,6 +139,8 @@ void FuzzProperties::SetOwn(FuzzRandom& random, vtkPointSplatMapper* mapper)
   {
     mapper->SetMaximumImageMemory(random.Pick<vtkIdType>({ 0, 1, 1000, 1 << 20 }));
   }
+  mapper->SetMaximumWindowMemory(random.Pick<vtkIdType>({ vtkIdType(1) << 32, 0, 1, 1000000 }));
+  SetBlocks(random, mapper);
   mapper->SetRefraction(random.Chance(0.25));
   if (mapper->GetRefraction())
   {
@@ -164,7 +209,8 @@ void FuzzProperties::SetActor(FuzzRandom& random, vtkActor* actor)
   property->SetSpecularPower(random.Property(0, 100));
   property->SetAmbient(random.Uniform());
   property->SetInterpolation(random.Below(4));
-  property->SetRepresentation(random.Below(3));
+  property->SetRepresentation(random.Chance(0.6) ? VTK_SURFACE : random.Below(3));
+  SetPhysical(random, property);
   property->SetBackfaceCulling(random.Chance(0.2));
   property->SetFrontfaceCulling(random.Chance(0.1));
   property->SetLighting(random.Chance(0.9));
@@ -272,6 +318,8 @@ void FuzzProperties::SetEnvironment(FuzzRandom& random, vtkRenderer* renderer, b
   texture->SetMipmap(random.Chance(0.5));
   texture->SetUseSRGBColorSpace(random.Chance(0.3));
   renderer->SetEnvironmentTexture(texture);
+  // Rarely: VTK filters the picture for each roughness, which takes long.
+  renderer->SetUseImageBasedLighting(random.Chance(0.03));
   if (random.Chance(0.3))
   {
     renderer->SetEnvironmentUp(

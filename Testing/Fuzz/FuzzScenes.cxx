@@ -23,6 +23,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSplatMapper.h"
 #include "vtkPointSplatPass.h"
+#include "vtkPointSplatShadowPass.h"
 #include "vtkPointSplattingOpenGL.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPropCollection.h"
@@ -145,6 +146,12 @@ vtkSmartPointer<vtkRenderPass> MakeChain(FuzzRandom& random)
   sequence->SetPasses(passes);
   auto camera = vtkSmartPointer<vtkCameraPass>::New();
   camera->SetDelegatePass(sequence);
+  if (random.Chance(0.4))
+  {
+    auto shadows = vtkSmartPointer<vtkPointSplatShadowPass>::New();
+    shadows->SetDelegatePass(camera);
+    return shadows;
+  }
   return camera;
 }
 }
@@ -304,7 +311,9 @@ void FuzzScenes::Implementation::ChangeSomething(
   switch (random.Below(10))
   {
     case 0:
-      this->Window->SetSize(1 + random.Below(150), 1 + random.Below(100));
+      // Seldom one that can be drawn in parts.
+      this->Window->SetSize(
+        1 + random.Below(random.Chance(0.1) ? 400 : 150), 1 + random.Below(100));
       break;
     case 1:
       FuzzData::Change(random, splats.Data);

@@ -16,7 +16,9 @@ from vtkmodules import vtkIOExport
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkElevationFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkAssembly, vtkRenderer
+from vtkmodules.vtkIOExportGL2PS import vtkGL2PSExporter
+from vtkmodules.vtkRenderingCore import vtkActor, vtkAssembly, vtkPolyDataMapper, vtkRenderer
+import vtkmodules.vtkRenderingGL2PSOpenGL2  # noqa: F401 (the exporter's implementation)
 
 POINTS = 362
 
@@ -115,6 +117,28 @@ class TestExporters(unittest.TestCase):
                     # POV-Ray and RenderMan know no points.
                     if name not in ("OOGL", "POV", "RIB"):
                         self.assertGreater(len(text), 10 * POINTS)
+
+    def test_vector_graphics_have_the_picture(self):
+        drawn = []
+        for mapper in (None, vtkPolyDataMapper()):
+            scene = Scene(cloud())
+            if mapper:
+                mapper.SetInputData(ball())
+                scene.actors[0].SetMapper(mapper)
+            exporter = vtkGL2PSExporter()
+            exporter.SetRenderWindow(scene.window)
+            exporter.SetFileFormatToPS()
+            exporter.CompressOff()
+            with tempfile.TemporaryDirectory() as folder:
+                exporter.SetFilePrefix(os.path.join(folder, "scene"))
+                exporter.Write()
+                with open(os.path.join(folder, "scene.ps"), encoding="latin1") as file:
+                    image = max(re.findall(r"(?:[0-9A-Fa-f]{2,}\n)+", file.read()), key=len)
+            pixels = re.findall("......", image.replace("\n", ""))
+            self.assertGreaterEqual(len(pixels), 64 * 64)
+            drawn.append(sum(pixel != "000000" for pixel in pixels))
+        self.assertGreater(drawn[1], 1000)  # of the mesh
+        self.assertLess(abs(drawn[0] - drawn[1]), 0.05 * drawn[1])
 
     def test_colours_are_those_that_are_drawn(self):
         scene = Scene(blocks())

@@ -14,6 +14,7 @@ CLASSES = (
     "vtkPointSplatMapper",
     "vtkPointSplatPass",
     "vtkPointSplatPlainScene",
+    "vtkPointSplatShadowPass",
 )
 ABSTRACT = ("vtkPointSplatBlockMapper",)
 

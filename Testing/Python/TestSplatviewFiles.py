@@ -226,6 +226,60 @@ class TestPoints(SplatviewTest):
             self.write(name, (start + "".join(line + end for line in lines)).encode())
             self.assert_same(name)
 
+    def test_text_with_names_in_any_order(self):
+        columns = {
+            **{name: [p[i] for p in POINTS] for i, name in enumerate(("x", "y", "z"))},
+            **{name: [n[i] for n in NORMALS] for i, name in enumerate(("nx", "ny", "nz"))},
+            **{name: [c[i] for c in COLOURS] for i, name in enumerate("rgb")},
+            "radius": [0.01] * len(POINTS),
+            "intensity": range(len(POINTS)),
+        }
+
+        def table(names, separator=",", quote="", **spelled):
+            lines = [separator.join(quote + spelled.get(n, n) + quote for n in names)]
+            for row in zip(*(columns[n] for n in names)):
+                lines.append(separator.join(map(repr, row)))
+            return "\n".join(lines) + "\n"
+
+        plain = ("nz", "ny", "z", "nx", "x", "y")
+        paraview = {"x": "Points:0", "y": "Points:1", "z": "Points:2"}
+        paraview.update({"nx": "Normals:0", "ny": "Normals:1", "nz": "Normals:2"})
+        for name, content in {
+            "plain.csv": table(plain),
+            "large.csv": table(plain).upper(),
+            "quoted.csv": table(plain, ";", '"', x="X", nx="NX", ny="Ny", nz="n_z"),
+            "units.csv": table(plain, x="X [m]", y="Y [m]", z="Z (m)"),
+            "quoted_units.csv": table(plain, ",", '"', x="X [m, west]"),
+            "tabs.txt": table(plain, "\t", x="X [m]"),
+            "blanks.txt": table(plain, " "),
+            "paraview.csv": table(plain, ",", '"', **paraview),
+        }.items():
+            self.write(name, content)
+            self.assert_same(name)
+        every = ("intensity", "b", "g", "radius", "r", "nz", "ny", "z", "nx", "x", "y")
+        for spelled in ({}, {"r": "Red", "g": "Green", "b": "BLUE"}):
+            report, picture = self.draw(self.write("all.csv", table(every, **spelled)))
+            surface = report["surfaces"][0]
+            self.assertEqual((surface["normals"], surface["coloured_by"]), ("file", "RGB"))
+            self.assert_bounds(surface, BOUNDS, 1e-6)
+        for array in ("intensity", "SplatRadius"):
+            report, _ = self.draw("all.csv", "--array", array)
+            self.assertEqual(report["surfaces"][0]["coloured_by"], array)
+        # Names that are not known are arrays, and no colours.
+        columns.update(vx=columns["r"], vy=columns["g"], vz=columns["b"])
+        self.write("flow.csv", table(("x", "y", "z", "vx", "vy", "vz")))
+        report, _ = self.draw("flow.csv")
+        self.assertEqual(report["surfaces"][0]["coloured_by"], "actor")
+        report, _ = self.draw("flow.csv", "--array", "vy")
+        self.assertEqual(report["surfaces"][0]["coloured_by"], "vy")
+        # Colours of 8 bits and of 16.
+        coloured = ("b", "y", "g", "x", "r", "z", *plain[:2], "nx")
+        _, picture = self.draw(self.write("coloured.csv", table(coloured)))
+        self.assert_red_and_blue(picture)
+        columns.update({c: [257 * value for value in columns[c]] for c in "rgb"})
+        _, deep = self.draw(self.write("deep.csv", table(coloured)))
+        self.assertEqual(deep.bytes, picture.bytes)
+
     def test_text_with_empty_cells(self):
         lines = self.text_rows(";", ",")
         lines[7] = ";;;0;0;1"

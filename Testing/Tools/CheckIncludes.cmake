@@ -21,8 +21,8 @@ set(Select GL Cloud Project)
 set(Reconstruct GL Cloud Project)
 # Of reconstruction what all ways to reconstruct read and write.
 set(Shade GL Cloud Project
-  vtkPointSplatRequest.h vtkPointSplatLayers.h vtkPointSplatLayers.glsl
-  vtkPointSplatOutlines.h)
+  vtkPointSplatRequest.h vtkPointSplatLayers.h vtkPointSplatLayers.glsl vtkPointSplatTexel.glsl
+  vtkPointSplatLook.glsl vtkPointSplatOutlines.h)
 set(Shadow GL Cloud Project Reconstruct)
 set(Frame GL Cloud Project Select Reconstruct Shade Shadow Choice)
 set(Rendering ${Frame} Frame Filters)

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What tests of memory share: what the process and the OpenGL context hold, and whether that grows.
+#ifndef SplatMemory_h
+#define SplatMemory_h
+
+#include "SplatScene.h"
+
+#include "vtkPointSplattingOpenGL.h"
+
+#include <algorithm>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
+namespace SplatMemory
+{
+// The address sanitizer keeps what was freed, and is for other faults.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool MeasureMemory = false;
+#else
+constexpr bool MeasureMemory = true;
+#endif
+constexpr GLuint MostNames = 3000;
+
+/**
+ * KiB that are resident, without what the allocator keeps for later. -1 where that is not told.
+ */
+inline long Resident()
+{
+#if defined(__GLIBC__)
+  malloc_trim(0);
+#endif
+  std::ifstream status("/proc/self/status");
+  std::string line;
+  while (std::getline(status, line))
+  {
+    if (line.compare(0, 6, "VmRSS:") == 0)
+    {
+      return std::stol(line.substr(6));
+    }
+  }
+  return -1;
+}
+
+/**
+ * Bytes in use by allocations, which does not depend on what pages they lie on; -1 where
+ * that is not told.
+ */
+inline long Allocated()
+{
+#if defined(__GLIBC__) && (__GLIBC__ > 2 || __GLIBC_MINOR__ >= 33)
+  const struct mallinfo2 info = mallinfo2();
+  return static_cast<long>((info.uordblks + info.hblkhd) / 1024);
+#else
+  return -1;
+#endif
+}
+
+/**
+ * The context's objects.
+ */
+struct Objects
+{
+  int Buffers = 0;
+  int Textures = 0;
+  int Programs = 0;
+  int Framebuffers = 0;
+  int Arrays = 0;
+
+  explicit Objects(vtkRenderWindow* window)
+  {
+    window->MakeCurrent();
+    for (GLuint name = 1; name < MostNames; ++name)
+    {
+      this->Buffers += glIsBuffer(name);
+      this->Textures += glIsTexture(name);
+      this->Programs += glIsProgram(name);
+      this->Framebuffers += glIsFramebuffer(name);
+      this->Arrays += glIsVertexArray(name);
+    }
+  }
+  bool NoMoreThan(const Objects& other) const
+  {
+    return this->Buffers <= other.Buffers && this->Textures <= other.Textures &&
+      this->Programs <= other.Programs && this->Framebuffers <= other.Framebuffers &&
+      this->Arrays <= other.Arrays;
+  }
+  std::string Text() const
+  {
+    return std::to_string(this->Buffers) + " buffers, " + std::to_string(this->Textures) +
+      " textures, " + std::to_string(this->Programs) + " programs, " +
+      std::to_string(this->Framebuffers) + " framebuffers, " + std::to_string(this->Arrays) +
+      " vertex arrays";
+  }
+};
+
+/**
+ * What is held at moments between which as much is drawn, always in the same state.
+ */
+class Record
+{
+public:
+  void Add(const std::string& name, vtkRenderWindow* window)
+  {
+    this->Held.emplace_back(new Objects(window));
+    this->AllResident.push_back(Resident());
+    this->AllAllocated.push_back(Allocated());
+    std::cout << name << ": " << this->AllResident.back() << " KiB resident, "
+              << this->AllAllocated.back() << " KiB allocated, " << this->Held.back()->Text() << "\n";
+  }
+  /// most: KiB from one moment to the next.
+  void Check(SplatScene::Checks& checks, long most) const
+  {
+    checks.Expect(this->Held.back()->NoMoreThan(*this->Held.front()),
+      "OpenGL objects: " + this->Held.back()->Text() + ", more than " + this->Held.front()->Text());
+    if (MeasureMemory)
+    {
+      checks.AtMost(Growth(this->AllResident), most, "KiB resident more");
+      checks.AtMost(Growth(this->AllAllocated), most, "KiB allocated more");
+    }
+  }
+
+private:
+  /// The median: a leak is in each step, and what a library or a driver allocates once for good, as for
+  /// one more variant of a shader, in one of them.
+  static long Growth(const std::vector<long>& all)
+  {
+    std::vector<long> steps;
+    for (size_t i = 1; i < all.size(); ++i)
+    {
+      steps.push_back(all[i] - all[i - 1]);
+    }
+    std::nth_element(steps.begin(), steps.begin() + steps.size() / 2, steps.end());
+    return steps[steps.size() / 2];
+  }
+
+  std::vector<std::unique_ptr<Objects>> Held;
+  std::vector<long> AllResident;
+  std::vector<long> AllAllocated;
+};
+}
+
+#endif
