@@ -5,7 +5,7 @@
 # build, and how its programs are run.
 
 # Besides what the module needs: one display for programs that want one, and many processes.
-paraview_packages=(xvfb xauth openmpi-bin)
+paraview_packages=(xvfb xauth openmpi-bin python3-numpy python3-mpi4py)
 paraview_folder=$top/build-paraview
 
 # Debian's ParaView conflicts with the Python modules of its VTK, so that it is not installed but
@@ -88,15 +88,20 @@ on_ranks() {
   on_display mpirun "${options[@]}" -np "$ranks" "$@"
 }
 
-# run_paraview [--ranks N] [SCRIPT [arguments]]: the script by pvbatch, or else the client.
+# run_paraview [--ranks N] [--with PROGRAM] [SCRIPT [arguments]]: the script by pvbatch or that
+# program; without a script the client.
 run_paraview() {
-  local ranks=1
-  if [ "${1:-}" = --ranks ]; then
-    ranks=$2
+  local ranks=1 program=pvbatch
+  while [ $# -gt 0 ]; do
+    case $1 in
+    --ranks) ranks=$2 ;;
+    --with) program=$2 ;;
+    *) break ;;
+    esac
     shift 2
-  fi
+  done
   if [ $# -gt 0 ]; then
-    on_ranks "$ranks" pvbatch "$@"
+    on_ranks "$ranks" "$program" "$@"
   elif [ -z "${DISPLAY:-}" ]; then
     echo "ParaView's window needs a display; name a script to run without one." >&2
     return 1
