@@ -2,12 +2,19 @@
 # SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# bash test.sh [--sanitize] [ctest arguments]: sets up, builds, runs every test.
-# --sanitize does so with the address and undefined behaviour sanitizers, in a
-# folder of its own.
+# bash test.sh [--sanitize | --everything] [ctest arguments]: sets up, builds, runs every test.
+# --sanitize does so with the address and undefined behaviour sanitizers, in a folder of its own;
+# --everything, which CI runs, tests the ParaView plugin as well.
 set -eu
 top=$(cd "$(dirname "$0")" && pwd)
 . "$top/Module/setup.sh"
+
+if [ "${1:-}" = --everything ]; then
+  shift
+  bash "$top/test.sh" "$@"
+  bash "$top/Module/ParaView/test.sh"
+  exit
+fi
 
 folder=$top/build
 options=()

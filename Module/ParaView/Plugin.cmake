@@ -22,3 +22,8 @@ paraview_plugin_build(
   LIBRARY_DESTINATION    "${CMAKE_INSTALL_LIBDIR}"
   LIBRARY_SUBDIRECTORY   "${PARAVIEW_PLUGIN_SUBDIR}"
   PLUGINS                ${_plugins})
+
+if (BUILD_TESTING)
+  enable_testing()
+  add_subdirectory(Testing/ParaView)
+endif ()

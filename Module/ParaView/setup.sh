@@ -6,7 +6,7 @@
 
 # Besides what the module needs: one display for programs that want one, and many processes.
 paraview_packages=(xvfb xauth openmpi-bin python3-numpy python3-mpi4py)
-paraview_folder=$top/build-paraview
+paraview_folder=${PARAVIEW_FOLDER:-$top/build-paraview}
 
 # Debian's ParaView conflicts with the Python modules of its VTK, so that it is not installed but
 # unpacked, with the libraries that are missing. One that is installed all the same is taken.
