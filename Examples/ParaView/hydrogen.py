@@ -23,7 +23,7 @@ def density():
     orbital.ResultArrayName = "density"
     x, y, z = (f"(coords{axis}*{40 / SIZE})" for axis in "XYZ")
     r2 = f"({x}^2+{y}^2+{z}^2)"
-    orbital.Function = f"((3*{z}^2-{r2})*exp(-sqrt({r2})/3))^2*0.38"
+    orbital.Function = f"((3*{z}^2-{r2})*exp(-sqrt({r2})/3))^2*1.05"
     return orbital
 
 
@@ -39,7 +39,11 @@ def show():
     view = GetActiveViewOrCreate("RenderView")
     splats = Show(surfaces(), view)
     splats.Representation = "Point Splats"
-    splats.BlockOpacities = ["/Root/Isovalue4", "0.3", "/Root/Isovalue18", "0.5"]
+    outer, middle, inner = ("/Root/Isovalue" + level for level in ("4", "18", "50"))
+    splats.BlockOpacities = [outer, "0.3", middle, "0.5"]
+    splats.BlockColors = [
+        outer, "0.4", "0.65", "1.0", middle, "1.0", "0.8", "0.35", inner, "0.9", "0.35", "0.25",
+    ]  # fmt: skip
     view.CameraPosition = [260, -180, 150]
     ResetCamera(view)
     return view

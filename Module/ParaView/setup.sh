@@ -23,7 +23,9 @@ install_paraview() {
   rm -rf "$debs" "$paraview_root"
   mkdir -p "$debs" "$paraview_root"
   # apt-get only says what it would do. What it would upgrade has its old version in brackets.
-  missing=$(apt-get install -s --no-install-recommends paraview paraview-dev python3-paraview |
+  # Icons are drawn by Qt's plugin for SVG, which no package of these depends on.
+  missing=$(apt-get install -s --no-install-recommends paraview paraview-dev python3-paraview \
+    libqt5svg5 |
     awk '$1 == "Inst" && $3 !~ /^\[/ && $2 ~ /^(lib|paraview|python3-paraview)/ { print $2 }')
   if [ -z "$missing" ]; then
     echo "Debian has no ParaView here: try apt-get update." >&2
@@ -48,6 +50,7 @@ use_paraview() {
   export LD_LIBRARY_PATH=$lib${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
   export PYTHONPATH=$paraview_root/usr/lib/python3/dist-packages${PYTHONPATH:+:$PYTHONPATH}
   export PATH=$paraview_root/usr/bin:$PATH
+  export QT_PLUGIN_PATH=$lib/qt5/plugins${QT_PLUGIN_PATH:+:$QT_PLUGIN_PATH}
 }
 
 build_paraview() {
