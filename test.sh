@@ -2,17 +2,24 @@
 # SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# bash test.sh [--sanitize | --everything] [ctest arguments]: sets up, builds, runs every test.
-# --sanitize does so with the address and undefined behaviour sanitizers, in a folder of its own;
-# --everything, which CI runs, tests the ParaView plugin as well.
+# bash test.sh [--sanitize | --vtk VERSION | --everything] [ctest arguments]: sets up, builds,
+# runs every test. --sanitize does so with the address and undefined behaviour sanitizers, in a
+# folder of its own; --vtk with another VTK, in a suite of Debian that has it; --everything, which
+# CI runs, with this system's VTK, as a ParaView plugin, and as a wheel with a newer VTK, warnings
+# as errors.
 set -eu
 top=$(cd "$(dirname "$0")" && pwd)
 . "$top/Module/setup.sh"
 
+if [ "${1:-}" = --vtk ]; then
+  shift
+  exec bash "$top/Module/Versions/test.sh" "$@"
+fi
 if [ "${1:-}" = --everything ]; then
   shift
   bash "$top/test.sh" "$@"
   bash "$top/Module/ParaView/test.sh"
+  bash "$top/Module/Wheel/test.sh"
   exit
 fi
 

@@ -3,6 +3,7 @@
 #include "vtkPointSplatShadowPass.h"
 
 #include "vtkCamera.h"
+#include "vtkHardwareSelector.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPointSplatFrame.h"
@@ -61,11 +62,19 @@ void vtkPointSplatShadowPass::Render(const vtkRenderState* s)
   }
   vtkInternals& internals = *this->Internals;
   vtkRenderer* renderer = s->GetRenderer();
+  if (vtkHardwareSelector* selector = renderer->GetSelector())
+  {
+    // A renderer lets its selector draw, who numbers the props, only where it has no pass.
+    renderer->GetActiveCamera()->Render(renderer);
+    selector->Render(renderer, s->GetPropArray(), s->GetPropArrayCount());
+    this->NumberOfRenderedProps = s->GetPropArrayCount();
+    return;
+  }
   // Lights that follow the camera are moved with it by the delegate only.
   renderer->UpdateLightsGeometryToFollowCamera();
   const std::shared_ptr<vtkPointSplatFrame> frame = vtkPointSplatFrame::Of(renderer);
   internals.Renderer = renderer;
-  internals.Maps = renderer->GetSelector() ? nullptr : frame->PrepareLightMaps();
+  internals.Maps = frame->PrepareLightMaps();
   if (frame->GetError() != internals.Error)
   {
     internals.Error = frame->GetError();

@@ -25,6 +25,8 @@
  *    of several the mean is taken (Monte-Carlo integration, Dobrev, Rosenthal, Linsen 2010,
  *    section 6). Splats have their own shaders, and take part by themselves.
  *
+ * Hardware selections work as in a renderer without a pass, which VTK's own passes upset.
+ *
  * Maps cover all that casts, by at most 4096 pixels along a side, and 256 MiB: in scenes that are
  * much larger than their splats shadows are coarse. Shadows fall on surfaces that lights light: on
  * what has LightingOff(), or is lit by headlights, none do. Translucent meshes receive shadows and

@@ -186,9 +186,10 @@ vtkIdType vtkPointSplatCloud::BuildBlock(
   if (this->Circular && packing.Fold)
   {
     kept = packing.PackFolds(packed, kept);
-    this->Splats.resize(
-      std::max(this->Splats.size(), words * (static_cast<size_t>(block.First) + kept)));
   }
+  // Folds make splats more than points, of this block or of those before.
+  this->Splats.resize(
+    std::max(this->Splats.size(), words * (static_cast<size_t>(block.First) + kept)));
   const std::vector<uint32_t> order =
     vtkPointSplatMorton(this->Low, this->High).Order(packed.data(), words, kept, this->Origin);
   uint32_t* to = this->Splats.data() + words * static_cast<size_t>(block.First);

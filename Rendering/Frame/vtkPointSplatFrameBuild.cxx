@@ -210,7 +210,7 @@ vtkPointSplatRequest vtkPointSplatFrame::MakeRequest(Pass& pass, GLuint sceneDep
       request.MaximumMemory = std::max(request.MaximumMemory, s.MaximumImageMemory);
     }
   }
-  request.OnDevice = automatic ? !vtkPointSplatTiles::IsSoftware() : device;
+  request.OnDevice = automatic ? !vtkPointSplatContext::IsSoftware() : device;
   request.HasIds = IdsOf(pass.SelectionPass, composite, request.Ids);
   if (request.HasIds || !vtkPointSplatReconstruction::UsesTiles(request))
   {

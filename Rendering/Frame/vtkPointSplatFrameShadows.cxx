@@ -274,7 +274,7 @@ vtkPointSplatRequest vtkPointSplatFrameShadows::MakeRequest(const vtkPointSplatV
   vtkPointSplatRequest request;
   request.View = view;
   request.Compute = choice.Compute;
-  request.OnDevice = !vtkPointSplatTiles::IsSoftware();
+  request.OnDevice = !vtkPointSplatContext::IsSoftware();
   request.FillSteps = choice.FillSteps;
   request.MaximumLayers = std::min(choice.MaximumLayers, MostLayers);
   request.LeastContribution = choice.LeastContribution;

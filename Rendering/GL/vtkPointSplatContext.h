@@ -23,6 +23,9 @@ public:
   /// Of the innermost scope that is open; none outside of all.
   static const vtkPointSplatContext& Entered();
 
+  /// Whether what is current draws on the processor, so that buffers are in main memory.
+  static bool IsSoftware();
+
   /// Whether it is there still: closed windows get another one when they open again.
   bool IsAlive() const;
   bool IsCurrent() const { return this->IsAlive() && this->Window->IsCurrent(); }

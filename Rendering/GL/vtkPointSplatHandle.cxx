@@ -3,6 +3,8 @@
 #include "vtkPointSplatHandle.h"
 
 #include <algorithm>
+#include <cstring>
+#include <iterator>
 #include <mutex>
 #include <utility>
 #include <vector>
@@ -81,6 +83,16 @@ bool vtkPointSplatContext::IsAlive() const
   return this->Window &&
     (*this == EnteredContext() ||
       (this->Living && this->Time == this->Living->GetContextCreationTime()));
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatContext::IsSoftware()
+{
+  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const char* const names[] = { "llvmpipe", "softpipe", "swr", "SWR", "Software" };
+  return renderer && std::any_of(std::begin(names), std::end(names), [renderer](const char* name) {
+    return std::strstr(renderer, name) != nullptr;
+  });
 }
 
 //------------------------------------------------------------------------------

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <iterator>
 
 namespace
@@ -67,16 +66,6 @@ bool vtkPointSplatTiles::IsSupported(const glm::ivec2& size)
   // A record is five texels. Boxes have 12 and 13 bits for tiles of 4 x 2 pixels.
   return vtkPointSplatProgram::IsComputeSupported() && texels / 5 >= Capacity &&
     static_cast<vtkIdType>(size.x) * size.y <= texels && size.x <= 16384 && size.y <= 16384;
-}
-
-//------------------------------------------------------------------------------
-bool vtkPointSplatTiles::IsSoftware()
-{
-  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  const char* const names[] = { "llvmpipe", "softpipe", "swr", "SWR", "Software" };
-  return renderer && std::any_of(std::begin(names), std::end(names), [renderer](const char* name) {
-    return std::strstr(renderer, name) != nullptr;
-  });
 }
 
 //------------------------------------------------------------------------------

@@ -52,8 +52,6 @@ public:
 
   /// Whether the context has what compute shaders need for images of this size.
   static bool IsSupported(const glm::ivec2& size);
-  /// Whether its buffers are in main memory, so that the processor makes lists fastest.
-  static bool IsSoftware();
 
   /// Makes the layers' texels within the parts' windows, and samples their outlines where the request
   /// says so.

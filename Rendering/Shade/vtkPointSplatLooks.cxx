@@ -4,8 +4,8 @@
 
 #include "vtkActor.h"
 #include "vtkOpenGLTexture.h"
+#include "vtkPointSplatContext.h"
 #include "vtkPointSplatShading.h"
-#include "vtkPointSplatTiles.h"
 #include "vtkPointSplatUnits.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
@@ -74,7 +74,7 @@ public:
     : Texture(texture)
     , Kept(texture->GetMaximumAnisotropicFiltering())
   {
-    if (vtkPointSplatTiles::IsSoftware())
+    if (vtkPointSplatContext::IsSoftware())
     {
       this->Set(1.0f);
     }

@@ -4,9 +4,13 @@
 // against closed forms.
 #include "ShadowView.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkAppendPolyData.h"
+#include "vtkHardwareSelector.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointSplatShadowPass.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
 
 namespace
 {
@@ -205,11 +209,40 @@ void TestTranslucent(Checks& checks, bool splatFloor, bool opaqueToo, double lam
   checks.AtMost(sum / inside, 2.0, name + ": mean error");
   checks.AtMost(100.0 * wrong / inside, 0.5, name + ": per cent wrong");
 }
+
+/// The pass is no hindrance to selections of what lies in a window.
+void TestSelections(Checks& checks)
+{
+  Spheres scene(1000);
+  View view(MakeBalls(scene, 0, 2), { MakeLight({ 1, 1, 4 }, Middle, false) });
+  view.Mapper->ShadowsOn();
+  AddTo(view, MakeFloor(150), false);
+  view.Win.Win->SetMultiSamples(0);
+  view.Win.Draw();
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(view.Win.Renderer);
+  const int* size = view.Win.Win->GetSize();
+  selector->SetArea(0, 0, size[0] - 1, size[1] - 1);
+  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  std::array<std::vector<vtkIdType>, 2> found;
+  for (std::vector<vtkIdType>& counts : found)
+  {
+    const auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+    for (unsigned int i = 0; i < selection->GetNumberOfNodes(); ++i)
+    {
+      counts.push_back(selection->GetNode(i)->GetSelectionList()->GetNumberOfTuples());
+    }
+    view.Win.Renderer->SetPass(vtkNew<vtkPointSplatShadowPass>());
+  }
+  checks.AtLeast(found[0].size(), size_t(2), "props that are selected");
+  checks.Expect(found[0] == found[1], "The pass changes what is selected.");
+}
 }
 
 int TestSplatsShadowPass(int, char*[])
 {
   Checks checks;
+  TestSelections(checks);
   TestMeshesReceive(checks);
   TestNone(checks);
   for (const bool splatFloor : { false, true })

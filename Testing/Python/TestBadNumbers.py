@@ -150,7 +150,7 @@ class TestBadNumbers(unittest.TestCase):
         self.assertEqual(large.errors, 0)
         self.assertLess(large.mapper.GetImageMemorySize(), 1 << 28)
         pixels = vtkUnsignedCharArray()
-        large.window.GetPixelData(8192, 250, 8192, 250, 0, pixels)
+        large.window.GetPixelData(8192, 250, 8192, 250, 0, pixels, 0)
         self.assertGreater(pixels.GetValue(0), 100)
         large.window.SetSize(120, 120)
         self.assertGreater(max(large.picture()), 100)
