@@ -7,8 +7,8 @@
 # writes a picture; bash run.sh --help tells the rest.
 #
 # bash run.sh --paraview: ParaView's window with the plugin and that volume.
-# bash run.sh --paraview [--ranks N] [--with PROGRAM] SCRIPT.py [arguments]: the script by pvbatch, or
-# by another program, on N ranks, with the plugin.
+# bash run.sh --paraview [--ranks N] [--with PROGRAM] SCRIPT.py [arguments]: the script by pvbatch,
+# or by another program, on N ranks, with the plugin.
 set -eu
 top=$(cd "$(dirname "$0")" && pwd)
 . "$top/Module/setup.sh"

@@ -1,13 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A simulation that draws its particles as it runs, by ParaView's Catalyst: a drop that is sheared by
-a flow. Each process moves the particles of its part, and none writes them to a disk.
+"""A simulation that draws its particles as it runs, by ParaView's Catalyst: a drop that is sheared
+by a flow. Each process moves the particles of its part, and none writes them to a disk.
 
-bash run.sh --paraview --ranks 2 --with python3 Examples/ParaView/in_situ.py FOLDER [particles [steps]]
+bash run.sh --paraview --ranks 2 --with python3 Examples/ParaView/in_situ.py FOLDER
 
 The flow is the one by which surface tracking is tested since R. J. LeVeque, High-resolution
-conservative algorithms for advection in incompressible flow, SIAM J. Numer. Anal. 33 (1996), eq. 9.5.
-What is drawn, and where to, is the Catalyst script's matter: in_situ_splats.py, beside this one.
+conservative algorithms for advection in incompressible flow, SIAM J. Numer. Anal. 33 (1996).
+After FOLDER the numbers of particles and of steps may be given. ParaView 5.11 warns at the first step
+that it is not after the last one; it means nothing. What is drawn, and where to, is the Catalyst script's matter: in_situ_splats.py, beside this one.
 """
 import os
 import sys

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 # SPDX-License-Identifier: BSD-3-Clause
 # script-version: 2.0
-"""What in_situ.py shows of its particles: a Catalyst script, whose pictures go to IN_SITU_FOLDER."""
+"""What in_situ.py shows of its particles: a Catalyst script; pictures go to IN_SITU_FOLDER."""
 import os
 
 from paraview.catalyst import Options

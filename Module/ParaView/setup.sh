@@ -14,7 +14,7 @@ install_paraview() {
   packages+=("${paraview_packages[@]}")
   install_packages || return 1
   paraview_root=
-  if [ -n "$(ls -d /usr/lib/*/cmake/paraview-* 2>/dev/null)" ] && command -v pvbatch >/dev/null; then
+  if command -v pvbatch >/dev/null && [ -n "$(ls -d /usr/lib/*/cmake/paraview-* 2>/dev/null)" ]; then
     return 0
   fi
   paraview_root=$paraview_folder/debian

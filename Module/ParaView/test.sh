@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# bash Module/ParaView/test.sh [ctest arguments]: builds the ParaView plugin and runs its tests. What
-# its pictures are compared with is the module of this tree's own build.
+# bash Module/ParaView/test.sh [ctest arguments]: builds the ParaView plugin and runs its tests.
+# What its pictures are compared with is the module of this tree's own build.
 set -eu
 top=$(cd "$(dirname "$0")/../.." && pwd)
 . "$top/Module/setup.sh"

@@ -28,9 +28,8 @@ def read(file):
 
 folder = tempfile.mkdtemp(prefix="splats-module-")
 environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
-subprocess.run(
-    ["bash", sys.argv[1], os.path.join(HERE, "module_scene.py"), folder], env=environment, check=True
-)
+scene = os.path.join(HERE, "module_scene.py")
+subprocess.run(["bash", sys.argv[1], scene, folder], env=environment, check=True)
 points = vtkXMLPolyDataReader()
 points.SetFileName(os.path.join(folder, "points.vtp"))
 mapper = vtkPointSplatMapper()

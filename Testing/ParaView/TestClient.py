@@ -27,7 +27,8 @@ def write_cloud(file, count=20000):
     normals = np.stack([np.cos(u) * np.cos(v), np.sin(u) * np.cos(v), np.sin(v)], 1)
     points = np.stack([np.cos(u), np.sin(u), 0 * u], 1) + 0.4 * normals
     with open(file, "w") as out:
-        out.write(f"# vtk DataFile Version 3.0\ntorus\nASCII\nDATASET POLYDATA\nPOINTS {count} float\n")
+        out.write("# vtk DataFile Version 3.0\ntorus\nASCII\nDATASET POLYDATA\n")
+        out.write(f"POINTS {count} float\n")
         np.savetxt(out, points, "%.5f")
         out.write(f"POINT_DATA {count}\nNORMALS Normals float\n")
         np.savetxt(out, normals, "%.5f")
@@ -36,7 +37,8 @@ def write_cloud(file, count=20000):
 folder = tempfile.mkdtemp(prefix="splats-client-")
 write_cloud(os.path.join(folder, "cloud.vtk"))
 with open(os.path.join(HERE, "client.xml.in")) as file:
-    steps = file.read().replace("@FRAME@", FRAME).replace("@FOLDER@", folder).replace("@HERE@", HERE)
+    steps = file.read().replace("@FRAME@", FRAME).replace("@FOLDER@", folder)
+steps = steps.replace("@HERE@", HERE)
 with open(os.path.join(folder, "client.xml"), "w") as file:
     file.write(steps)
 # No settings of a user's, and none left behind.

@@ -30,8 +30,8 @@ folders = []
 for ranks in (1, 2):
     folders.append(tempfile.mkdtemp(prefix=f"splats-insitu-{ranks}-"))
     done = subprocess.run(
-        ["bash", sys.argv[1], "--ranks", str(ranks), "--with", "/usr/bin/python3", EXAMPLE, folders[-1],
-         "8000", str(STEPS)],
+        ["bash", sys.argv[1], "--ranks", str(ranks), "--with", "/usr/bin/python3",
+         EXAMPLE, folders[-1], "8000", str(STEPS)],
         capture_output=True, text=True, timeout=200,
     )  # fmt: skip
     said = done.stdout + done.stderr

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A session: filters by their names, selection, detail while dragging, states, bad input, memory."""
+"""Filters by their names, selection, detail while dragging, bad input, memory, states."""
 import os
 import resource
 import tempfile

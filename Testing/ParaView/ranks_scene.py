@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Of TestManyRanks.py: pictures of one scene, opaque and translucent, and what a rectangle picks.
 
-Arguments: a folder to write to, EVEN or UNEVEN shares of points for the processes.
+Arguments: a folder to write to, EVEN or UNEVEN shares of points for the processes; and, where these
+are a pvserver's, its port.
 """
 import json
 import os
@@ -11,12 +12,17 @@ import time
 
 import numpy as np
 from paraview import servermanager
-from paraview.simple import Delete, ExtractSelection, Hide, Render, SelectSurfacePoints
+from paraview.simple import Connect, Delete, ExtractSelection, Render, SelectSurfacePoints
 
 import splat_scenes as scenes
 
 folder, shares = sys.argv[1], getattr(scenes, sys.argv[2])
+processes = servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
+if len(sys.argv) > 3:
+    Connect("localhost", int(sys.argv[3]))
+    processes = servermanager.ActiveConnection.GetNumberOfDataPartitions()
 view = scenes.new_view()
+view.RemoteRenderThreshold = 0
 sphere = scenes.cloud(shares=shares)
 splats = scenes.show(sphere, view)
 scenes.picture(view, os.path.join(folder, "opaque.png"))
@@ -28,7 +34,7 @@ SelectSurfacePoints(Rectangle=[120, 60, 280, 240], View=view)
 extracted = ExtractSelection(Input=sphere)
 extracted.UpdatePipeline()
 ids = []
-for rank in range(servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()):
+for rank in range(processes):
     picked = servermanager.Fetch(extracted, rank).GetPointData().GetArray("Id")
     ids += np.asarray(picked).tolist() if picked else []
 Delete(extracted)

@@ -72,7 +72,8 @@ Cut FindCut(const std::vector<vtkBoundingBox>& boxes, const std::vector<size_t>&
       Cut cut;
       cut.Length = high - low;
       cut.Overlap = cut.Length > 0.0 ? std::max((end - start) / cut.Length, 0.0) : 1.0;
-      cut.Imbalance = std::abs(0.5 * static_cast<double>(order.size()) - static_cast<double>(below));
+      cut.Imbalance =
+        std::abs(0.5 * static_cast<double>(order.size()) - static_cast<double>(below));
       cut.Position = 0.5 * (start + end);
       cut.Axis = axis;
       cut.Below = below;

@@ -8,7 +8,7 @@
  *
  * Output: a vtkPolyData, or a vtkMultiBlockDataSet of the same structure, with
  * - the points and their data. Polygonal data are passed as they are. Of other data sets each point
- *   is a vertex with the data of the point's cell of least id; points without a cell have NaN, or 0;
+ *   is a vertex with the data of the point's cell of least id, or NaN, or 0, without a cell;
  * - `vtkOriginalPointIds`, `vtkOriginalCellIds` (vtkIdType, of points and of vertices) and
  *   `vtkCompositeIndex`, `vtkProcessId` (unsigned int, of points): what hardware selection answers
  *   with, where points are not where they were;
@@ -24,7 +24,7 @@
  *    then on. With one process the mapper does that.
  * Leaves are the same on all processes: where any has points, the others have empty data.
  *
- * Bad input: data sets without points give empty blocks. A SizeArray that is not there has no effect.
+ * Bad input: data sets without points give empty blocks. A SizeArray that is missing has no effect.
  */
 #ifndef vtkPVPointSplatGeometry_h
 #define vtkPVPointSplatGeometry_h

@@ -34,8 +34,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The box, in the coordinates of the actor's data; sides at +-VTK_DOUBLE_MAX are open. One that is
-   * not valid shows nothing. Default: not valid.
+   * The box, in the coordinates of the actor's data; sides at +-VTK_DOUBLE_MAX are open. One that
+   * is not valid shows nothing. Default: not valid.
    */
   void SetBox(const vtkBoundingBox& box) { this->Box = box; }
 

@@ -16,7 +16,7 @@
  *    gets from the others the points whose splats reach into its part. It then shows the pixels
  *    whose surface lies in its part (vtkPVPointSplatRegion). So surfaces are whole across borders,
  *    opaque and translucent, each pixel is shown by one process, and picks tell of each point once.
- * 4. *While dragging* splats are fewer as the mapper has it (vtkPointSplatMapper::SetTargetError()).
+ * 4. *While dragging* splats are fewer as vtkPointSplatMapper::SetTargetError() has it.
  *    Where ParaView wants geometry of less detail because it draws in another place than at rest,
  *    every n-th point is delivered, n = 16^(1 - LOD resolution).
  *
