@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What processes that share a cloud need of one another: a region of space for each, and the points
-// of others that matter there.
+// of others that matter there. vtkDistributedPointCloudFilter::GetPointsInsideBounds() exchanges
+// points, too, but by a box alone: here each point has a reach of its own, its vertex' data go with
+// it, and a process' own points stay the first, so that what is estimated is theirs by number.
 #ifndef vtkPVPointSplatBorders_h
 #define vtkPVPointSplatBorders_h
 
