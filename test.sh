@@ -5,7 +5,8 @@
 # bash test.sh [--sanitize | --vtk VERSION | --everything] [ctest arguments]: sets up, builds,
 # runs every test. --sanitize does so with the address and undefined behaviour sanitizers, in a
 # folder of its own; --vtk with another VTK, in a suite of Debian that has it; --everything, which
-# CI runs, with this system's VTK, and as a wheel with a newer one, warnings as errors.
+# CI runs, with this system's VTK, as a ParaView plugin, and as a wheel with a newer VTK, warnings
+# as errors.
 set -eu
 top=$(cd "$(dirname "$0")" && pwd)
 . "$top/Module/setup.sh"
@@ -17,7 +18,7 @@ fi
 if [ "${1:-}" = --everything ]; then
   shift
   bash "$top/test.sh" "$@"
-  # ParaView's tests go here.
+  bash "$top/Module/ParaView/test.sh"
   bash "$top/Module/Wheel/test.sh"
   exit
 fi

@@ -33,6 +33,13 @@ if (PointSplatting_SANITIZE)
   add_link_options(-fsanitize=address,undefined)
 endif ()
 
+option(PointSplatting_PARAVIEW
+  "Build the ParaView plugin and nothing else: against ParaView's own VTK, not another" OFF)
+if (PointSplatting_PARAVIEW)
+  include(Module/ParaView/Plugin.cmake)
+  return ()
+endif ()
+
 if (PointSplatting_WRAP_PYTHON)
   # Debian's vtkmodules belong to the system's interpreter; another one that is
   # first on the PATH could not load them.
