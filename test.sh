@@ -2,12 +2,30 @@
 # SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# bash test.sh [--sanitize] [ctest arguments]: sets up, builds, runs every test.
-# --sanitize does so with the address and undefined behaviour sanitizers, in a
-# folder of its own.
+# bash test.sh [--sanitize | --vtk VERSION | --everything] [ctest arguments]: sets up, builds,
+# runs every test. --sanitize does so with the address and undefined behaviour sanitizers, in a
+# folder of its own; --vtk with another VTK, in a suite of Debian that has it; --everything, which
+# CI runs, with this system's VTK, as a ParaView plugin, and as a wheel with a newer VTK, warnings
+# as errors.
 set -eu
 top=$(cd "$(dirname "$0")" && pwd)
 . "$top/Module/setup.sh"
+
+if [ "${1:-}" = --vtk ]; then
+  shift
+  exec bash "$top/Module/Versions/test.sh" "$@"
+fi
+if [ "${1:-}" = --everything ]; then
+  shift
+  # This system's VTK comes last, so that what is read last is the count of its tests.
+  failed=
+  bash "$top/Module/ParaView/test.sh" || failed="$failed ParaView"
+  bash "$top/Module/Wheel/test.sh" || failed="$failed wheel"
+  [ -z "$failed" ] || echo "failed:$failed"
+  bash "$top/test.sh" "$@"
+  [ -z "$failed" ]
+  exit
+fi
 
 folder=$top/build
 options=()

@@ -126,8 +126,9 @@ public:
       }
       const bool real = array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
       vtkStdString name = array->GetName();
-      this->Carried.push_back(
-        (real ? this->Means : this->Copies).AddArrayPair(count, array, name, 0.0, false));
+      // From VTK 9.5 on it is returned as a vtkAbstractArray.
+      this->Carried.push_back(vtkDataArray::SafeDownCast(
+        (real ? this->Means : this->Copies).AddArrayPair(count, array, name, 0.0, false)));
     }
   }
 

@@ -260,7 +260,7 @@ void vtkPointSplatNeighbors::Build(vtkDataArray* points, const unsigned char* us
       // their precision.
       for (int c = 0; c < 3; ++c)
       {
-        double values[LeafSize];
+        double values[LeafSize] = {};
         for (int lane = 0; lane < leaf.Count; ++lane)
         {
           values[lane] = lanes[lane]->X[c];

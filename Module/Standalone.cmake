@@ -16,17 +16,28 @@ endif ()
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}")
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
 set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
-set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+if (NOT DEFINED CMAKE_INSTALL_RPATH)
+  set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+endif ()
 
 option(BUILD_SHARED_LIBS "Build shared libraries" ON)
 option(BUILD_TESTING "Build the tests" ON)
 option(PointSplatting_WRAP_PYTHON "Build the Python package pointsplatting" ON)
+set(PointSplatting_PYTHON_SITE "lib/python3/dist-packages" CACHE STRING
+  "Where the Python package is put, in the build and install trees")
 option(PointSplatting_BUILD_EXAMPLES "Build splatview and the examples" ON)
 option(PointSplatting_SANITIZE "Build with the address and undefined behaviour sanitizers" OFF)
 if (PointSplatting_SANITIZE)
   add_compile_options(
     -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer -g1)
   add_link_options(-fsanitize=address,undefined)
+endif ()
+
+option(PointSplatting_PARAVIEW
+  "Build the ParaView plugin and nothing else: against ParaView's own VTK, not another" OFF)
+if (PointSplatting_PARAVIEW)
+  include(Module/ParaView/Plugin.cmake)
+  return ()
 endif ()
 
 if (PointSplatting_WRAP_PYTHON)
@@ -63,11 +74,16 @@ vtk_module_scan(
   WANT_BY_DEFAULT      ON
   # The tests are added below: they are the project's, and not one module's.
   ENABLE_TESTS         OFF)
+set(_versions VERSION "${PROJECT_VERSION}"
+  SOVERSION "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
+if (SKBUILD)
+  # A wheel holds no links, and would hold each library three times.
+  set(_versions)
+endif ()
 vtk_module_build(
   MODULES              ${_modules}
   PACKAGE              PointSplatting
-  VERSION              "${PROJECT_VERSION}"
-  SOVERSION            "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}"
+  ${_versions}
   INSTALL_EXPORT       PointSplatting
   INSTALL_HEADERS      ON
   HEADERS_DESTINATION  "${CMAKE_INSTALL_INCLUDEDIR}/pointsplatting"
@@ -75,6 +91,10 @@ vtk_module_build(
 set(_warnings)
 if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   set(_warnings -Wall -Wextra)
+endif ()
+if (CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13)
+  # False alarms about the vector<bool> inside vtkSMPThreadLocal.
+  list(APPEND _warnings -Wno-array-bounds -Wno-stringop-overflow)
 endif ()
 foreach (_module IN LISTS _modules)
   vtk_module_compile_options(${_module} PRIVATE ${_warnings})

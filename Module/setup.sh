@@ -11,17 +11,31 @@ packages=(
 )
 test_packages=(
   python3-numpy                         # the accuracy tests' reference, and splatbench
-  libembree3-3                          # the same for triangle meshes; without it they are skipped
+  'libembree3-3|libembree4-4|'           # the same for triangle meshes; without it they are skipped
   xvfb xdotool                          # windows on a display of the tests' own, and a user's hands
 )
 
-# Installs what is missing from Debian, saying what; names it where it cannot.
+# Whether one of a|b|c is installed, or is a package of this Debian at all.
+installed() {
+  dpkg-query -W -f='${db:Status-Status}\n' ${1//|/ } 2>/dev/null | grep -qx installed
+}
+known() {
+  local one
+  for one in ${1//|/ }; do
+    if apt-cache show "$one" >/dev/null 2>&1; then
+      echo "$one"
+      return
+    fi
+  done
+}
+
+# Installs what is missing from Debian, saying what; names it where it cannot. Of a|b the first that
+# this Debian has is installed; of a|b| none is needed.
 install_packages() {
   command -v dpkg-query >/dev/null || return 0 # not Debian: CMake says what it misses
   local missing=() package
   for package in "${packages[@]}"; do
-    dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed ||
-      missing+=("$package")
+    installed "$package" || missing+=("$package")
   done
   [ ${#missing[@]} -gt 0 ] || return 0
 
@@ -34,9 +48,15 @@ install_packages() {
     as_root=(sudo)
   fi
   echo "Installing Debian's packages ${missing[*]}"
-  if ! { "${as_root[@]}" apt-get update -q &&
-    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-      apt-get install -q -y --no-install-recommends "${missing[@]}"; }; then
+  local chosen=() one
+  "${as_root[@]}" apt-get update -q || true # what follows tells whether it was needed
+  for package in "${missing[@]}"; do
+    one=$(known "$package")
+    # An unknown one is left to apt, which says so, unless none is needed.
+    [ -z "$one" ] && [ "${package%|}" != "$package" ] || chosen+=("${one:-$package}")
+  done
+  if [ ${#chosen[@]} -gt 0 ] && ! "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -q -y --no-install-recommends "${chosen[@]}"; then
     echo "Could not install them. Have these installed, then start again: ${missing[*]}" >&2
     return 1
   fi

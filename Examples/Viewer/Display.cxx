@@ -13,12 +13,21 @@ bool HasDisplay()
   {
     return false;
   }
-  // A VTK that draws by X11 has loaded its library; another one needs no server.
-  auto open = reinterpret_cast<void* (*)(const char*)>(dlsym(RTLD_DEFAULT, "XOpenDisplay"));
-  auto close = reinterpret_cast<int (*)(void*)>(dlsym(RTLD_DEFAULT, "XCloseDisplay"));
+  // By name, since a VTK that draws by X11 loads its library itself, or only when it opens a window.
+  static void* library = []
+  {
+    void* found = dlopen("libX11.so.6", RTLD_LAZY | RTLD_LOCAL);
+    return found ? found : dlopen("libX11.so", RTLD_LAZY | RTLD_LOCAL);
+  }();
+  if (!library)
+  {
+    return false; // nobody can open a window then
+  }
+  auto open = reinterpret_cast<void* (*)(const char*)>(dlsym(library, "XOpenDisplay"));
+  auto close = reinterpret_cast<int (*)(void*)>(dlsym(library, "XCloseDisplay"));
   if (!open || !close)
   {
-    return true;
+    return false;
   }
   void* display = open(nullptr);
   if (display)

@@ -255,7 +255,7 @@ void ColourPoints(Scene& scene, const Options& options, Surface& surface, vtkDat
       vtkNew<vtkScalarBarActor> bar;
       bar->SetLookupTable(surface.Mapper->GetLookupTable());
       bar->SetTitle(options.Array.c_str());
-      scene.Renderer->AddActor2D(bar);
+      scene.Renderer->AddViewProp(bar);
     }
   }
   else if (vtkUnsignedCharArray::SafeDownCast(scalars) && scalars->GetNumberOfComponents() >= 3 &&

@@ -74,8 +74,8 @@ void Session::SetScene(const Scene& scene, bool quiet)
   this->Help->SetPosition(0.01, 0.99);
   this->Note = MakeText();
   this->Note->SetPosition(8, 8);
-  scene.Renderer->AddActor2D(this->Help);
-  scene.Renderer->AddActor2D(this->Note);
+  scene.Renderer->AddViewProp(this->Help);
+  scene.Renderer->AddViewProp(this->Note);
   if (scene.Surfaces.size() > 1)
   {
     this->AddLegend();
@@ -119,7 +119,7 @@ void Session::AddLegend()
   legend->UseBackgroundOn();
   legend->SetBackgroundColor(0.1, 0.1, 0.1);
   legend->PickableOff();
-  this->Shown->Renderer->AddActor2D(legend);
+  this->Shown->Renderer->AddViewProp(legend);
 }
 
 //------------------------------------------------------------------------------

@@ -179,19 +179,39 @@ bool vtkPointSplatFrame::Present(
     return true;
   }
   pass.Called.insert(actor);
-  const auto own = pass.Own.find(actor);
-  if (own == pass.Own.end() ||
-    pass.Entries[own->second].Item.MCWC != vtkPointSplatView::Matrix(actor->GetMatrix()))
+  const std::optional<size_t> own = OwnOf(pass, actor, source);
+  if (!own)
   {
     return this->PresentAlone(actor, source, report);
   }
   if (!pass.Batched || !pass.Presented)
   {
-    pass.Good = this->Draw(pass, actor, own->second);
+    pass.Good = this->Draw(pass, actor, *own);
     pass.Presented = true;
   }
-  this->Report(pass, own->second, report);
+  this->Report(pass, *own, report);
   return pass.Good;
+}
+
+//------------------------------------------------------------------------------
+std::optional<size_t> vtkPointSplatFrame::OwnOf(
+  const Pass& pass, vtkActor* actor, const vtkPointSplatSource& source)
+{
+  const glm::dmat4 place = vtkPointSplatView::Matrix(actor->GetMatrix());
+  auto own = pass.Own.find(actor);
+  if (own == pass.Own.end())
+  {
+    // Props with several levels of detail draw by an actor that the renderer does not know.
+    own = std::find_if(pass.Own.begin(), pass.Own.end(), [&](const auto& other) {
+      const vtkPointSplatEntry& entry = pass.Entries[other.second];
+      return entry.Source == &source && entry.Item.MCWC == place;
+    });
+  }
+  if (own == pass.Own.end() || pass.Entries[own->second].Item.MCWC != place)
+  {
+    return {};
+  }
+  return own->second;
 }
 
 //------------------------------------------------------------------------------
@@ -323,7 +343,7 @@ bool vtkPointSplatFrame::PresentLayers(Pass& pass, vtkActor* actor, size_t own)
   const vtkPointSplatResolve::Target target{ this->Renderer, actor,
     pass.Entries[own].Source->GetMapper(), window,
     pass.Translucent || pass.Surfaces->GetOutlines().GetCount() == 0 ||
-      !vtkPointSplatCollection::HasOpaqueAfter(this->Renderer, actor) };
+      !vtkPointSplatCollection::HasOpaqueAfter(this->Renderer, pass.Entries[own].Actor) };
   const int slot = pass.Batched ? -1 : static_cast<int>(own);
   if (pass.Translucent && !this->Flatten(pass, shading))
   {

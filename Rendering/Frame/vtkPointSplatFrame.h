@@ -37,6 +37,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -134,6 +135,9 @@ private:
   void Begin(vtkActor* actor, bool translucent);
   size_t MostEntries(const Pass& pass) const;
   bool IsUnderWay(vtkActor* actor, bool translucent) const;
+  /// Which of the pass's entries an actor is, if any.
+  static std::optional<size_t> OwnOf(
+    const Pass& pass, vtkActor* actor, const vtkPointSplatSource& source);
   bool PresentAlone(vtkActor* actor, vtkPointSplatSource& source, vtkPointSplatReport& report);
   static bool MayUseTiles(const Pass& pass);
   static std::vector<vtkPointSplatWindowPart> PartsOf(const Pass& pass, vtkActor* actor);

@@ -233,7 +233,8 @@ bool vtkPointSplatFrame::Build(Pass& pass)
   if (pass.Translucent && pass.SelectionPass < 0)
   {
     sceneDepth = this->CaptureScene(pass, failed);
-    pass.Flat = pass.Joint && !failed &&
+    // Hooks of one actor's passes alone have a say in each of its layers.
+    pass.Flat = pass.Joint && pass.Batched && !failed &&
       !vtkPointSplatCollection::HasOthersBetween(this->Renderer, pass.Entries);
   }
   this->PrepareEnvironment(pass);

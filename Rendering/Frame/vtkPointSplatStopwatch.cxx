@@ -13,8 +13,9 @@
 
 namespace
 {
-// What vtkRenderWindow wants of frames at rest, where there is no interactor to ask.
-constexpr double StillUpdateRate = 0.0001;
+// Frames that may take longer than 100 s are at rest, where there is no interactor to ask:
+// vtkRenderWindow wants 0.0001 a second of them, and ParaView 0.002.
+constexpr double StillUpdateRate = 0.01;
 }
 
 //------------------------------------------------------------------------------

@@ -62,12 +62,16 @@ void vtkPointSplatFramebuffer::BindColours(
   }
   if (count != this->Count)
   {
+    // VTK's cache has to know, and may leave out the call: of other framebuffers' buffers it keeps
+    // all but the first.
     if (count > 0)
     {
+      state->vtkglDrawBuffers(static_cast<unsigned int>(count), all);
       glDrawBuffers(count, all);
     }
     else
     {
+      state->vtkglDrawBuffer(GL_NONE);
       glDrawBuffer(GL_NONE);
     }
   }

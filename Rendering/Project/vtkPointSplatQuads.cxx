@@ -109,7 +109,9 @@ void vtkPointSplatQuads::Bind(const vtkPointSplatItem& item, vtkPointSplatCloud:
     {
       glDisableVertexAttribArray(i);
     }
-    glVertexAttribDivisor(i, item.IsPoints ? 0 : 1);
+    // Of OpenGL 3.2 loaders have the extension's name alone.
+    (glVertexAttribDivisor ? glVertexAttribDivisor : glVertexAttribDivisorARB)(
+      i, item.IsPoints ? 0 : 1);
   }
 }
 

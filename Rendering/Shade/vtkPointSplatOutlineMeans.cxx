@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatOutlineMeans.h"
 
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
 #include "vtkPointSplatFlat.h"
 #include "vtkPointSplatLayers.h"
 #include "vtkPointSplatOutlines.h"
@@ -24,6 +26,8 @@ bool vtkPointSplatOutlineMeans::Use(const std::string& defines, vtkPointSplatUni
     this->Error = program->GetLog();
     return false;
   }
+  // Else VTK takes its program of the layer before for the current one, and nothing is drawn.
+  vtkPointSplatContext::Entered().GetWindow()->GetShaderCache()->ReleaseCurrentShader();
   program->Use();
   this->Means.Reserve(MeanBytes * outlines.GetCount()); // binds its texture: before others are bound
   this->Means.BindStorage(0);

@@ -8,6 +8,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationDoubleVectorKey.h"
 #include "vtkMatrix4x4.h"
+#include "vtkPointSplattingConfigure.h"
 #include "vtkProperty.h"
 #include "vtkTexture.h"
 #include "vtkTransform.h"
@@ -19,6 +20,15 @@
 
 namespace
 {
+vtkInformationDoubleVectorKey* TransformKey()
+{
+#if PointSplatting_HAVE_GENERAL_TEXTURE_TRANSFORM
+  return vtkProp::GENERAL_TEXTURE_TRANSFORM();
+#else
+  return vtkProp::GeneralTextureTransform();
+#endif
+}
+
 glm::mat4 TransformOf(vtkActor* actor)
 {
   vtkInformation* keys = actor->GetPropertyKeys();
@@ -28,10 +38,9 @@ glm::mat4 TransformOf(vtkActor* actor)
   {
     elements = &texture->GetTransform()->GetMatrix()->Element[0][0];
   }
-  else if (keys && keys->Has(vtkProp::GeneralTextureTransform()) &&
-    keys->Length(vtkProp::GeneralTextureTransform()) == 16)
+  else if (keys && keys->Has(TransformKey()) && keys->Length(TransformKey()) == 16)
   {
-    elements = keys->Get(vtkProp::GeneralTextureTransform());
+    elements = keys->Get(TransformKey());
   }
   glm::mat4 transform(1.0f);
   for (int i = 0; elements && i < 16; ++i)

@@ -12,7 +12,7 @@ scenes whose truth is known, numbers of points and sizes of window.
 --minutes: after so many no further scene, number of points and size is begun; 60 by default with
 --full. First comes what the charts of error over time show, then cheap ones before dear ones, and the
 report lists what was left out.
---mesh FILE.ply or .vtp adds a scanned mesh, whose truth Embree tells (Debian's libembree3-3).
+--mesh FILE.ply or .vtp adds a scanned mesh, whose truth Embree tells (Debian's libembree3-3 or libembree4-4).
 --pictures keeps a picture of each setting beside the truth.
 FOLDER (default: splatbench) gets splatbench.csv, splatbench.json, the report splatbench.md, and
 charts as PNG and SVG: error over frame time with the Pareto front for each scene, and cost over
@@ -66,7 +66,7 @@ def parsed():
         if not os.path.isfile(name):
             parser.error(f"there is no file {name}")
     if options.mesh and not library():
-        print("Left out, for want of Embree (Debian's libembree3-3):", *options.mesh, file=sys.stderr)
+        print("Left out, for want of Embree (Debian's libembree3-3 or libembree4-4):", *options.mesh, file=sys.stderr)
         options.mesh = []
     return options
 

@@ -23,7 +23,7 @@ def classes_of(module):
     return {
         name: value
         for name, value in vars(module).items()
-        if isinstance(value, type) and issubclass(value, vtkObject)
+        if name.startswith("vtk") and isinstance(value, type) and issubclass(value, vtkObject)
     }
 
 

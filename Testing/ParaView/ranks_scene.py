@@ -1,0 +1,51 @@
+# SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Of TestManyRanks.py: pictures of one scene, opaque and translucent, and what a rectangle picks.
+
+Arguments: a folder to write to, EVEN or UNEVEN shares of points for the processes; and, where these
+are a pvserver's, its port.
+"""
+import json
+import os
+import sys
+import time
+
+import numpy as np
+from paraview import servermanager
+from paraview.simple import Connect, Delete, ExtractSelection, Render, SelectSurfacePoints
+
+import splat_scenes as scenes
+
+folder, shares = sys.argv[1], getattr(scenes, sys.argv[2])
+processes = servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
+if len(sys.argv) > 3:
+    Connect("localhost", int(sys.argv[3]))
+    processes = servermanager.ActiveConnection.GetNumberOfDataPartitions()
+view = scenes.new_view()
+view.RemoteRenderThreshold = 0
+sphere = scenes.cloud(shares=shares)
+splats = scenes.show(sphere, view)
+scenes.picture(view, os.path.join(folder, "opaque.png"))
+start = time.time()
+for frame in range(5):
+    Render(view)
+seconds = (time.time() - start) / 5
+SelectSurfacePoints(Rectangle=[120, 60, 280, 240], View=view)
+extracted = ExtractSelection(Input=sphere)
+extracted.UpdatePipeline()
+ids = []
+for rank in range(processes):
+    picked = servermanager.Fetch(extracted, rank).GetPointData().GetArray("Id")
+    ids += np.asarray(picked).tolist() if picked else []
+Delete(extracted)
+Delete(sphere)
+bare = scenes.cloud(shares=shares, normals=False, count=5000)
+scenes.show(bare, view)
+scenes.picture(view, os.path.join(folder, "estimated.png"))
+Delete(bare)
+blocks = scenes.cloud(scenes.THREE_SPHERES, "vtkMultiblockDataSet", shares=shares)
+nested = scenes.show(blocks, view)
+nested.BlockOpacities = ["/Root/Block0", "0.3", "/Root/Block1", "0.5"]
+scenes.picture(view, os.path.join(folder, "translucent.png"))
+with open(os.path.join(folder, "facts.json"), "w") as file:
+    json.dump({"ids": ids, "seconds": seconds}, file)

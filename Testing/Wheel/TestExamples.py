@@ -1,0 +1,32 @@
+# SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The PyVista examples run and draw a lit surface."""
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+import pyvista as pv
+
+EXAMPLES = pathlib.Path(__file__).parents[2] / "Examples" / "Python" / "PyVista"
+
+
+class TestExamples(unittest.TestCase):
+    def test_examples(self):
+        examples = sorted(EXAMPLES.glob("*.py"))
+        self.assertGreaterEqual(len(examples), 6)
+        for example in examples:
+            with self.subTest(example.name), tempfile.TemporaryDirectory() as folder:
+                picture = pathlib.Path(folder) / "picture.png"
+                subprocess.run([sys.executable, example, picture], check=True)
+                pixels = pv.read(picture).point_data.active_scalars[:, :3].astype(int)
+                background = pixels[0]
+                differs = np.abs(pixels - background).max(axis=1) > 8
+                self.assertGreater(differs.mean(), 0.05)
+                self.assertGreater(len(np.unique(pixels[differs], axis=0)), 500)
+
+
+if __name__ == "__main__":
+    unittest.main()
