@@ -360,11 +360,11 @@ public:
    * through, and its colour is their mean; in multisampled framebuffers each of their samples has
    * the nearest one's colour and depth. With other framebuffers, what outlines run before shows
    * through opaque surfaces there, and pixels are covered or not where an opaque prop that is no
-   * splat's is drawn after them, since it could not. Not with Refraction, nor where splats are
-   * drawn by quads or Method is Deferred.
-   * With Method ImageSpace pixels at silhouettes, which the Laplacian of the depth finds, are blended
-   * with what lies beyond (Dobrev, Rosenthal, Linsen 2010, section 3.5), half and half, since points
-   * mark all of the pixel that they fall in. On by default.
+   * splat's is drawn after them, since it could not. Not with Refraction, where splats are drawn by
+   * quads or Method is Deferred, or beside a mapper that has it off. With Method ImageSpace pixels at
+   * silhouettes, which the Laplacian of the depth finds, are blended with what lies beyond (Dobrev,
+   * Rosenthal, Linsen 2010, section 3.5), half and half, since points mark all of the pixel that
+   * they fall in. On by default.
    */
   vtkSetMacro(AntiAliasing, bool);
   vtkGetMacro(AntiAliasing, bool);

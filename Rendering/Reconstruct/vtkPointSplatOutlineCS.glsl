@@ -25,7 +25,7 @@ uniform int FirstRow;               // of pixels that is bound
 uniform int RowCount;               // that are
 layout(std430, binding = 0) buffer Texels { uint texels[]; };
 layout(std430, binding = 4) writeonly buffer OutlinePixels { uint outlinePixels[]; };
-layout(std430, binding = 5) buffer OutlineCount { uint outlineCount; };
+layout(std430, binding = 7) buffer OutlineCount { uint outlineCount; };
 layout(std430, binding = 6) writeonly buffer OutlineIndices { uint outlineIndices[]; };
 
 const int Across = TILE_WIDTH + 2;

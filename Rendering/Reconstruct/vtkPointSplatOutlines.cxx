@@ -41,7 +41,7 @@ bool vtkPointSplatOutlines::Find(const vtkPointSplatLayers& layers, const Search
   program.Set("TileWindow", search.Window);
   program.Set("TilesAcross", search.TilesAcross);
   this->Pixels.BindStorage(4);
-  this->Counter.BindStorage(5);
+  this->Counter.BindStorage(7); // 5 is the layers' looks
   this->Indices.BindStorage(6);
   const int rows = layers.GetRowsPerBand();
   const glm::ivec2 across = glm::ivec2(search.Window.x, search.Window.z) / search.TileSize.x;

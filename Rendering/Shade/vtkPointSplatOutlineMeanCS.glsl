@@ -28,7 +28,7 @@ uniform bool Blends; // with what the framebuffer has; else pixels are covered o
 
 // What a pixel shows: premultiplied colour, depth (FLAT: in the window; else behind the near plane),
 // coded normal. False: nothing.
-bool look(ivec2 at, out vec4 colour, out float depth, out uint normal)
+bool shownAt(ivec2 at, out vec4 colour, out float depth, out uint normal)
 {
 #ifdef FLAT
   colour = texelFetch(Flattened, at, 0);
@@ -68,7 +68,7 @@ void main()
     vec4 colour;
     float depth;
     uint normal;
-    bool shown = look(at, colour, depth, normal);
+    bool shown = shownAt(at, colour, depth, normal);
     sum += shown ? share * colour : vec4(0.0);
     covered += shown ? share : 0.0;
     bool nearer = shown && depth < nearest;

@@ -441,6 +441,48 @@ void TestBlocks(Checks& checks)
     "blocks: psnr of those with coordinates");
   checks.AtLeast(white, Size, "block without coordinates: white pixels");
 }
+
+/// Outlines of textured surfaces, and of those with edges, are as smooth as others'.
+void TestOutlines(Checks& checks)
+{
+  const vtkSmartPointer<vtkTexture> waves = MakeWaves();
+  for (const bool edges : { false, true })
+  {
+    std::array<std::vector<bool>, 2> smoothed;
+    for (const bool looks : { false, true })
+    {
+      std::array<Picture, 2> pictures;
+      for (const bool smooth : { false, true })
+      {
+        Window window;
+        window.SmoothOutlines = smooth;
+        vtkNew<vtkPointSplatMapper> mapper;
+        mapper->SetInputDataObject(PointsOf(MakeGlobe()));
+        vtkActor* actor = window.Add(mapper);
+        actor->SetTexture(looks && !edges ? waves.Get() : nullptr);
+        actor->GetProperty()->SetEdgeVisibility(looks && edges);
+        actor->GetProperty()->SetEdgeColor(1.0, 1.0, 1.0);
+        FromTheSide(window.Renderer, actor);
+        window.Renderer->ResetCamera();
+        pictures[smooth] = window.Draw();
+      }
+      for (size_t at = 0; at < pictures[0].Pixels.size(); at += 3)
+      {
+        smoothed[looks].push_back(!std::equal(pictures[0].Pixels.begin() + at,
+          pictures[0].Pixels.begin() + at + 3, pictures[1].Pixels.begin() + at));
+      }
+    }
+    const long wanted = std::count(smoothed[0].begin(), smoothed[0].end(), true);
+    long both = 0;
+    for (size_t at = 0; at < smoothed[0].size(); ++at)
+    {
+      both += smoothed[0][at] && smoothed[1][at];
+    }
+    const std::string name = edges ? "edges" : "texture";
+    checks.AtLeast(wanted, 100l, name + ": pixels on the plain globe's outline");
+    checks.AtLeast(both, wanted * 9 / 10, name + ": of these, smooth");
+  }
+}
 }
 
 int TestSplatsTextures(int, char*[])
@@ -452,5 +494,6 @@ int TestSplatsTextures(int, char*[])
   TestPhysical(checks);
   TestEdges(checks);
   TestBlocks(checks);
+  TestOutlines(checks);
   return checks.Result();
 }

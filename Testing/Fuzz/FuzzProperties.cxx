@@ -299,7 +299,14 @@ void FuzzProperties::SetEnvironment(FuzzRandom& random, vtkRenderer* renderer, b
     return;
   }
   vtkNew<vtkTexture> texture;
-  if (random.Chance(0.3))
+  // Rarely: VTK filters the picture for each roughness, which takes long, and asks of smaller ones
+  // levels of detail that they have not.
+  const bool lights = random.Chance(0.03);
+  if (lights)
+  {
+    texture->SetInputDataObject(MakePicture(random, 64, wild));
+  }
+  else if (random.Chance(0.3))
   {
     const int side = 1 + random.Below(8);
     const std::uint64_t seed = random.Next();
@@ -318,8 +325,7 @@ void FuzzProperties::SetEnvironment(FuzzRandom& random, vtkRenderer* renderer, b
   texture->SetMipmap(random.Chance(0.5));
   texture->SetUseSRGBColorSpace(random.Chance(0.3));
   renderer->SetEnvironmentTexture(texture);
-  // Rarely: VTK filters the picture for each roughness, which takes long.
-  renderer->SetUseImageBasedLighting(random.Chance(0.03));
+  renderer->SetUseImageBasedLighting(lights);
   if (random.Chance(0.3))
   {
     renderer->SetEnvironmentUp(

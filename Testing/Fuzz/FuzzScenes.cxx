@@ -465,6 +465,8 @@ void FuzzScenes::Implementation::RunNeighbour(FuzzRandom& random)
   wild.Mapper->SetMethodToTwoPass();
   wild.Mapper->SetProjection(mapper->GetProjection());
   wild.Mapper->SetMaximumImageMemory(mapper->GetMaximumImageMemory());
+  // Outlines are smooth where all actors of a frame want it.
+  wild.Mapper->SetAntiAliasing(mapper->GetAntiAliasing());
   // VTK's points and lines are wider than what clipping planes leave of them.
   wild.Actor->GetProperty()->SetRepresentationToSurface();
   wild.Mapper->RemoveAllClippingPlanes();
