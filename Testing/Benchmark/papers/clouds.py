@@ -58,7 +58,9 @@ def body_mesh(count):
     ball = sphere_mesh(count, 1.0)
     directions = vtk_to_numpy(ball.GetPoints().GetData()).astype(float)
     triangles = vtk_to_numpy(ball.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-    directions = unit(directions)
+    # Not on a grid, as a scan's points are not.
+    shift = np.random.default_rng(3).normal(size=directions.shape)
+    directions = unit(directions + 0.2 * np.sqrt(4 * np.pi / len(directions)) * shift)
     points = directions * radius_of(directions)[:, None]
     step = 1e-5
     level = np.stack([np.linalg.norm(points + e, axis=1) - radius_of(unit(points + e))
