@@ -159,6 +159,7 @@ vtkPointSplatSettings vtkPointSplatMapper::vtkInternals::GetSettings() const
   s.VoronoiDepth = m.VoronoiDepth;
   s.MaximumNumberOfFillSteps = m.MaximumNumberOfFillSteps;
   s.AntiAliasing = m.AntiAliasing;
+  s.LevelOfDetail = m.LevelOfDetail;
   s.Refraction = m.Refraction;
   s.RefractiveIndex = m.RefractiveIndex;
   s.Dispersion = m.Dispersion;

@@ -9,7 +9,7 @@
  * table, camera and picking. There is no meshing, and nothing has to be set.
  *
  * The algorithm, each frame, for all splat actors of a renderer together:
- * 1. Select. Blocks of 128 splats that are out of view are left out.
+ * 1. Select. Blocks of splats out of view are left out; others may be coarser (LevelOfDetail).
  * 2. Project. Each splat is the cap of a paraboloid over its tangent plane, which bends as the
  *    surface does. It is projected perspectively correct (Guennebaud, Barthe, Paulin 2006, section
  *    3, equations 3 to 7), once, and listed in the tiles of the image that it touches.
@@ -93,7 +93,6 @@
  *
  * @sa vtkPointSplatPass vtkPointSplatEstimation vtkIsosurfacePoints
  */
-
 #ifndef vtkPointSplatMapper_h
 #define vtkPointSplatMapper_h
 
@@ -156,8 +155,7 @@ public:
    * shadows have fewer samples. While the user drags (the window's desired update rate is higher
    * than the interactor's still one) and frames take longer than the actors' AllocatedRenderTime,
    * errors up to 1/32 are allowed, where that saves a quarter of the frame at least; at rest all is
-   * drawn in full quality. GetChoices() tells what the last frame chose and why, a line each:
-   * `method: two-pass, ...`.
+   * drawn in full quality. GetChoices() tells what the last frame chose and why, a line each.
    */
   vtkPointSplatSetClampMacro(TargetError, 0.0, 1.0);
   vtkGetMacro(TargetError, double);
@@ -206,8 +204,7 @@ public:
   /**
    * The most layers that are peeled; the largest of all translucent splat actors' of a renderer
    * holds. Peeling ends sooner where nothing is left, or where what is left could change no
-   * pixel by TargetError. Default: 32. GetNumberOfLayersDrawn() tells how many layers
-   * the last frame had.
+   * pixel by TargetError. Default: 32. GetNumberOfLayersDrawn(): those of the last frame.
    */
   vtkSetClampMacro(MaximumNumberOfLayers, int, 1, 256);
   vtkGetMacro(MaximumNumberOfLayers, int);
@@ -217,8 +214,7 @@ public:
   ///@{
   /**
    * Whether the last of MaximumNumberOfLayers gathers all that lies behind the others, weighted by
-   * opacity (Guennebaud, Barthe, Paulin 2006, section 6), or only its own surface layer. Off by
-   * default.
+   * opacity (Guennebaud 2006, section 6), or only its own surface layer. Off by default.
    */
   vtkSetMacro(GatherRemaining, bool);
   vtkGetMacro(GatherRemaining, bool);
@@ -296,9 +292,8 @@ public:
 
   ///@{
   /**
-   * Of deferred blending: whether splats of a group that overlap meet halfway between
-   * their centres (Zhang, Pajarola 2006, equation 10), or the nearer one hides the other.
-   * On by default.
+   * Of deferred blending: whether splats of a group that overlap meet halfway between their centres
+   * (Zhang, Pajarola 2006, equation 10; the default), or the nearer one hides the other.
    */
   vtkSetMacro(VoronoiDepth, bool);
   vtkGetMacro(VoronoiDepth, bool);
@@ -329,8 +324,7 @@ public:
   /**
    * Of Method ImageSpace: how often holes are filled in a frame at most, each time by a pixel from
    * their rims, and no oftener than something changes. Default: 2; more close wider holes, and fill
-   * creases. Points as dense as pixels take one step. How often it was done in the last frame is
-   * GetNumberOfFillSteps().
+   * creases. Points as dense as pixels take one step. GetNumberOfFillSteps(): of the last frame.
    * GetProjectedSpacing() is how far apart, in pixels, points were at the nearest corner of their
    * bounding box: holes may stay where it is more than 8.
    */
@@ -341,10 +335,8 @@ public:
   ///@}
 
   /**
-   * How many points the last frame projected. Points that are near each other make blocks of 128;
-   * those whose bounding boxes lie out of view or beyond a clipping plane are left out. Where there
-   * are so many points that parts of the window are drawn one after the other, a block counts for
-   * each part that shows it.
+   * How many splats of blocks in view the last frame projected; where there are so many that parts of
+   * the window are drawn one after the other, a block counts for each part that shows it.
    */
   vtkIdType GetNumberOfPointsProjected();
 
@@ -380,6 +372,13 @@ public:
   ///@}
 
   ///@{
+  /// Whether splats stand for points much denser than pixels: vtkPointSplatOctree. On by default.
+  vtkSetMacro(LevelOfDetail, bool);
+  vtkGetMacro(LevelOfDetail, bool);
+  vtkBooleanMacro(LevelOfDetail, bool);
+  ///@}
+
+  ///@{
   /**
    * The groups that the splats are divided into, 0 before deferred blending was first used;
    * and when that was done, which is once for all frames until points or OverlapFactor change.
@@ -408,8 +407,7 @@ public:
    * Of area lights: how many samples are taken of each, 16 by default, and how many while the
    * user drags, 1 by default; fewer if they keep to TargetError. Shadows that were computed with
    * more stay as long as they are right. The largest numbers of all mappers in the renderer hold.
-   * GetNumberOfShadowSamplesUsed() tells what the last frame had, GetNumberOfShadowUpdates() how
-   * often shadows were computed.
+   * GetNumberOfShadowSamplesUsed(): of the last frame; GetNumberOfShadowUpdates() counts them.
    */
   vtkSetClampMacro(NumberOfShadowSamples, int, 1, 65536);
   vtkGetMacro(NumberOfShadowSamples, int);
@@ -574,6 +572,7 @@ private:
   vtkIdType MaximumWindowMemory = vtkIdType(1) << 32;
   int MaximumNumberOfFillSteps = 2;
   bool AntiAliasing = true;
+  bool LevelOfDetail = true;
   bool ProjectNoise = true;
   bool Shadows = false;
   int NumberOfShadowSamples = 16;

@@ -34,6 +34,7 @@ void vtkPointSplatMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetMaximumWindowMemory(other->MaximumWindowMemory);
     this->SetMaximumNumberOfFillSteps(other->MaximumNumberOfFillSteps);
     this->SetAntiAliasing(other->AntiAliasing);
+    this->SetLevelOfDetail(other->LevelOfDetail);
     this->SetProjectNoise(other->ProjectNoise);
     this->SetShadows(other->Shadows);
     this->SetNumberOfShadowSamples(other->NumberOfShadowSamples);
@@ -86,6 +87,7 @@ void vtkPointSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumNumberOfFillSteps: " << this->MaximumNumberOfFillSteps << "\n";
   os << indent << "NumberOfFillSteps: " << this->GetNumberOfFillSteps() << "\n";
   os << indent << "ProjectNoise: " << (this->ProjectNoise ? "On" : "Off") << "\n";
+  os << indent << "LevelOfDetail: " << (this->LevelOfDetail ? "On" : "Off") << "\n";
   os << indent << "AntiAliasing: " << (this->AntiAliasing ? "On" : "Off") << "\n";
   os << indent << "ProjectedSpacing: " << this->GetProjectedSpacing() << "\n";
   os << indent << "NumberOfPointsProjected: " << this->GetNumberOfPointsProjected() << "\n";

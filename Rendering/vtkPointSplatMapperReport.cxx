@@ -52,6 +52,7 @@ const char* vtkPointSplatMapper::GetChoices()
               : r.Settings.Method == IMAGE_SPACE ? "the spacing of points, and at least three pixels"
                                                : "the radius of each splat; this is the median")
        << "\nsplats: one of " << this->GetStride() << ", " << r.Choice.SplatsReason
+       << "\nlevels: " << r.Choice.LevelsReason
        << "\nfill steps: " << r.FillSteps << ", " << r.Choice.FillReason
        << "\nshadow samples: " << r.ShadowSamples << ", "
        << (this->Shadows ? r.ShadowReason : "shadows are off")

@@ -18,6 +18,14 @@ constexpr int MostStrideShift = 6;
 // By quads, splats of 64 bytes: OpenGL promises strides of 2048.
 constexpr int MostQuadShift = 5;
 
+// Pixels, of the radii of splats that stand for others, at full quality: wherever they are, as much
+// as the prefilter averages; and of smooth surfaces.
+constexpr double FilterPixels = 0.6;
+constexpr double SmoothPixels = 2.5;
+// What normals of smooth surfaces may deviate from their linear change over a splat, and colours from
+// their mean. Testing/Benchmark/levels.py measures what these three cost.
+constexpr double SmoothDeviation = 0.02;
+
 // Peeling draws more than this even where time is short.
 constexpr double MostContribution = 1.0 / 8.0;
 
@@ -45,7 +53,8 @@ bool vtkPointSplatChoice::IsLike(const vtkPointSplatChoice& other) const
   return this->Compute == other.Compute && this->Deferred == other.Deferred &&
     this->Transparency == other.Transparency && this->MaximumLayers == other.MaximumLayers &&
     this->LeastContribution == other.LeastContribution && this->FillSteps == other.FillSteps &&
-    this->StrideShifts == other.StrideShifts;
+    this->StrideShifts == other.StrideShifts && 
+    (this->LevelPixels == other.LevelPixels || !this->HasLevels);
 }
 
 //------------------------------------------------------------------------------
@@ -195,6 +204,30 @@ void ChooseSplats(const vtkPointSplatFacts& facts, double tolerance, vtkPointSpl
     ? "fewer, larger ones have an error of at most " + vtkPointSplatChoices::Text(tolerance)
     : "fewer ones might have a greater error than " + vtkPointSplatChoices::Text(tolerance);
 }
+
+//------------------------------------------------------------------------------
+void ChooseLevels(const vtkPointSplatFacts& facts, double tolerance, vtkPointSplatChoice& choice)
+{
+  const bool able = choice.Compute && !choice.Deferred && !facts.AsksPoints &&
+    choice.Transparency == vtkPointSplatSettings::Peeling;
+  choice.HasLevels = facts.Levels;
+  choice.LevelsReason = facts.Selects ? "points are selected"
+    : !able                           ? "the method takes all points"
+    : tolerance <= 0.0                ? "no error is allowed"
+                                      : "";
+  if (!choice.LevelsReason.empty())
+  {
+    return;
+  }
+  // The least of what strides of the same error have for spacing.
+  const double looser = tolerance / vtkPointSplatChoices::FullQuality;
+  const double scale = std::min(looser, 1.0);
+  choice.LevelPixels = std::max(scale * FilterPixels, tolerance / StrideErrorPerPixel);
+  choice.SmoothLevelPixels = std::max(scale * SmoothPixels, choice.LevelPixels);
+  choice.LevelDeviation = looser * SmoothDeviation;
+  choice.LevelsReason = !facts.Levels ? "no cloud has levels" : "splats stand for others up to a radius of " + Number(choice.LevelPixels) +
+    " pixels, of " + Number(choice.SmoothLevelPixels) + " where it is smooth";
+}
 }
 
 //------------------------------------------------------------------------------
@@ -208,6 +241,7 @@ vtkPointSplatChoice vtkPointSplatChoices::Make(const vtkPointSplatFacts& facts)
   ChooseLayers(facts, tolerance, choice);
   ChooseFill(facts, choice);
   ChooseSplats(facts, tolerance, choice);
+  ChooseLevels(facts, tolerance, choice);
   return choice;
 }
 

@@ -10,7 +10,9 @@
 //    as much as it takes to cover the surface, as long as the expected error is within the
 //    tolerance. Errors are rms differences of colour, of 1, over the pixels that surfaces cover,
 //    from the best picture that the module makes of the scene.
-// 4. Peeling ends where less than the tolerance of the light is left.
+// 4. Where clouds have levels, splats may stand for others as long as a pixel's own filter averages
+//    as much, or surfaces are so smooth that larger ones show the same: then none are left out.
+// 5. Peeling ends where less than the tolerance of the light is left.
 #ifndef vtkPointSplatChoices_h
 #define vtkPointSplatChoices_h
 
@@ -46,6 +48,8 @@ struct vtkPointSplatFacts
   bool Translucent = false; // these are the translucent splats
   bool Sortable = true;     // nothing else translucent can lie between the layers
   bool Refracts = false;
+  bool Levels = false;      // some cloud has levels
+  bool Selects = false;     // ids of points are wanted
   int Groups = -1;          // for deferred blending; -1: not made yet, 0: cannot be made
   bool GroupsFit = true;    // their images fit the hardware and MaximumImageMemory
   ///@}
@@ -66,6 +70,14 @@ struct vtkPointSplatChoice
   double LeastContribution = 1.0 / 256.0; // peeling ends where less of the light is left
   int FillSteps = 0;                      // of image space, at most
   std::vector<int> StrideShifts;          // of each cloud: every 2^n-th splat is drawn
+
+  ///@{ Splats may stand for others whose radii, in pixels, are within the first; where normals
+  /// deviate from their linear change by no more than LevelDeviation, within the second. 0: none.
+  double LevelPixels = 0.0;
+  double SmoothLevelPixels = 0.0;
+  double LevelDeviation = 0.0;
+  bool HasLevels = false; // some cloud has some
+  ///@}
 
   ///@{ The automatic least layer distance: of splats in radii; of points in spacings, and in
   /// pixels if that is more.
@@ -89,6 +101,7 @@ struct vtkPointSplatChoice
   std::string LayersReason;
   std::string FillReason;
   std::string SplatsReason;
+  std::string LevelsReason;
   std::string BudgetReason; // why the tolerance is what it is
 
   /// Whether both do the same work.

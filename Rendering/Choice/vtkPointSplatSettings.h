@@ -40,6 +40,7 @@ struct vtkPointSplatSettings
   };
 
   double TargetError = 1.0 / 256.0;
+  bool LevelOfDetail = true;
   int Method = AutomaticMethod;
   int Transparency = AutomaticTransparency;
   int Projection = AutomaticProjection;

@@ -13,11 +13,38 @@
 #include <cstdint>
 #include <vector>
 
+/**
+ * Splats that are drawn: runs of them, none longer than a block.
+ */
+struct vtkPointSplatRuns
+{
+  struct Run
+  {
+    uint32_t First;
+    uint32_t Count;
+  };
+  std::vector<Run> Runs;
+  double LargestRadius = 0.0;
+
+  vtkIdType GetNumberOfSplats() const
+  {
+    vtkIdType count = 0;
+    for (const Run& run : this->Runs)
+    {
+      count += run.Count;
+    }
+    return count;
+  }
+};
+
 class vtkPointSplatBlocks
 {
 public:
-  /// Splats of a block; the last one may have fewer. As in vtkPointSplatBlockList.glsl.
-  static constexpr vtkIdType Size = 128;
+  /// Splats of a block; the last one may have fewer.
+  static constexpr int Shift = 7;
+  static constexpr vtkIdType Size = vtkIdType(1) << Shift;
+  /// Those of levels are drawn in pieces, since they have any number.
+  static constexpr int PieceShift = 5;
 
   /// The centres' bounding box, in the buffers' coordinates, and the largest radius.
   struct Box

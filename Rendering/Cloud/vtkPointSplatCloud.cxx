@@ -103,6 +103,7 @@ void vtkPointSplatCloud::Update(const vtkPointSplatCloudInput& input)
   if (this->SplatTime == 0 || splatKey != this->SplatsMadeFrom ||
     (input.NeedSizes && !this->Sized) || input.ProjectNoise != this->MayProject)
   {
+    this->Levels.Clear();
     const bool whole = this->BuildSplats(input, blocks);
     this->Blocks = std::move(blocks);
     // What was aborted is made the next time.
@@ -116,6 +117,7 @@ void vtkPointSplatCloud::Update(const vtkPointSplatCloudInput& input)
     {
       this->Blocks[b].Data = blocks[b].Data;
     }
+    this->TakeLevels();
   }
 
   Key colourKey{ { nullptr, this->SplatTime.GetMTime() } };
@@ -138,6 +140,10 @@ void vtkPointSplatCloud::Update(const vtkPointSplatCloudInput& input)
     this->Looks = input.Looks;
     this->ActorColour = input.ActorColour;
     this->BuildColours(input);
+    this->HasValues()         ? this->Levels.AppendValues(this->Colours)
+      : this->HasCellColours() ? this->Levels.AppendFirst(this->Colours)
+                               : this->Levels.AppendBytes(this->Colours);
+    this->Levels.MeasureDeviations(this->Colours, this->HasValues());
     this->ColoursMadeFrom = std::move(colourKey);
     this->ColourKey = wanted(); // to map colours may change the lookup table's range
     this->ColourTime.Modified();
@@ -145,6 +151,7 @@ void vtkPointSplatCloud::Update(const vtkPointSplatCloudInput& input)
   if (factorKey != this->FactorsMadeFrom)
   {
     this->BuildFactors(input.Owner);
+    this->Levels.AppendBytes(this->Factors);
     this->FactorsMadeFrom = std::move(factorKey);
     this->FactorTime.Modified();
   }
@@ -445,7 +452,8 @@ double vtkPointSplatCloud::MeasureSpacing() const
     size = std::max(size, this->Bounds[2 * k + 1] - this->Bounds[2 * k]);
   }
   return this->Count > 0
-    ? vtkPointSplatSpacing::Estimate(this->Splats, this->GetWordsPerSplat(), low, size)
+    ? vtkPointSplatSpacing::Estimate(this->Splats, this->GetWordsPerSplat(),
+        static_cast<size_t>(this->Count), low, size)
     : 0.0;
 }
 

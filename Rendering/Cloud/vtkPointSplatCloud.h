@@ -8,6 +8,8 @@
 // 2. Each block's splats are put into Morton order, once: tiles, blocks and caches live on
 //    neighbours that lie together.
 // 3. Colours, factors of lights and groups are made for them, in the same order.
+// 4. Of large clouds that stay as they are levels are made, of splats that stand for those below
+//    them (vtkPointSplatLevels.h); then splats are in the order of these.
 // Each of these is made anew only when an array that it is made from is another one or was
 // modified; a data set that was copied shallowly, or whose scalars alone changed, keeps its splats.
 //
@@ -46,6 +48,7 @@
 #include "vtkPointSplatBuffer.h"
 #include "vtkPointSplatCloudInput.h"
 #include "vtkPointSplatGroups.h"
+#include "vtkPointSplatLevels.h"
 #include "vtkPointSplatPacking.h"
 
 #include "vtkTimeStamp.h"
@@ -132,12 +135,25 @@ public:
   const vtkPointSplatBlocks& GetBlocks();
 
   /**
+   * Says that levels would be of use: they are made in the background, of splats that stay as they
+   * are from one time that they are wanted to the next, and taken by Update().
+   */
+  void WantLevels();
+  /// Of splats that stand for others, which lie behind those of points: see vtkPointSplatLevels.
+  const vtkPointSplatLevels& GetLevels() const { return this->Levels; }
+
+  /**
    * The points that splats were made from, a vertex each, for what draws no splats: in the input's
    * order, with normals where all blocks have them, and colours (RGBA) where splats have some.
    */
   void MakeVertices(vtkPolyData* vertices) const;
 
   vtkIdType GetNumberOfSplats() const { return this->Count; }
+  /// With those of levels.
+  vtkIdType GetNumberOfStoredSplats() const
+  {
+    return this->Count + static_cast<vtkIdType>(this->Levels.GetNumberOfSplats());
+  }
   vtkIdType GetNumberOfSkippedPoints() const { return this->Skipped; }
   /// Whether points of some block are drawn where they were projected to.
   bool IsProjected() const { return this->Projected; }
@@ -224,6 +240,8 @@ private:
   /// RGBA, 8 bits each, whether splats have colours or values.
   uint32_t ColourOf(vtkIdType splat) const;
   Buffers& Fill(ContextBuffers& all, bool grouped);
+  bool CanHaveLevels() const;
+  void TakeLevels();
 
   std::vector<uint32_t> Splats;
   std::vector<uint32_t> ClipLines; // floats, as their bits
@@ -257,6 +275,9 @@ private:
   std::map<Key, vtkPointSplatPacking> Kept;
   vtkPointSplatGroups Groups;
   vtkPointSplatBlocks SplatBlocks;
+  vtkPointSplatLevels Levels;
+  vtkMTimeType LevelsAskedFor = 0; // the splats' time
+  vtkMTimeType LevelsTriedFor = 0;
   vtkTimeStamp BlockTime;
   Key SplatsMadeFrom;
   Key ColoursMadeFrom;

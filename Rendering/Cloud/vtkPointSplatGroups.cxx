@@ -135,7 +135,9 @@ bool vtkPointSplatGroups::Find(const Splats& splats, std::vector<int>& groups) c
 bool vtkPointSplatGroups::Make(
   const Splats& splats, vtkMTimeType splatTime, const Request& request)
 {
-  const size_t count = splats.Packed.size() / splats.Words;
+  // Behind them may be those of levels.
+  const size_t count = std::accumulate(splats.Blocks.begin(), splats.Blocks.end(), size_t(0),
+    [](size_t sum, const Splats::Block& block) { return sum + static_cast<size_t>(block.Count); });
   if (count == 0 || (this->Time > splatTime && this->Asked == request))
   {
     return !this->Order.empty();

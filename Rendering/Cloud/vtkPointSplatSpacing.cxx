@@ -33,9 +33,8 @@ size_t Cube(int n)
 
 //------------------------------------------------------------------------------
 double vtkPointSplatSpacing::Estimate(const std::vector<uint32_t>& splats, size_t words,
-  const std::array<double, 3>& low, double size)
+  size_t count, const std::array<double, 3>& low, double size)
 {
-  const size_t count = splats.size() / words;
   const int cells = std::clamp(
     static_cast<int>(std::sqrt(static_cast<double>(count) / PointsPerCell)), 1, MostCells);
   const double cell = size / cells;

@@ -20,9 +20,9 @@
 class vtkPointSplatSpacing
 {
 public:
-  /// Of splats of some words each, whose first three are floats relative to low. 0 where all lie
-  /// in one place.
-  static double Estimate(const std::vector<uint32_t>& splats, size_t words,
+  /// Of the first count splats of some words each, whose first three are floats relative to low. 0
+  /// where all lie in one place.
+  static double Estimate(const std::vector<uint32_t>& splats, size_t words, size_t count,
     const std::array<double, 3>& low, double size);
 };
 

@@ -33,6 +33,11 @@ Spacing SpacingOf(const vtkPointSplatEntry& entry, const vtkPointSplatView& view
   return { world, world / pixels.x, pixels.y };
 }
 
+// From level to level radii grow by this, where points are spread evenly.
+constexpr double LevelGrowth = 1.8;
+// The largest splats of a block are as much larger than their mean.
+constexpr double LevelExcess = 2.0;
+
 bool IsPoints(const vtkPointSplatEntry& entry)
 {
   return entry.Settings.Method == vtkPointSplatSettings::ImageSpace;
@@ -208,6 +213,10 @@ vtkPointSplatFacts vtkPointSplatCollection::Describe(
       s.TargetError >= 0.0 ? s.TargetError : vtkPointSplatChoices::FullQuality); // of NaN
   }
   tolerance = std::max(tolerance, facts.TargetError);
+  facts.Levels =
+    std::any_of(entries.begin(), entries.end(), [](const vtkPointSplatEntry& entry) {
+      return entry.Settings.LevelOfDetail && entry.Item.Cloud->GetLevels().AreMade();
+    });
   for (const vtkPointSplatEntry& entry : entries)
   {
     // To find it takes a pass over the points, once: only where it can matter.
@@ -303,6 +312,48 @@ void vtkPointSplatCollection::MakeItem(vtkPointSplatEntry& entry, int slot,
       std::hypot(1.0, 0.5) * item.CoveringScale);
   item.Window = view.Cover(
     item.MCWC, cloud.GetBounds().data(), farthest * item.GetStrideScale() * largest);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatCollection::UseLevels(
+  vtkPointSplatEntry& entry, const vtkPointSplatView& view, const vtkPointSplatChoice& choice)
+{
+  vtkPointSplatItem& item = entry.Item;
+  item.Levels = vtkPointSplatLevelBounds();
+  // Shadows that are cast, and what textures need, are known of points alone.
+  if (choice.LevelPixels <= 0.0 || entry.Settings.Shadows || !item.Look.IsPlain() ||
+    !entry.Settings.LevelOfDetail)
+  {
+    return;
+  }
+  const glm::dvec2 pixels = view.PixelSizes(item.MCWC, item.Cloud->GetBounds().data());
+  if (!item.Cloud->GetLevels().AreMade())
+  {
+    const double radius =
+      item.GetMeanStretch() * item.RadiusScale * item.Cloud->GetMedianRadius();
+    if (LevelGrowth * radius <= choice.SmoothLevelPixels * std::sqrt(pixels.x * pixels.y))
+    {
+      item.Cloud->WantLevels();
+    }
+    return;
+  }
+  // Nothing is known of how smooth shadows are that points have.
+  item.Levels = { choice.LevelPixels,
+    item.Cloud->GetFactorCount() > 0 ? choice.LevelPixels : choice.SmoothLevelPixels,
+    choice.LevelDeviation };
+  item.StrideShift = 0;
+  // What is drawn is larger than the points' splats, but never by more than some pixels.
+  const double largest = LevelExcess * choice.SmoothLevelPixels;
+  const int margin = static_cast<int>(std::ceil(item.Kernel.Support * largest));
+  item.Window = { std::max(item.Window.x - margin, 0), std::max(item.Window.y - margin, 0),
+    std::min(item.Window.z + margin, view.Size.x - 1),
+    std::min(item.Window.w + margin, view.Size.y - 1) };
+  if (item.LayerRadii > 0.0)
+  {
+    // As above, of common splats.
+    item.LargestLayer =
+      std::max(item.LargestLayer, item.LayerRadii * choice.SmoothLevelPixels * pixels.y);
+  }
 }
 
 //------------------------------------------------------------------------------

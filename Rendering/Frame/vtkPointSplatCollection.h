@@ -71,6 +71,12 @@ public:
   /// Makes the item of an entry in a slot.
   static void MakeItem(vtkPointSplatEntry& entry, int slot, const vtkPointSplatView& view,
     const vtkPointSplatChoice& choice);
+  /**
+   * Lets splats of levels stand for others, if the entry's cloud has some; else asks for them where
+   * they would be of use: where those of level 1 would be small enough to be drawn.
+   */
+  static void UseLevels(
+    vtkPointSplatEntry& entry, const vtkPointSplatView& view, const vtkPointSplatChoice& choice);
   static vtkPointSplatMaterials::Entry MakeMaterial(const vtkPointSplatEntry& entry);
 
   /// The least distance of layers for a splat of median size, or between points, world units.

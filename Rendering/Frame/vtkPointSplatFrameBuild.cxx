@@ -130,6 +130,7 @@ void vtkPointSplatFrame::Choose(Pass& pass)
   facts.Compute = vtkPointSplatTiles::IsSupported(pass.View.Size);
   facts.Sortable = pass.Flat;
   facts.Refracts = this->HasEnvironment;
+  facts.Selects = selects;
   facts.AsksDeferred = facts.AsksDeferred && !selects; // it knows no ids
   if (facts.AsksDeferred && !facts.Translucent)
   {
@@ -194,6 +195,7 @@ vtkPointSplatRequest vtkPointSplatFrame::MakeRequest(Pass& pass, GLuint sceneDep
     const Settings& s = entry.Settings;
     vtkPointSplatCollection::MakeItem(
       entry, static_cast<int>(request.Items.size()), pass.View, choice);
+    vtkPointSplatCollection::UseLevels(entry, pass.View, choice);
     request.Items.push_back(entry.Item);
     request.CloudTimes.push_back(std::max(entry.Item.Cloud->GetMTime(),
       choice.Deferred ? entry.Item.Cloud->GetGroups().GetMTime() : 0));

@@ -15,12 +15,16 @@ constexpr vtkIdType LeastAtOnce = 1 << 12;
 /// Splats of the item's blocks, every 2^StrideShift-th of each.
 vtkIdType ProjectedOf(const vtkPointSplatItem& item)
 {
-  const vtkPointSplatBlocks& blocks = item.Cloud->GetBlocks();
   const vtkIdType last = (vtkIdType(1) << item.StrideShift) - 1;
-  vtkIdType count = 0;
-  for (size_t i = 0; i < (item.Blocks ? item.Blocks->size() : blocks.GetBoxes().size()); ++i)
+  if (!item.Runs)
   {
-    count += (blocks.GetCount(item.Blocks ? (*item.Blocks)[i] : i) + last) >> item.StrideShift;
+    // Blocks but for the last one are multiples of strides.
+    return (item.Cloud->GetNumberOfSplats() + last) >> item.StrideShift;
+  }
+  vtkIdType count = 0;
+  for (const vtkPointSplatRuns::Run& run : item.Runs->Runs)
+  {
+    count += (run.Count + last) >> item.StrideShift;
   }
   return count;
 }

@@ -8,6 +8,7 @@
 #include "vtkPlaneCollection.h"
 #include "vtkPointSplatProgram.h"
 
+#include <algorithm>
 #include <cmath>
 
 //------------------------------------------------------------------------------
@@ -41,8 +42,8 @@ bool vtkPointSplatItem::operator==(const vtkPointSplatItem& other) const
     this->Factors == other.Factors &&
     this->FactorCount == other.FactorCount && this->FactorVersion == other.FactorVersion &&
     this->IsFlat == other.IsFlat && this->Look == other.Look &&
-    this->IsPoints == other.IsPoints &&
-    this->Points == other.Points;
+    this->IsPoints == other.IsPoints && this->Points == other.Points &&
+    this->Levels == other.Levels;
 }
 
 //------------------------------------------------------------------------------
@@ -101,11 +102,28 @@ double vtkPointSplatItem::GetStrideScale() const
 //------------------------------------------------------------------------------
 vtkIdType vtkPointSplatItem::GetNumberOfInvocations() const
 {
-  const vtkIdType splats = this->Cloud->GetNumberOfSplats();
-  const vtkIdType blocks = this->Blocks
-    ? static_cast<vtkIdType>(this->Blocks->size())
-    : (splats + vtkPointSplatBlocks::Size - 1) / vtkPointSplatBlocks::Size;
-  return blocks * (vtkPointSplatBlocks::Size >> this->StrideShift);
+  const vtkIdType size = vtkIdType(1) << this->GetBlockShift();
+  const vtkIdType blocks = this->Runs ? static_cast<vtkIdType>(this->Runs->Runs.size())
+                                      : (this->Cloud->GetNumberOfSplats() + size - 1) / size;
+  return blocks * (size >> this->StrideShift);
+}
+
+//------------------------------------------------------------------------------
+double vtkPointSplatItem::GetLargestRadius() const
+{
+  return std::max({ this->Cloud->GetMaximumRadius(), this->UsualRadius,
+    this->Runs ? this->Runs->LargestRadius : 0.0 });
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatItem::SetBlockUniforms(vtkPointSplatProgram& program) const
+{
+  program.Set("InvocationCount", static_cast<unsigned int>(this->GetNumberOfInvocations()));
+  program.Set("SplatCount", static_cast<unsigned int>(this->Runs ? this->Cloud->GetNumberOfStoredSplats()
+                                         : this->Cloud->GetNumberOfSplats()));
+  program.Set("StrideShift", this->StrideShift);
+  program.Set("BlockShift", this->GetBlockShift());
+  program.Set("DrawBlocks", this->Runs != nullptr);
 }
 
 //------------------------------------------------------------------------------

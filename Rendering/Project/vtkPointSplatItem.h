@@ -49,6 +49,21 @@ struct vtkPointSplatPoints
 };
 
 /**
+ * Where splats may be drawn that stand for others (vtkPointSplatLevels.h).
+ */
+struct vtkPointSplatLevelBounds
+{
+  double Pixels = 0.0;       // of their radii, whatever the surface is like; 0: nowhere
+  double SmoothPixels = 0.0; // the same, where normals deviate by no more than this
+  double Deviation = 0.0;
+  bool operator==(const vtkPointSplatLevelBounds& other) const
+  {
+    return this->Pixels == other.Pixels && this->SmoothPixels == other.SmoothPixels &&
+      this->Deviation == other.Deviation;
+  }
+};
+
+/**
  * What of an item's look is blended beside colours, for textures, tangents and edges.
  */
 struct vtkPointSplatItemLook
@@ -100,8 +115,9 @@ struct vtkPointSplatItem
   double CoveringScale = 1.0;                 // how much larger group-sorted splats are drawn
   bool IsPoints = false;                      // projected as single pixels
   vtkPointSplatPoints Points;
-  /// Blocks in view, which follow from the rest; null: all.
-  std::shared_ptr<const std::vector<uint32_t>> Blocks;
+  vtkPointSplatLevelBounds Levels;
+  /// Splats in view, which follow from the rest; null: those of all points.
+  std::shared_ptr<const vtkPointSplatRuns> Runs;
   glm::vec4 Colour{ 1.0f }; // and opacity, where layers of several items are gathered
   glm::vec2 Opacities{ 1.0f }; // of front and back faces
 
@@ -125,12 +141,22 @@ struct vtkPointSplatItem
   {
     return this->Window.x <= this->Window.z && this->Window.y <= this->Window.w;
   }
+  /// Splats of a block, as a power of two.
+  int GetBlockShift() const
+  {
+    return this->Levels.Pixels > 0.0 ? vtkPointSplatBlocks::PieceShift
+                                     : vtkPointSplatBlocks::Shift;
+  }
+  /// Of those that are drawn, in the cloud's coordinates.
+  double GetLargestRadius() const;
   /// Splats that are projected: of the blocks, by the stride.
   vtkIdType GetNumberOfInvocations() const;
 
-  /// But for Blocks.
+  /// But for Runs.
   bool operator==(const vtkPointSplatItem& other) const;
 
+  /// Sets the uniforms of vtkPointSplatBlockList.glsl.
+  void SetBlockUniforms(vtkPointSplatProgram& program) const;
   /// Sets the uniforms of vtkPointSplatProjection.glsl.
   void SetUniforms(vtkPointSplatProgram& program, const vtkPointSplatView& view) const;
 };

@@ -4,23 +4,23 @@
 
 #include "vtkPointSplatProgram.h"
 
-#include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace
 {
-/// Runs of splats that the blocks in view make; those that follow each other make one.
+/// Runs of splats in view; those that follow each other make one.
 std::vector<std::pair<vtkIdType, vtkIdType>> RunsOf(const vtkPointSplatItem& item)
 {
-  const vtkIdType all = item.Cloud->GetNumberOfSplats();
-  if (!item.Blocks)
+  if (!item.Runs)
   {
-    return { { 0, all } };
+    return { { 0, item.Cloud->GetNumberOfSplats() } };
   }
   std::vector<std::pair<vtkIdType, vtkIdType>> runs;
-  for (const uint32_t block : *item.Blocks)
+  for (const vtkPointSplatRuns::Run& run : item.Runs->Runs)
   {
-    const vtkIdType first = block * vtkPointSplatBlocks::Size;
-    const vtkIdType count = std::min(vtkPointSplatBlocks::Size, all - first);
+    const vtkIdType first = run.First;
+    const vtkIdType count = run.Count;
     if (!runs.empty() && runs.back().first + runs.back().second == first)
     {
       runs.back().second += count;

@@ -84,14 +84,11 @@ bool vtkPointSplatPointSums::DrawAll(const vtkPointSplatRequest& request,
     vtkPointSplatQuads::SetUniforms(program, item, request.View, tagMask);
     units.Bind(program, "Splats", GL_TEXTURE_BUFFER, buffers.Splats.GetTexture());
     program.Set("ImageWidth", request.View.Size.x);
-    program.Set("InvocationCount", static_cast<unsigned int>(item.GetNumberOfInvocations()));
-    program.Set("SplatCount", static_cast<unsigned int>(item.Cloud->GetNumberOfSplats()));
-    program.Set("StrideShift", item.StrideShift);
-    program.Set("DrawBlocks", item.Blocks != nullptr);
+    item.SetBlockUniforms(program);
     program.Set("DrawListed", peel.Layer > 0);
-    if (item.Blocks)
+    if (item.Runs)
     {
-      this->Blocks.Upload(*item.Blocks);
+      this->Blocks.Upload(item.Runs->Runs);
       this->Blocks.BindStorage(7);
     }
     if (listed)

@@ -153,7 +153,7 @@ void vtkPointSplatTiles::Measure(
     // Bent at 45 degrees at the rim, a splat is half its squared support high.
     const double support = item.Kernel.Support + 0.5 * item.Kernel.Support * item.Kernel.Support;
     const double reach = support * item.RadiusScale * item.GetStrideScale() * item.GetStretch() *
-      std::max(item.Cloud->GetMaximumRadius(), item.UsualRadius);
+      item.GetLargestRadius();
     const glm::dvec2 own = DepthsOf(item, view, reach);
     depths = { std::min(depths.x, own.x), std::max(depths.y, own.y) };
     this->DepthReach = std::max(this->DepthReach, static_cast<float>(2.0 * reach));
@@ -211,10 +211,7 @@ bool vtkPointSplatTiles::Project(
       variant.Ids ? item.Cloud->UploadIds(request.Ids) : item.Cloud->Upload();
     item.SetUniforms(*program, request.View);
     program->Set("RecordCount", static_cast<unsigned int>(count));
-    program->Set("InvocationCount", static_cast<unsigned int>(item.GetNumberOfInvocations()));
-    program->Set("SplatCount", static_cast<unsigned int>(item.Cloud->GetNumberOfSplats()));
-    program->Set("StrideShift", item.StrideShift);
-    program->Set("DrawBlocks", item.Blocks != nullptr);
+    item.SetBlockUniforms(*program);
     program->Set("HasClipLines", item.Cloud->HasClipLines());
     program->Set("HasColours", item.Cloud->HasColours());
     program->Set("HasFactors", item.Factors != nullptr);
@@ -231,9 +228,9 @@ bool vtkPointSplatTiles::Project(
     units.Bind(*program, "Tangents", GL_TEXTURE_BUFFER,
       item.Look.Tangents ? buffers.Tangents.GetTexture() : 0);
     units.Bind(*program, "Ids", GL_TEXTURE_BUFFER, variant.Ids ? buffers.Ids.GetTexture() : 0);
-    if (item.Blocks)
+    if (item.Runs)
     {
-      this->Blocks.Upload(*item.Blocks);
+      this->Blocks.Upload(item.Runs->Runs);
       this->Blocks.BindStorage(7);
     }
     for (vtkIdType begin = 0; begin < count; begin += SplatsPerDispatch)

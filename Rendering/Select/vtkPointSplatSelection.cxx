@@ -2,91 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatSelection.h"
 
+#include "vtkPointSplatHalfSpaces.h"
+#include "vtkPointSplatLevelSelection.h"
+
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace
 {
-// What shaders may err by when they evaluate a linear function, relative to the sum of the
-// magnitudes of its terms: some dozens of roundings to single precision.
-constexpr double RelativeError = 1e-5;
-// Splats are widened by the prefilter, and rounded to whole pixels.
-constexpr double PixelMargin = 4.0;
 // Parts of a window are not smaller than this.
 constexpr int LeastPart = 32;
-
-/**
- * What is seen lies where Normal . p + Offset is positive, p a point's homogeneous coordinates.
- */
-struct HalfSpace
-{
-  glm::dvec4 Normal;
-  double Offset;
-  glm::dvec4 ErrorNormal; // what the shaders' error is proportional to
-  double ErrorOffset;
-};
-
-HalfSpace Make(const glm::dvec4& normal, double offset = 0.0)
-{
-  return { normal, offset, glm::abs(normal), std::abs(offset) };
-}
-
-/// Where sign * (x - at) >= 0 in the image; row: view coordinates to x w.
-HalfSpace Side(const glm::vec4& row, const glm::vec4& rowW, double at, double sign)
-{
-  const glm::dvec4 x(row);
-  const glm::dvec4 w(rowW);
-  return { sign * (x - at * w), 0.0, glm::abs(x) + std::abs(at) * glm::abs(w), 0.0 };
-}
-
-std::vector<HalfSpace> MakeHalfSpaces(const vtkPointSplatView& view, const vtkPointSplatItem& item)
-{
-  // Of points that are projected as pixels no margin: as projectPoint() in vtkPointSplatPoint.glsl.
-  const double margin = item.IsPoints ? 0.0 : PixelMargin;
-  std::vector<HalfSpace> all = { Make({ 0.0, 0.0, -1.0, 0.0 }, -view.Near),
-    Make({ 0.0, 0.0, 1.0, 0.0 }, view.Far), Make(glm::dvec4(view.PixelW)),
-    Side(view.PixelX, view.PixelW, item.Window.x - margin, 1.0),
-    Side(view.PixelX, view.PixelW, item.Window.z + 1.0 + margin, -1.0),
-    Side(view.PixelY, view.PixelW, item.Window.y - margin, 1.0),
-    Side(view.PixelY, view.PixelW, item.Window.w + 1.0 + margin, -1.0) };
-  for (const glm::dvec4& plane : item.GetClipPlanesVC(view))
-  {
-    all.push_back(Make(plane));
-  }
-  const glm::dmat4 fromVC = glm::transpose(item.GetMCVC(view));
-  glm::dmat4 errorFromVC;
-  for (int k = 0; k < 4; ++k)
-  {
-    errorFromVC[k] = glm::abs(fromVC[k]);
-  }
-  for (HalfSpace& half : all)
-  {
-    half.Normal = fromVC * half.Normal;
-    half.ErrorNormal = RelativeError * (errorFromVC * half.ErrorNormal);
-    half.ErrorOffset *= RelativeError;
-  }
-  return all;
-}
-
-/// Whether nothing of splats in a box is in a half space; reach: of radii. What is not a number
-/// leaves no box out.
-bool IsOutside(const HalfSpace& half, const vtkPointSplatBlocks::Box& box, double reach,
-  double usualRadius)
-{
-  double most = half.Normal.w + half.Offset;
-  double error = half.ErrorNormal.w + half.ErrorOffset;
-  for (int k = 0; k < 3; ++k)
-  {
-    const double a = box.Low[static_cast<size_t>(k)];
-    const double b = box.High[static_cast<size_t>(k)];
-    most += half.Normal[k] * (half.Normal[k] > 0.0 ? b : a);
-    error += half.ErrorNormal[k] * std::max(std::abs(a), std::abs(b));
-  }
-  most += reach * std::max<double>(box.Radius, usualRadius) * glm::length(glm::dvec3(half.Normal));
-  return most < -error;
-}
 
 void Divide(const vtkPointSplatView& view, const std::vector<vtkPointSplatItem>& items,
   const glm::ivec4& window, vtkIdType capacity, std::vector<vtkPointSplatPart>& parts)
@@ -101,7 +27,7 @@ void Divide(const vtkPointSplatView& view, const std::vector<vtkPointSplatItem>&
       glm::min(glm::ivec2(window.z, window.w), glm::ivec2(own.Window.z, own.Window.w)));
     if (own.IsInView())
     {
-      own.Blocks = vtkPointSplatSelection::Blocks(view, own);
+      own.Runs = vtkPointSplatSelection::Runs(view, own);
       count += own.GetNumberOfInvocations();
     }
   }
@@ -125,36 +51,32 @@ void Divide(const vtkPointSplatView& view, const std::vector<vtkPointSplatItem>&
 }
 
 //------------------------------------------------------------------------------
-std::shared_ptr<const std::vector<uint32_t>> vtkPointSplatSelection::Blocks(
+std::shared_ptr<const vtkPointSplatRuns> vtkPointSplatSelection::Runs(
   const vtkPointSplatView& view, const vtkPointSplatItem& item)
 {
-  const std::vector<HalfSpace> halves = MakeHalfSpaces(view, item);
+  if (item.Levels.Pixels > 0.0)
+  {
+    return vtkPointSplatLevelSelection(view, item).Choose();
+  }
+  const vtkPointSplatHalfSpaces halves(view, item);
   const std::vector<vtkPointSplatBlocks::Box>& boxes = item.Cloud->GetBlocks().GetBoxes();
-  // A splat that bends rises at its rim by half the squared support, in radii, at most.
-  const double support = item.Kernel.Support;
-  const double reach = item.IsPoints
-    ? 0.0
-    : std::hypot(support, 0.5 * support * support) * item.RadiusScale * item.GetStrideScale() *
-      item.CoveringScale;
   std::vector<unsigned char> seen(boxes.size());
   vtkSMPTools::For(0, static_cast<vtkIdType>(boxes.size()), 256, [&](vtkIdType begin, vtkIdType end) {
     for (size_t block = static_cast<size_t>(begin); block < static_cast<size_t>(end); ++block)
     {
-      seen[block] = std::none_of(halves.begin(), halves.end(),
-        [&](const HalfSpace& half) {
-          return IsOutside(half, boxes[block], reach, item.UsualRadius);
-        });
+      seen[block] = !halves.IsOutside(boxes[block]);
     }
   });
-  auto list = std::make_shared<std::vector<uint32_t>>();
+  auto list = std::make_shared<vtkPointSplatRuns>();
   for (size_t block = 0; block < boxes.size(); ++block)
   {
     if (seen[block])
     {
-      list->push_back(static_cast<uint32_t>(block));
+      list->Runs.push_back({ static_cast<uint32_t>(block * vtkPointSplatBlocks::Size),
+        static_cast<uint32_t>(item.Cloud->GetBlocks().GetCount(block)) });
     }
   }
-  return list->size() == boxes.size() ? nullptr : list;
+  return list->Runs.size() == boxes.size() ? nullptr : list;
 }
 
 //------------------------------------------------------------------------------

@@ -63,7 +63,9 @@ class TestApp(unittest.TestCase):
         self.page.on("console", lambda said: self.troubles.append(said.text)
                      if said.type in ("error", "warning") else None)
         self.page.on("pageerror", lambda error: self.troubles.append(str(error)))
-        self.page.on("requestfailed", lambda request: self.troubles.append(request.url))
+        # A picture that the next one takes the place of is not loaded to its end.
+        self.page.on("requestfailed", lambda request: self.troubles.append(request.url)
+                     if not request.url.startswith("blob:") else None)
         self.page.on("request", lambda request: self.troubles.append(f"foreign: {request.url}")
                      if f"127.0.0.1:{self.port}" not in request.url else None)
         self.page.on("websocket", lambda socket: socket.on("framereceived", self.on_frame))

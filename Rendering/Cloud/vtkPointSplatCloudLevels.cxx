@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Of the cloud: its levels.
+#include "vtkPointSplatCloud.h"
+
+#include <limits>
+
+namespace
+{
+// Fewer splats are drawn in a time that is not worth the memory.
+constexpr vtkIdType LeastSplats = vtkIdType(1) << 19;
+constexpr uint32_t BodyBit = 0x40000000u; // as in vtkPointSplatProjection.glsl
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatCloud::CanHaveLevels() const
+{
+  // Splats of several blocks lie block by block.
+  if (this->Blocks.size() != 1 || this->Count < LeastSplats || this->MedianRadius <= 0.0 ||
+    this->Count >= std::numeric_limits<int32_t>::max())
+  {
+    return false;
+  }
+  // Bodies alone are on no surface.
+  const size_t words = this->GetWordsPerSplat();
+  bool bodies = false;
+  for (size_t i = 0; i < static_cast<size_t>(this->Count) && !bodies; ++i)
+  {
+    bodies = (this->Splats[words * i + 6] & BodyBit) != 0u;
+  }
+  return !bodies;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatCloud::WantLevels()
+{
+  if (this->Levels.AreMade() || this->LevelsTriedFor == this->SplatTime.GetMTime())
+  {
+    return;
+  }
+  if (this->LevelsAskedFor != this->SplatTime.GetMTime())
+  {
+    this->LevelsAskedFor = this->SplatTime.GetMTime();
+    return;
+  }
+  this->LevelsTriedFor = this->LevelsAskedFor;
+  if (this->CanHaveLevels())
+  {
+    this->Levels.Begin(
+      this->Splats, this->GetWordsPerSplat(), static_cast<size_t>(this->Count));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatCloud::TakeLevels()
+{
+  if (this->Levels.IsReady() &&
+    this->Levels.Take(this->Splats, this->ClipLines, this->GetWordsPerSplat()))
+  {
+    this->SplatTime.Modified();
+    this->LevelsTriedFor = this->SplatTime.GetMTime();
+  }
+}

@@ -1,0 +1,326 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatLevels.h"
+
+#include "vtkMath.h"
+#include "vtkPointSplatCodes.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+
+namespace
+{
+constexpr uint32_t BendMask = 0x3fffffffu; // as in vtkPointSplatProjection.glsl
+constexpr double BendSteps = 511.0;
+
+double BendOf(uint32_t code, int shift)
+{
+  // Ten bits with a sign.
+  return static_cast<double>(static_cast<int32_t>(code << (22 - shift)) >> 22) / BendSteps;
+}
+
+/// Splats in a cloud's form.
+class Packed : public vtkPointSplatHierarchy::Source
+{
+public:
+  Packed(const uint32_t* splats, size_t words)
+    : Splats(splats)
+    , Words(words)
+  {
+  }
+
+  bool Read(vtkPointSplatHierarchy::Index id, vtkPointSplatHierarchy::Point& point) const override
+  {
+    const uint32_t* splat = this->Splats + this->Words * id;
+    std::memcpy(point.Position, splat, sizeof(point.Position));
+    std::memcpy(&point.Radius, splat + 3, sizeof(float));
+    double n[3];
+    vtkPointSplatCodes::DecodeNormal(splat[5], n);
+    std::copy_n(n, 3, point.Normal);
+    const uint32_t code = splat[6] & BendMask;
+    point.HasCurvature = this->Words == 8 && code != 0u;
+    if (point.HasCurvature)
+    {
+      double axes[2][3];
+      vtkPointSplatCodes::TangentsOf(splat[4], axes[0], axes[1]);
+      const double k[3] = { BendOf(code, 0) / point.Radius, BendOf(code, 10) / point.Radius,
+        BendOf(code, 20) / point.Radius };
+      const int index[6][2] = { { 0, 0 }, { 1, 1 }, { 2, 2 }, { 0, 1 }, { 1, 2 }, { 0, 2 } };
+      for (int m = 0; m < 6; ++m)
+      {
+        const int i = index[m][0];
+        const int j = index[m][1];
+        point.Curvature[m] = static_cast<float>(k[0] * axes[0][i] * axes[0][j] +
+          k[1] * (axes[0][i] * axes[1][j] + axes[1][i] * axes[0][j]) +
+          k[2] * axes[1][i] * axes[1][j]);
+      }
+    }
+    return true;
+  }
+
+private:
+  const uint32_t* Splats;
+  size_t Words;
+};
+
+void Pack(const vtkPointSplatHierarchy::Splat& splat, uint32_t id, size_t words, uint32_t* to)
+{
+  const double n[3] = { splat.Normal[0], splat.Normal[1], splat.Normal[2] };
+  std::memcpy(to, splat.Position, sizeof(splat.Position));
+  to[3] = vtkPointSplatCodes::Bits(splat.Radius);
+  to[4] = to[5] = vtkPointSplatCodes::CodeNormal(n);
+  to[7] = id;
+  if (words == 8)
+  {
+    double bend[6];
+    std::copy_n(splat.Curvature, 6, bend);
+    to[6] = vtkPointSplatCodes::CodeBend(to[4], bend, splat.Radius);
+    return;
+  }
+  const double longer[3] = { splat.Axis[0], splat.Axis[1], splat.Axis[2] };
+  double shorter[3];
+  vtkMath::Cross(n, longer, shorter);
+  to[6] = to[11] = to[15] = 0u;
+  for (int k = 0; k < 3; ++k)
+  {
+    to[8 + k] = vtkPointSplatCodes::Bits(splat.Radius * longer[k]);
+    to[12 + k] = vtkPointSplatCodes::Bits(splat.Radius * splat.Shorter * shorter[k]);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatLevels::~vtkPointSplatLevels()
+{
+  this->Clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatLevels::Clear()
+{
+  if (this->Work.valid())
+  {
+    this->Stop = true;
+    this->Work.get();
+  }
+  this->Hierarchy = vtkPointSplatHierarchy();
+  this->Blocks.clear();
+  this->Deviations.clear();
+  this->Starts.clear();
+  this->Firsts.clear();
+  this->Roots = this->Points = 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatLevels::Begin(const std::vector<uint32_t>& splats, size_t words, size_t count)
+{
+  this->Clear();
+  this->Stop = false;
+  const uint32_t* from = splats.data();
+  this->Work = std::async(std::launch::async, [this, from, words, count] {
+    return this->Hierarchy.Make(Packed(from, words), static_cast<uint32_t>(count), words != 8,
+      [this](double) { return !this->Stop; });
+  });
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatLevels::IsReady() const
+{
+  return this->Work.valid() &&
+    this->Work.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatLevels::Take(
+  std::vector<uint32_t>& splats, std::vector<uint32_t>& lines, size_t words)
+{
+  const bool good = this->Work.get() && this->Hierarchy.GetNumberOfLevels() > 1;
+  if (!good)
+  {
+    this->Clear();
+    return false;
+  }
+  const std::vector<uint32_t>& order = this->Hierarchy.GetOrder();
+  this->Points = order.size();
+  const int levels = this->Hierarchy.GetNumberOfLevels();
+  this->Starts.assign(1, 0);
+  for (int level = 0; level < levels; ++level)
+  {
+    this->Starts.push_back(this->Starts.back() + this->Hierarchy.GetNumberOfSplats(level));
+  }
+  auto arrange = [&order](std::vector<uint32_t>& data, size_t size, size_t count) {
+    std::vector<uint32_t> arranged(size * count, 0u);
+    vtkSMPTools::For(0, static_cast<vtkIdType>(order.size()), [&](vtkIdType begin, vtkIdType end) {
+      for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
+      {
+        std::copy_n(data.data() + size * order[i], size, arranged.data() + size * i);
+      }
+    });
+    data = std::move(arranged);
+  };
+  arrange(splats, words, this->Starts.back());
+  if (!lines.empty())
+  {
+    arrange(lines, 4, this->Starts.back());
+  }
+  this->Firsts.reserve(this->Starts.back() - this->Points);
+  for (int level = 1; level < levels; ++level)
+  {
+    const uint32_t below = this->Starts[static_cast<size_t>(level) - 1];
+    for (const vtkPointSplatHierarchy::Splat& splat : this->Hierarchy.GetSplats(level))
+    {
+      this->Firsts.push_back(below + splat.First);
+    }
+  }
+  this->AppendSplats(splats, words);
+  this->Blocks = this->Hierarchy.GetBlocks();
+  this->Roots = this->Hierarchy.GetNumberOfRoots();
+  for (Block& block : this->Blocks)
+  {
+    block.First += this->Starts[static_cast<size_t>(block.Level)];
+  }
+  this->Hierarchy = vtkPointSplatHierarchy();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatLevels::AppendSplats(std::vector<uint32_t>& splats, size_t words)
+{
+  for (size_t level = 1; level + 1 < this->Starts.size(); ++level)
+  {
+    const std::vector<vtkPointSplatHierarchy::Splat>& from =
+      this->Hierarchy.GetSplats(static_cast<int>(level));
+    const uint32_t start = this->Starts[level];
+    vtkSMPTools::For(0, static_cast<vtkIdType>(from.size()), [&](vtkIdType begin, vtkIdType end) {
+      for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
+      {
+        const size_t first = this->Firsts[start + i - this->Points];
+        Pack(from[i], splats[words * first + 7], words, splats.data() + words * (start + i));
+      }
+    });
+  }
+}
+
+//------------------------------------------------------------------------------
+uint32_t vtkPointSplatLevels::GetEnd(int level, uint32_t splat) const
+{
+  // The last one's end is where its own level begins.
+  return splat + 1 < this->Starts[static_cast<size_t>(level) + 1]
+    ? this->Firsts[splat + 1 - this->Points]
+    : this->Starts[static_cast<size_t>(level)];
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatLevels::MeasureDeviations(const std::vector<uint32_t>& data, bool values)
+{
+  this->Deviations.clear();
+  if (data.empty() || this->Blocks.empty())
+  {
+    return;
+  }
+  auto square = [values](uint32_t a, uint32_t b) {
+    double sum = 0.0;
+    if (values)
+    {
+      float x;
+      float y;
+      std::memcpy(&x, &a, sizeof(x));
+      std::memcpy(&y, &b, sizeof(y));
+      return double(x - y) * (x - y);
+    }
+    for (int shift = 0; shift < 32; shift += 8)
+    {
+      const double d = (double(a >> shift & 255u) - double(b >> shift & 255u)) / 255.0;
+      sum = std::max(sum, d * d);
+    }
+    return sum;
+  };
+  this->Deviations.assign(this->Blocks.size(), 0.0f);
+  vtkSMPTools::For(
+    0, static_cast<vtkIdType>(this->Blocks.size()), 64, [&](vtkIdType begin, vtkIdType end) {
+      for (size_t b = static_cast<size_t>(begin); b < static_cast<size_t>(end); ++b)
+      {
+        const Block& block = this->Blocks[b];
+        double sum = 0.0;
+        uint32_t count = 0;
+        for (uint32_t i = block.First; block.Level > 0 && i < block.First + block.Count; ++i)
+        {
+          for (uint32_t c = this->Firsts[i - this->Points]; c < this->GetEnd(block.Level, i); ++c)
+          {
+            sum += square(data[i], data[c]);
+            ++count;
+          }
+        }
+        this->Deviations[b] = static_cast<float>(std::sqrt(sum / std::max(count, 1u)));
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+template <typename Mean>
+void vtkPointSplatLevels::Append(std::vector<uint32_t>& data, const Mean& mean) const
+{
+  if (data.empty() || this->Starts.empty())
+  {
+    return;
+  }
+  data.resize(this->Starts.back());
+  for (size_t level = 1; level + 1 < this->Starts.size(); ++level)
+  {
+    vtkSMPTools::For(this->Starts[level], this->Starts[level + 1],
+      [&](vtkIdType begin, vtkIdType end) {
+        for (uint32_t i = static_cast<uint32_t>(begin); i < static_cast<uint32_t>(end); ++i)
+        {
+          const uint32_t first = this->Firsts[i - this->Points];
+          data[i] = mean(data.data() + first, this->GetEnd(static_cast<int>(level), i) - first);
+        }
+      });
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatLevels::AppendBytes(std::vector<uint32_t>& data) const
+{
+  this->Append(data, [](const uint32_t* from, uint32_t count) {
+    uint32_t word = 0;
+    for (int shift = 0; shift < 32; shift += 8)
+    {
+      uint32_t sum = count / 2;
+      for (uint32_t i = 0; i < count; ++i)
+      {
+        sum += from[i] >> shift & 255u;
+      }
+      word |= sum / count << shift;
+    }
+    return word;
+  });
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatLevels::AppendValues(std::vector<uint32_t>& data) const
+{
+  this->Append(data, [](const uint32_t* from, uint32_t count) {
+    double sum = 0.0;
+    uint32_t known = 0;
+    for (uint32_t i = 0; i < count; ++i)
+    {
+      float value;
+      std::memcpy(&value, from + i, sizeof(value));
+      if (!(from[i] & 0x80000000u))
+      {
+        sum += value;
+        ++known;
+      }
+    }
+    return known ? vtkPointSplatCodes::Bits(sum / known) : 0x80000000u;
+  });
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatLevels::AppendFirst(std::vector<uint32_t>& data) const
+{
+  this->Append(data, [](const uint32_t* from, uint32_t) { return from[0]; });
+}

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The levels of a cloud: splats that stand for those below them (vtkPointSplatHierarchy.h), in the
+// cloud's own form and behind its splats in the same buffers.
+//
+// 1. A thread makes the hierarchy from the packed splats, while these are drawn.
+// 2. When it is there, the cloud's splats are put into its order, and those of all levels appended:
+//    level 1, level 2, ... Their ids are those of one of the points that they stand for. They have
+//    no clip lines: where they are drawn, these would be less than a pixel long.
+// 3. What splats have beside their shape, colours, values and factors of lights, is appended as
+//    means over those below.
+// 4. Blocks name runs of splats in the buffers: Block::First counts from the buffers' beginning.
+#ifndef vtkPointSplatLevels_h
+#define vtkPointSplatLevels_h
+
+#include "vtkPointSplatHierarchy.h"
+
+#include <atomic>
+#include <cstdint>
+#include <future>
+#include <memory>
+#include <vector>
+
+class vtkPointSplatLevels
+{
+public:
+  using Block = vtkPointSplatHierarchy::Block;
+
+  vtkPointSplatLevels() = default;
+  ~vtkPointSplatLevels();
+  vtkPointSplatLevels(const vtkPointSplatLevels&) = delete;
+  void operator=(const vtkPointSplatLevels&) = delete;
+
+  /// Ends what is under way, and forgets the levels. Splats may change only after that.
+  void Clear();
+  /// Begins to make levels of these splats, of some words each.
+  void Begin(const std::vector<uint32_t>& splats, size_t words, size_t count);
+  bool IsUnderWay() const { return this->Work.valid(); }
+  /// Whether what was begun has come to an end.
+  bool IsReady() const;
+  /**
+   * Takes the levels that are ready: orders splats and their clip lines, of four words, and appends
+   * the levels' to both. False: there are none, and nothing is changed.
+   */
+  bool Take(std::vector<uint32_t>& splats, std::vector<uint32_t>& lines, size_t words);
+
+  bool AreMade() const { return !this->Blocks.empty(); }
+  /// Those of the coarsest level come first.
+  const std::vector<Block>& GetBlocks() const { return this->Blocks; }
+  size_t GetNumberOfRoots() const { return this->Roots; }
+  /// Splats of all levels above the first.
+  size_t GetNumberOfSplats() const { return this->Firsts.size(); }
+
+  /**
+   * How much what a word a splat holds differs between the splats that one stands for and their
+   * mean: rms over each block's splats, bytes and values as from 0 to 1. Empty without data.
+   */
+  void MeasureDeviations(const std::vector<uint32_t>& data, bool values);
+  float GetDeviation(size_t block) const
+  {
+    return this->Deviations.empty() ? 0.0f : this->Deviations[block];
+  }
+
+  ///@{
+  /// Appends what the levels' splats have, where data has a word a splat: means of four bytes, means
+  /// of values (vtkPointSplatCloud.h), or what the first of those below has.
+  void AppendBytes(std::vector<uint32_t>& data) const;
+  void AppendValues(std::vector<uint32_t>& data) const;
+  void AppendFirst(std::vector<uint32_t>& data) const;
+  ///@}
+
+private:
+  uint32_t GetEnd(int level, uint32_t splat) const;
+  template <typename Mean>
+  void Append(std::vector<uint32_t>& data, const Mean& mean) const;
+  void AppendSplats(std::vector<uint32_t>& splats, size_t words);
+
+  std::future<bool> Work;
+  std::atomic<bool> Stop{ false };
+  vtkPointSplatHierarchy Hierarchy;
+  std::vector<Block> Blocks;
+  size_t Roots = 0;
+  size_t Points = 0;
+  std::vector<float> Deviations; // of blocks
+  std::vector<uint32_t> Starts; // of each level in the buffers, and the end
+  std::vector<uint32_t> Firsts; // of each splat above the points: the first one below, in the buffers
+};
+
+#endif

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatLevelSelection.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+// Radians: normals are coded, and splats' sides seen, less exactly than this.
+constexpr double AngleMargin = 0.01;
+// Outlines show how large splats are: there those of smooth surfaces are smaller by this.
+constexpr double OutlineShare = 0.5;
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatLevelSelection::vtkPointSplatLevelSelection(
+  const vtkPointSplatView& view, const vtkPointSplatItem& item)
+  : Item(item)
+  , Halves(view, item)
+{
+  const glm::dmat4 MCVC = item.GetMCVC(view);
+  this->Eye = glm::inverse(MCVC) *
+    (view.Parallel ? glm::dvec4(0.0, 0.0, 1.0, 0.0) : glm::dvec4(0.0, 0.0, 0.0, 1.0));
+  this->RowW = glm::transpose(MCVC) * glm::dvec4(view.PixelW);
+  this->LeastW = std::max(view.PixelW.w - view.PixelW.z * view.Near, 1e-30);
+  this->PixelsPerUnit =
+    glm::length(glm::dvec3(view.PixelX)) * item.GetMeanStretch() * item.RadiusScale;
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatLevelSelection::Sides vtkPointSplatLevelSelection::SidesOf(const Block& block) const
+{
+  const glm::dvec3 low(block.Low[0], block.Low[1], block.Low[2]);
+  const glm::dvec3 high(block.High[0], block.High[1], block.High[2]);
+  const glm::dvec3 centre = 0.5 * (low + high);
+  glm::dvec3 towards(this->Eye);
+  double width = 0.0; // of the directions to the eye, radians
+  if (this->Eye.w != 0.0)
+  {
+    towards = towards / this->Eye.w - centre;
+    const double radius = 0.5 * glm::distance(low, high);
+    const double distance = glm::length(towards);
+    if (distance <= radius)
+    {
+      return { true, true };
+    }
+    width = std::asin(radius / distance);
+  }
+  const glm::dvec3 axis(block.Cone[0], block.Cone[1], block.Cone[2]);
+  const double angle =
+    std::acos(glm::clamp(glm::dot(axis, glm::normalize(towards)), -1.0, 1.0));
+  const double spread = block.Angle + width + AngleMargin;
+  const double quarter = 0.5 * std::acos(-1.0);
+  return { angle - spread <= quarter, angle + spread >= quarter };
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatLevelSelection::IsFine(const Block& block, const Sides& sides) const
+{
+  double w = this->RowW.w;
+  for (int k = 0; k < 3; ++k)
+  {
+    w += this->RowW[k] * (this->RowW[k] > 0.0 ? block.Low[k] : block.High[k]);
+  }
+  const double pixels = this->PixelsPerUnit * block.MeanRadius / std::max(w, this->LeastW);
+  const vtkPointSplatLevelBounds& bounds = this->Item.Levels;
+  const vtkPointSplatLevels& levels = this->Item.Cloud->GetLevels();
+  const float painted =
+    levels.GetDeviation(static_cast<size_t>(&block - levels.GetBlocks().data()));
+  const bool smooth = std::max(block.Deviation, painted) <= bounds.Deviation;
+  const bool outline = sides.Front && sides.Back;
+  const double most = outline ? OutlineShare * bounds.SmoothPixels : bounds.SmoothPixels;
+  return pixels <= (smooth ? std::max(most, bounds.Pixels) : bounds.Pixels);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatLevelSelection::Visit(const Block& block, vtkPointSplatRuns& chosen) const
+{
+  const vtkPointSplatBlocks::Box box{ { { block.Low[0], block.Low[1], block.Low[2] } },
+    { { block.High[0], block.High[1], block.High[2] } }, block.Radius };
+  if (this->Halves.IsOutside(box))
+  {
+    return;
+  }
+  const Sides sides = this->SidesOf(block);
+  const bool front = sides.Front && (this->Item.Culling & 2) == 0;
+  const bool back = sides.Back && (this->Item.Culling & 1) == 0;
+  if (!front && !back)
+  {
+    return;
+  }
+  if (block.Level > 0 && !this->IsFine(block, sides))
+  {
+    const std::vector<Block>& blocks = this->Item.Cloud->GetLevels().GetBlocks();
+    for (uint32_t child = 0; child < block.ChildCount; ++child)
+    {
+      this->Visit(blocks[block.FirstChild + child], chosen);
+    }
+    return;
+  }
+  constexpr uint32_t most = 1u << vtkPointSplatBlocks::PieceShift;
+  for (uint32_t i = 0; i < block.Count; i += most)
+  {
+    chosen.Runs.push_back({ block.First + i, std::min(most, block.Count - i) });
+  }
+  chosen.LargestRadius = std::max<double>(chosen.LargestRadius, block.Radius);
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const vtkPointSplatRuns> vtkPointSplatLevelSelection::Choose() const
+{
+  auto chosen = std::make_shared<vtkPointSplatRuns>();
+  const vtkPointSplatLevels& levels = this->Item.Cloud->GetLevels();
+  for (size_t root = 0; root < levels.GetNumberOfRoots(); ++root)
+  {
+    this->Visit(levels.GetBlocks()[root], *chosen);
+  }
+  return chosen;
+}

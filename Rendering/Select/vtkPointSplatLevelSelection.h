@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// One item's walk down the tree of its cloud's levels, for one view: vtkPointSplatSelection.h.
+#ifndef vtkPointSplatLevelSelection_h
+#define vtkPointSplatLevelSelection_h
+
+#include "vtkPointSplatHalfSpaces.h"
+
+#include <memory>
+
+class vtkPointSplatLevelSelection
+{
+public:
+  vtkPointSplatLevelSelection(const vtkPointSplatView& view, const vtkPointSplatItem& item);
+
+  std::shared_ptr<const vtkPointSplatRuns> Choose() const;
+
+private:
+  using Block = vtkPointSplatLevels::Block;
+  void Visit(const Block& block, vtkPointSplatRuns& chosen) const;
+  /// Which sides of a block's splats may be seen.
+  struct Sides
+  {
+    bool Front;
+    bool Back;
+  };
+  Sides SidesOf(const Block& block) const;
+  bool IsFine(const Block& block, const Sides& sides) const;
+
+  const vtkPointSplatItem& Item;
+  vtkPointSplatHalfSpaces Halves;
+  // In the coordinates of the cloud's buffers.
+  glm::dvec4 Eye;     // or the direction to it, whose w is 0
+  glm::dvec4 RowW;    // of a point its w
+  double LeastW;      // on the near plane
+  double PixelsPerUnit; // over w
+};
+
+#endif

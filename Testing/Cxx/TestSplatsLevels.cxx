@@ -1,0 +1,274 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Levels of detail in frames: points that are much denser than pixels cost what the pixels do, and
+// the picture is that of all of them.
+#include "SplatScene.h"
+
+#include "vtkFloatArray.h"
+#include "vtkHardwareSelector.h"
+#include "vtkPlane.h"
+
+#include <chrono>
+#include <cstring>
+#include <thread>
+
+namespace
+{
+using namespace SplatScene;
+
+constexpr int Count = 1 << 20;
+constexpr int Pixels = 400;
+// dB over the pixels that are covered. Outlines, which differ most, have several times the share
+// that they have of larger pictures (Testing/Benchmark/levels.py has these, 55 dB at 1024 x 1024).
+// Where colours or normals vary as much as here, the mean of all points in a pixel is itself less sure.
+constexpr double Smooth = 44.0;
+constexpr double Painted = 41.0;
+
+/// A torus; evenly random, with its radii. roughness: of the normals, radians.
+vtkSmartPointer<vtkPolyData> Torus(double roughness, bool coloured)
+{
+  vtkNew<vtkMinimalStandardRandomSequence> sequence;
+  sequence->SetSeed(3);
+  auto random = [&sequence](double low, double high) {
+    sequence->Next();
+    return sequence->GetRangeValue(low, high);
+  };
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  vtkNew<vtkFloatArray> radii;
+  radii->SetName("SplatRadius");
+  vtkNew<vtkFloatArray> values;
+  values->SetName("Values");
+  const double pi = vtkMath::Pi();
+  const float radius = static_cast<float>(1.5 * std::sqrt(4.0 * pi * pi * 0.4 / Count));
+  while (points->GetNumberOfPoints() < Count)
+  {
+    const double a = random(0.0, 2.0 * pi);
+    const double b = random(0.0, 2.0 * pi);
+    if (random(0.0, 1.4) > 1.0 + 0.4 * std::cos(b))
+    {
+      continue;
+    }
+    double n[3] = { std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b) };
+    points->InsertNextPoint(std::cos(a) + 0.4 * n[0], std::sin(a) + 0.4 * n[1], 0.4 * n[2]);
+    for (double& x : n)
+    {
+      x += random(-roughness, roughness);
+    }
+    vtkMath::Normalize(n);
+    normals->InsertNextTuple(n);
+    radii->InsertNextValue(radius);
+    values->InsertNextValue(static_cast<float>(std::sin(3.0 * a) * std::sin(2.0 * b)));
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->GetPointData()->SetNormals(normals);
+  data->GetPointData()->AddArray(radii);
+  if (coloured)
+  {
+    data->GetPointData()->SetScalars(values);
+  }
+  return data;
+}
+
+struct Scene
+{
+  vtkNew<vtkPointSplatMapper> Mapper;
+  Window Win{ Pixels };
+  vtkActor* Actor = nullptr;
+
+  explicit Scene(vtkPolyData* data)
+  {
+    this->Mapper->SetInputData(data);
+    this->Mapper->SetScalarRange(-1.0, 1.0);
+    this->Win.SmoothOutlines = true;
+    this->Actor = this->Win.Add(this->Mapper);
+    this->Win.Renderer->ResetCamera();
+    this->Win.Renderer->GetActiveCamera()->Elevation(-50.0);
+    this->Win.Renderer->ResetCameraClippingRange();
+  }
+  bool HasLevels() const
+  {
+    return std::strstr(this->Mapper->GetChoices(), "stand for others") != nullptr;
+  }
+  /// Draws until levels are there; at most a minute.
+  bool Wait()
+  {
+    for (int i = 0; i < 1200 && !this->HasLevels(); ++i)
+    {
+      this->Win.Draw();
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    return this->HasLevels();
+  }
+  Picture DrawAll()
+  {
+    this->Mapper->LevelOfDetailOff();
+    Picture all = this->Win.Draw();
+    this->Mapper->LevelOfDetailOn();
+    return all;
+  }
+};
+
+bool Expect(bool good, const std::string& what)
+{
+  if (!good)
+  {
+    std::cerr << "FAILED: " << what << "\n";
+  }
+  return good;
+}
+
+bool IsLike(const Picture& a, const Picture& b, double least, const std::string& what)
+{
+  const double psnr = Psnr(a, b);
+  std::cout << what << ": " << psnr << " dB\n";
+  return Expect(psnr >= least, what + ": " + std::to_string(psnr) + " dB");
+}
+
+bool TestSmooth()
+{
+  Scene scene(Torus(0.0, false));
+  bool good = Expect(!scene.HasLevels(), "levels before the first frame");
+  const Picture before = scene.Win.Draw();
+  good = Expect(scene.Mapper->GetNumberOfPointsProjected() >= Count, "all at first") && good;
+  good = Expect(scene.Wait(), "levels are made") && good;
+  const Picture levels = scene.Win.Draw();
+  const vtkIdType drawn = scene.Mapper->GetNumberOfPointsProjected();
+  std::cout << "splats drawn: " << drawn << " of " << Count << "\n";
+  good = Expect(drawn <= Count / 5, "splats drawn: " + std::to_string(drawn)) && good;
+  good = IsLike(levels, scene.DrawAll(), Smooth, "smooth, against all") && good;
+  good = IsLike(scene.DrawAll(), before, 60.0, "all, before and after") && good;
+  scene.Mapper->SetTargetError(0.0);
+  const Picture exact = scene.Win.Draw();
+  good = Expect(scene.Mapper->GetNumberOfPointsProjected() == Count, "all without error") && good;
+  scene.Mapper->SetTargetError(1.0 / 256.0);
+
+  // Nearer, the splats are finer; those out of view are left out.
+  scene.Win.Renderer->GetActiveCamera()->Zoom(8.0);
+  const Picture near = scene.Win.Draw();
+  const vtkIdType nearby = scene.Mapper->GetNumberOfPointsProjected();
+  good = IsLike(near, scene.DrawAll(), Smooth, "close-up, against all") && good;
+  good = Expect(nearby <= Count / 8, "close-up: " + std::to_string(nearby)) && good;
+  scene.Win.Renderer->GetActiveCamera()->Zoom(1.0 / 8.0);
+
+  // A plane cuts, one side is culled, and what is seen through is translucent.
+  vtkNew<vtkPlane> plane;
+  plane->SetNormal(1.0, 0.3, 0.0);
+  scene.Mapper->AddClippingPlane(plane);
+  Picture cut = scene.Win.Draw();
+  good = IsLike(cut, scene.DrawAll(), Smooth, "clipped, against all") && good;
+  scene.Mapper->RemoveAllClippingPlanes();
+  scene.Actor->GetProperty()->BackfaceCullingOn();
+  scene.Win.Draw();
+  const vtkIdType front = scene.Mapper->GetNumberOfPointsProjected();
+  good = Expect(10 * front <= 9 * drawn, "turned away: " + std::to_string(front)) && good;
+  good = IsLike(scene.Win.Draw(), scene.DrawAll(), Smooth, "culled, against all") && good;
+  scene.Actor->GetProperty()->BackfaceCullingOff();
+  scene.Actor->GetProperty()->SetOpacity(0.5);
+  good = IsLike(scene.Win.Draw(), scene.DrawAll(), Smooth, "translucent, against all") && good;
+  scene.Actor->GetProperty()->SetOpacity(1.0);
+
+  // Other methods draw all points.
+  scene.Mapper->SetProjection(vtkPointSplatMapper::QUADS);
+  scene.Win.Draw();
+  good = Expect(scene.Mapper->GetNumberOfPointsProjected() == Count, "quads draw all") && good;
+  scene.Mapper->SetProjection(vtkPointSplatMapper::AUTOMATIC_PROJECTION);
+  return good;
+}
+
+bool TestSelection()
+{
+  vtkSmartPointer<vtkPolyData> data = Torus(0.0, false);
+  Scene scene(data);
+  bool good = Expect(scene.Wait(), "levels are made");
+  // What is picked are points, and those that lie there.
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(scene.Win.Renderer);
+  selector->SetArea(0, 0, Pixels - 1, Pixels - 1);
+  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  if (!Expect(selector->CaptureBuffers(), "points are selected"))
+  {
+    return false;
+  }
+  int picked = 0;
+  double farthest = 0.0;
+  for (unsigned int y = 0; y < Pixels; ++y)
+  {
+    for (unsigned int x = 0; x < Pixels; ++x)
+    {
+      const unsigned int pixel[2] = { x, y };
+      const auto hit = selector->GetPixelInformation(pixel);
+      if (!hit.Valid)
+      {
+        continue;
+      }
+      ++picked;
+      double p[3];
+      data->GetPoint(hit.AttributeID, p);
+      scene.Win.Renderer->SetWorldPoint(p[0], p[1], p[2], 1.0);
+      scene.Win.Renderer->WorldToDisplay();
+      double display[3];
+      scene.Win.Renderer->GetDisplayPoint(display);
+      farthest = std::max(farthest, std::hypot(display[0] - x - 0.5, display[1] - y - 0.5));
+    }
+  }
+  std::cout << "picked: " << picked << ", pixels off: " << farthest << "\n";
+  good = Expect(picked > 5000, "pixels with a point: " + std::to_string(picked)) && good;
+  return Expect(farthest <= 2.0, "pixels from a picked point: " + std::to_string(farthest)) && good;
+}
+
+bool TestRough()
+{
+  bool good = true;
+  {
+    Scene scene(Torus(0.0, true));
+    good = Expect(scene.Wait(), "levels of coloured points are made") && good;
+    good = IsLike(scene.Win.Draw(), scene.DrawAll(), Painted, "values, against all") && good;
+    scene.Mapper->InterpolateScalarsBeforeMappingOn();
+    good = IsLike(scene.Win.Draw(), scene.DrawAll(), Painted, "mapped, against all") && good;
+  }
+  Scene scene(Torus(0.3, false));
+  good = Expect(scene.Wait(), "levels of rough points are made") && good;
+  const Picture levels = scene.Win.Draw();
+  std::cout << "rough, drawn: " << scene.Mapper->GetNumberOfPointsProjected() << "\n";
+  return IsLike(levels, scene.DrawAll(), Painted, "rough, against all") && good;
+}
+
+bool TestChanges()
+{
+  // Points that change with every frame have no levels; those of others are made anew.
+  vtkSmartPointer<vtkPolyData> data = Torus(0.0, false);
+  Scene scene(data);
+  bool good = true;
+  for (int i = 0; i < 4; ++i)
+  {
+    data->GetPoints()->Modified();
+    scene.Win.Draw();
+    good = Expect(!scene.HasLevels(), "points that change have no levels") && good;
+  }
+  good = Expect(scene.Wait(), "levels are made") && good;
+  vtkPoints* points = data->GetPoints();
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    points->GetPoint(i, p);
+    points->SetPoint(i, p[0], p[1], p[2] + 0.3);
+  }
+  points->Modified();
+  scene.Win.Draw();
+  good = Expect(!scene.HasLevels(), "levels of other points are gone") && good;
+  good = Expect(scene.Wait(), "levels are made anew") && good;
+  return IsLike(scene.Win.Draw(), scene.DrawAll(), Smooth, "moved, against all") && good;
+}
+}
+
+int TestSplatsLevels(int, char*[])
+{
+  bool good = TestSmooth();
+  good = TestSelection() && good;
+  good = TestRough() && good;
+  good = TestChanges() && good;
+  return good ? EXIT_SUCCESS : EXIT_FAILURE;
+}
