@@ -5,10 +5,10 @@
 
   papers.py [SECTION ...] [--files FILE ...] [--output FOLDER] [--quick]
 
-Writes FOLDER/papers.html (pictures are in it) and FOLDER/papers.json, all that was measured; in less
-than half an hour on two cores that do nothing else. Data are made of formulas; files of points or
-meshes (.ply .vtp .vtk .obj .stl) are measured beside them where a table lists models. --quick
-makes all of it small, to see that it works: its numbers mean nothing. Sections:
+Writes FOLDER/papers.html (pictures are in it) and FOLDER/papers.json, all that was measured; in
+less than half an hour on two cores that do nothing else. Data are made of formulas; files of
+points or meshes (.ply .vtp .vtk .obj .stl) are measured beside them where a table lists models.
+--quick makes all of it small, to see that it works: its numbers mean nothing. Sections:
 """
 import argparse
 import os
@@ -33,7 +33,8 @@ SECTIONS = {**zhang.SECTIONS, **dobrev.SECTIONS, **guennebaud.SECTIONS, **confet
 
 def main():
     parser = argparse.ArgumentParser(
-        description=__doc__ + "".join(f"  {name}: {title}\n" for name, (title, _) in SECTIONS.items()),
+        description=__doc__ + "".join(f"  {name}: {title}\n"
+                                      for name, (title, _) in SECTIONS.items()),
         formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("sections", nargs="*", metavar="SECTION")
     parser.add_argument("--files", nargs="+", default=[], metavar="FILE")

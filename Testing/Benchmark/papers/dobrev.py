@@ -97,10 +97,11 @@ class Sweep:
 
 def rates(section, plan):
     sizes = [plan.size(pixels) for pixels in (512, 1024)]
-    section.text("Table 3: frames a second of points projected as single pixels, with translucent layers "
-                 "and with shadows that are made anew in each frame, and in brackets the ratio to "
-                 "local illumination. Beside them dots by stock VTK and splats, lit only.")
-    found = [("3 nested tori", [clouds.torus(plan.points(TORI), minor) for minor in (0.4, 0.28, 0.16)]),
+    section.text("Table 3: frames a second of points projected as single pixels, with translucent "
+                 "layers and with shadows that are made anew in each frame, and in brackets the "
+                 "ratio to local illumination. Beside them dots by stock VTK and splats, lit only.")
+    tori = [clouds.torus(plan.points(TORI), minor) for minor in (0.4, 0.28, 0.16)]
+    found = [("3 nested tori", tori),
              ("Neghip", [clouds.vertices(clouds.charges_mesh(plan.points(128000)))]),
              ("Hydrogen", [clouds.vertices(mesh) for mesh in orbital_meshes(plan.points(535000))])]
     found += [(os.path.basename(name), [clouds.read(name)]) for name in plan.files]
@@ -116,7 +117,8 @@ def rates(section, plan):
         for i, method in enumerate(ROWS):
             fewer = sweeps[0].fewer.get(method)
             row = [method + (f" ({fewer} there)" if fewer else "")]
-            row += [Number(rate[method], ".3g", f" ({rate[method] / rate[LOCAL]:.2f})") for rate in got]
+            row += [Number(rate[method], ".3g", f" ({rate[method] / rate[LOCAL]:.2f})")
+                    for rate in got]
             for k in range(2):
                 quoted = paper and i + 1 < len(paper)
                 row.append(Quoted(f"{paper[i + 1][k]} ({paper[i + 1][k] / paper[1][k]:.2f})")
@@ -125,27 +127,30 @@ def rates(section, plan):
         count = sum(part.GetNumberOfPoints() for part in parts)
         like = "" if name in plan.files or not paper else f" (paper: {paper[0]})"
         section.text(f"{name}, {count:,} points{like}")
-        section.table(["", *(f"{size} px" for size in sizes), "paper, 512 px", "paper, 1024 px"], rows)
+        section.table(["", *(f"{size} px" for size in sizes), "paper, 512 px", "paper, 1024 px"],
+                      rows)
         if paper:
             quotients.append((got[1]["transparency, 6 layers"] / got[1][LOCAL],
                               got[1]["shadows, 10 samples"] / got[1][LOCAL]))
-    section.differs("Here six layers leave "
-                    f"{min(q[0] for q in quotients):.2f} to {max(q[0] for q in quotients):.2f} of the rate at "
-                    "the larger size, and ten samples of a lamp "
-                    f"{min(q[1] for q in quotients):.2f} to {max(q[1] for q in quotients):.2f}; in the paper 0.17 "
-                    "and 0.07 to 0.27. A CPU projects points into layers in one walk over them where the "
-                    "paper drew them once a layer, and sums up what a pixel costs on top. The tori have "
-                    "a quarter of the paper's points; Neghip and Hydrogen are fields made of formulas.")
+    section.differs(f"Here six layers leave {min(q[0] for q in quotients):.2f} to "
+                    f"{max(q[0] for q in quotients):.2f} of the rate at the larger size, and ten "
+                    f"samples of a lamp {min(q[1] for q in quotients):.2f} to "
+                    f"{max(q[1] for q in quotients):.2f}; in the paper 0.17 and 0.07 to 0.27. A "
+                    "CPU projects points into layers in one walk over them where the paper drew "
+                    "them once a layer, and sums up what a pixel costs on top. The tori have a "
+                    "quarter of the paper's points; Neghip and Hydrogen are fields made of "
+                    "formulas.")
 
 
 def samples(section, plan):
     size = plan.size(768)
     view = shadow_scene()
     data = [clouds.vertices(mesh) for mesh in view.meshes(plan.points(400000))]
-    section.text(f"A ball over a torus, {sum(d.GetNumberOfPoints() for d in data)} points, {size} x {size} "
-                 "pixels, lit by a disk: samples of it, the time of a frame in which shadows are "
-                 "made anew, and the error of the share of light (rms, against ray casting with "
-                 "200 samples a pixel), which is read from the pictures where the lamp alone shines.")
+    section.text(f"A ball over a torus, {sum(d.GetNumberOfPoints() for d in data)} points, {size} "
+                 f"x {size} pixels, lit by a disk: samples of it, the time of a frame in which "
+                 "shadows are made anew, and the error of the share of light (rms, against ray "
+                 "casting with 200 samples a pixel), which is read from the pictures where the "
+                 "lamp alone shines.")
     drawings, pictures = {}, {}
     counts = (1, 5, 10, 30) if plan.quick else (1, 5, 10, 30, 100)
     probe = Frame(view, [splat_mapper(part) for part in data], size)
@@ -154,7 +159,8 @@ def samples(section, plan):
     probe.close()
     for count in counts:
         drawings[f"{count} samples"] = splat_drawing(
-            view, data, size, ("ShadowsOn",), ("SetNumberOfShadowSamples", count), ("SetTargetError", 0.0),
+            view, data, size, ("ShadowsOn",), ("SetNumberOfShadowSamples", count),
+            ("SetTargetError", 0.0),
             ("SetShadowLightRadius", view.light_radius if count > 1 else 0.0))
     for name, drawing in drawings.items():
         pictures[name] = drawing.draw()
@@ -163,16 +169,18 @@ def samples(section, plan):
     ms = medians(drawings, plan.runs(3))
     closed(drawings)
     section.table(["", "ms a frame", "rms error of colour (of 255)"], [
-        [name, Number(value), Number(error, ".2f")] for (name, value), error in zip(ms.items(), errors)])
+        [name, Number(value), Number(error, ".2f")]
+        for (name, value), error in zip(ms.items(), errors)])
     section.pictures([*((name, pictures[name]) for name in ("1 samples", "30 samples")),
                       ("ray casting", truth.colour),
                       *((f"{name}, magnified", crop(pictures[name], 0.2, (0.42, 0.42)))
                         for name in ("1 samples", "30 samples"))])
     section.chart("samples", "rms error, of 255", [("point shadow texture", counts, errors)])
-    section.differs("The paper has figure 16's pictures with 1 and 30 samples and no errors. A sample here "
-                    "is one shadow map, of disks instead of points, against which all points are tested, "
-                    "where the paper peels until nothing new is lit (section 6); samples are jittered in "
-                    "parts of equal area of the lamp where the paper's are chosen at random.")
+    section.differs("The paper has figure 16's pictures with 1 and 30 samples and no errors. A "
+                    "sample here is one shadow map, of disks instead of points, against which all "
+                    "points are tested, where the paper peels until nothing new is lit (section "
+                    "6); samples are jittered in parts of equal area of the lamp where the paper's "
+                    "are chosen at random.")
 
 
 def table_of_layers(section, plan, view, mesh_parts, layers, paper):
@@ -191,8 +199,8 @@ def table_of_layers(section, plan, view, mesh_parts, layers, paper):
             drawing.close()
             likes.append(likeness(picture, truth))
             quoted = Quoted(paper[1]) if method == "image space" and count == paper[0] else ""
-            rows.append([f"{method}, {count} layers", Number(drawn, ".0f"), Number(1e3 / ms), quoted,
-                         Number(likes[-1], ".1f", " dB")])
+            rows.append([f"{method}, {count} layers", Number(drawn, ".0f"), Number(1e3 / ms),
+                         quoted, Number(likes[-1], ".1f", " dB")])
             if count == paper[0]:
                 pictures.append((f"{method}, {count} layers", picture))
         series.append((method, layers, likes))
@@ -210,31 +218,36 @@ def table_of_layers(section, plan, view, mesh_parts, layers, paper):
 
 def layers_of_neghip(section, plan):
     mesh = clouds.charges_mesh(plan.points(128000))
-    section.text(f"An isosurface of many components, {mesh.GetNumberOfPoints()} points, opacity 0.7, "
-                 "1024 x 1024 pixels; likeness to the mesh with all its layers.")
+    section.text(f"An isosurface of many components, {mesh.GetNumberOfPoints()} points, opacity "
+                 "0.7, 1024 x 1024 pixels; likeness to the mesh with all its layers.")
     series = table_of_layers(section, plan, scene([0.7], UNIT), [mesh], (1, 2, 3, 4, 6), (4, 25))
     last = series[1][2]
-    section.differs("The paper (figure 18) takes four layers at 25 frames a second on a GeForce GTX 260 and gives no "
-                    f"errors. At this opacity splats gain {last[3] - last[0]:.1f} dB from one layer to four and "
-                    f"{last[4] - last[3]:.1f} dB from four to six, since four layers leave 0.8 % of the light. "
-                    "The field is made of formulas, so that surfaces hide others elsewhere than in Neghip.")
+    section.differs("The paper (figure 18) takes four layers at 25 frames a second on a GeForce "
+                    "GTX 260 and gives no errors. At this opacity splats gain "
+                    f"{last[3] - last[0]:.1f} dB from one layer to four and "
+                    f"{last[4] - last[3]:.1f} dB from four to six, since four layers leave 0.8 % "
+                    "of the light. The field is made of formulas, so that surfaces hide others "
+                    "elsewhere than in Neghip.")
 
 
 def opacities_of_hydrogen(section, plan):
     meshes = orbital_meshes(plan.points(535000))
     count = sum(mesh.GetNumberOfPoints() for mesh in meshes)
-    section.text(f"Three nested isosurfaces of hydrogen's 3d orbital, {count} points, opacities from the "
-                 "outermost 0.5, 0.3 and 1.0, 1024 x 1024 pixels.")
-    series = table_of_layers(section, plan, scene([0.5, 0.3, 1.0], NESTED), meshes, (1, 3, 6), (6, 9.8))
+    section.text(f"Three nested isosurfaces of hydrogen's 3d orbital, {count} points, opacities "
+                 "from the outermost 0.5, 0.3 and 1.0, 1024 x 1024 pixels.")
+    view = scene([0.5, 0.3, 1.0], NESTED)
+    series = table_of_layers(section, plan, view, meshes, (1, 3, 6), (6, 9.8))
     section.differs("The paper (figure 19) has six layers at 9.8 frames a second; ours gain "
-                    f"{series[0][2][2] - series[0][2][1]:.1f} dB by the last three of them in image space, "
-                    f"{series[1][2][2] - series[1][2][1]:.1f} dB with splats. Image space is behind at outlines, "
-                    "where a point marks all of the pixel that it falls in.")
+                    f"{series[0][2][2] - series[0][2][1]:.1f} dB by the last three of them in "
+                    f"image space, {series[1][2][2] - series[1][2][1]:.1f} dB with splats. Image "
+                    "space is behind at outlines, where a point marks all of the pixel that it "
+                    "falls in.")
 
 
 SECTIONS = {
     "dobrev-table-3": ("Dobrev, Rosenthal and Linsen, table 3: frame rates", rates),
     "dobrev-figure-16": ("Dobrev, Rosenthal and Linsen, figure 16: samples of a light", samples),
     "dobrev-figure-18": ("Dobrev, Rosenthal and Linsen, figure 18: layers", layers_of_neghip),
-    "dobrev-figure-19": ("Dobrev, Rosenthal and Linsen, figure 19: opacities", opacities_of_hydrogen),
+    "dobrev-figure-19": ("Dobrev, Rosenthal and Linsen, figure 19: opacities",
+                         opacities_of_hydrogen),
 }

@@ -58,8 +58,9 @@ def overlaps(camera, cloud, depth, layer):
 
 
 def pairs(at, longest, size):
-    """Splats with the pixels near them, many at a time: the splats' numbers [n], pixels [n, k, 2], and
-    their places [n, k] in a picture of `size`, -1 outside. at: pixels; longest: how far they reach."""
+    """Splats with the pixels near them, many at a time: the splats' numbers [n], pixels [n, k, 2],
+    and their places [n, k] in a picture of `size`, -1 outside. at: where splats are, in pixels;
+    longest: how far they reach."""
     reach = np.minimum(np.ceil(longest), max(size)).astype(int)
     base = np.round(at).astype(int)
     near = ((base > -reach[:, None]) & (base < size + reach[:, None])).all(1)
@@ -139,7 +140,8 @@ class Splats:
 
         def weight(which, pixels):
             dx, dy = np.moveaxis(pixels - self.at[which][:, None], -1, 0)
-            q = (yy[which, None] * dx ** 2 - 2 * xy[which, None] * dx * dy + xx[which, None] * dy ** 2)
+            q = (yy[which, None] * dx ** 2 - 2 * xy[which, None] * dx * dy +
+                 xx[which, None] * dy ** 2)
             return kernel(q / determinant[which, None])
         return weight
 
@@ -161,7 +163,8 @@ class Splats:
             weights += np.bincount(to[inside], w[inside], width * height)
             sums += np.bincount(to[inside], (w * colour)[inside], width * height)
         grey = np.where(weights > 0, sums / np.maximum(weights, 1e-300), 0.0)
-        return 255 * np.repeat(grey.reshape(height, width, 1), 3, 2), weights.reshape(height, width) > 0
+        picture = 255 * np.repeat(grey.reshape(height, width, 1), 3, 2)
+        return picture, weights.reshape(height, width) > 0
 
 
 def board_truth(camera, field, extent, samples=9):

@@ -72,7 +72,7 @@ def mesh_drawing(view, meshes, size):
 
 
 def mesh_truth(view, meshes, size, samples=3):
-    """The mesh's picture of a larger window, averaged: the truth of meshes as fine as their points."""
+    """The mesh's picture of a larger window, averaged."""
     drawing = mesh_drawing(view, meshes, samples * size)
     picture = drawing.draw().reshape(size, samples, size, samples, 3).mean((1, 3))
     drawing.close()

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Guennebaud, Barthe and Paulin 2006, Splat/Mesh Blending, Perspective Rasterization and
 Transparency for Point-Based Rendering."""
+import itertools
+
 import numpy as np
 
 import measures
@@ -14,7 +16,8 @@ from papers.page import Number, Quoted
 from scenes import sphere_mesh
 
 # Table 1: points; frames a second by perspective splatting and by casting rays.
-TABLE_1 = ((154000, 50, 33), (460000, 40, 26), (1400000, 22, 13), (2500000, 15, 9.2), (5000000, 6.5, 5))
+TABLE_1 = ((154000, 50, 33), (460000, 40, 26), (1400000, 22, 13), (2500000, 15, 9.2),
+           (5000000, 6.5, 5))
 ZOOMS = (0.35, 0.7, 1.4, 2.8, 5.6)
 WAYS = {"tiles": (("SetMethodToTwoPass",), ("SetTargetError", 0.0)),
         "quads": (("SetMethodToTwoPass",), ("SetProjectionToQuads",), ("SetTargetError", 0.0))}
@@ -24,9 +27,9 @@ RADIUS = 0.75 * SPACING
 
 def rasteriser(section, plan):
     size = plan.size(1024)
-    section.text(f"Bodies of as many points as Igea has in table 1, {size} x {size} pixels: frames a second, "
-                 "and in brackets millions of splats a second, by this module's tiles (rays at "
-                 "paraboloids) and by quads through the rasteriser, at full quality.")
+    section.text(f"Bodies of as many points as Igea has in table 1, {size} x {size} pixels: frames "
+                 "a second, and in brackets millions of splats a second, by this module's tiles "
+                 "(rays at paraboloids) and by quads through the rasteriser, at full quality.")
     rows, rates = [], {}
     for count, perspective, rays in TABLE_1:
         data = clouds.vertices(clouds.body_mesh(plan.points(count)))
@@ -38,19 +41,21 @@ def rasteriser(section, plan):
         closed(drawings)
         rates[count] = ms
         rows.append([f"{count / 1e6:g} M", Number(points, ",.0f"),
-                     *(Number(1e3 / ms[name], ".3g", f" ({points / ms[name] / 1e3:.2f})") for name in WAYS),
+                     *(Number(1e3 / ms[name], ".3g", f" ({points / ms[name] / 1e3:.2f})")
+                       for name in WAYS),
                      *(Quoted(f"{fps} ({fps * count / 1e6:.3g})") for fps in (perspective, rays))])
-    section.table(["", "points", "tiles", "quads", "paper: perspective splatting", "paper: ray casting"],
-                  rows)
+    section.table(["", "points", "tiles", "quads", "paper: perspective splatting",
+                   "paper: ray casting"], rows)
     first, last = TABLE_1[0][0], TABLE_1[-1][0]
-    section.differs(f"From 154 k to 5 M points our tiles take {rates[last]['tiles'] / rates[first]['tiles']:.1f} "
-                    f"times as long and quads {rates[last]['quads'] / rates[first]['quads']:.1f} times, the paper 7.7 "
-                    "times: a GeForce 7800 with vertex programs, here a processor's cores, for which "
-                    "each splat's set-up counts. The bodies are made of formulas; "
-                    "the instructions that the paper counts have no counterpart in tiles.")
+    section.differs("From 154 k to 5 M points our tiles take "
+                    f"{rates[last]['tiles'] / rates[first]['tiles']:.1f} times as long and quads "
+                    f"{rates[last]['quads'] / rates[first]['quads']:.1f} times, the paper 7.7 "
+                    "times: a GeForce 7800 with vertex programs, here a processor's cores, for "
+                    "which each splat's set-up counts. The bodies are made of formulas; the "
+                    "instructions that the paper counts have no counterpart in tiles.")
     data = clouds.vertices(clouds.body_mesh(plan.points(460000)))
-    section.text(f"The same over zoom, {data.GetNumberOfPoints()} points: how large splats are decides what "
-                 "the rasteriser costs (not in the paper).")
+    section.text(f"The same over zoom, {data.GetNumberOfPoints()} points: how large splats are "
+                 "decides what the rasteriser costs (not in the paper).")
     found = {name: [] for name in WAYS}
     rows = []
     for zoom in ZOOMS:
@@ -62,7 +67,8 @@ def rasteriser(section, plan):
         closed(drawings)
         for name in WAYS:
             found[name].append(ms[name])
-        rows.append([f"zoom {zoom:g}", Number(projected, ",.0f"), *(Number(ms[name]) for name in WAYS)])
+        rows.append([f"zoom {zoom:g}", Number(projected, ",.0f"),
+                     *(Number(ms[name]) for name in WAYS)])
     section.table(["", "splats in view", "tiles, ms", "quads, ms"], rows)
     section.chart("zoom", "ms a frame", [(name, ZOOMS, ms) for name, ms in found.items()])
 
@@ -86,10 +92,11 @@ def board_view(size, position, focus):
 def prefilters(section, plan):
     size = plan.size(512)
     section.text("A chequered plane of 600 x 600 points, unlit, without a prefilter, with EWA "
-                 "filtering, with its approximation by Botsch et al. and with the paper's by longer "
-                 "tangents: each written down from the equations in NumPy (papers/filters.py), "
-                 "since the module has one prefilter only, whose own picture is the last. Likeness "
-                 "to the plane with 9 x 9 rays a pixel where all of them meet it.")
+                 "filtering, with its approximation by Botsch et al. and with the paper's by "
+                 "longer tangents: each written down from the equations in NumPy "
+                 "(papers/filters.py), since the module has one prefilter only, whose own picture "
+                 "is the last. Likeness to the plane with 9 x 9 rays a pixel where all of them "
+                 "meet it.")
     for title, position, focus in (
             ("Figure 3: to the horizon", (0, -1.02, 0.12), (0, 0.2, 0)),
             ("Figure 4: a close view at a flat angle", (0, -0.86, 0.012), (0, -0.6, 0))):
@@ -118,13 +125,13 @@ def prefilters(section, plan):
         section.text(title)
         section.table(["prefilter", "like the plane", "pixels that no splat meets"], rows)
         section.pictures(pictures)
-        section.differs("The paper shows pictures and no numbers. "
-                        f"Its own filter has {like['the paper' + chr(39) + 's'] - like['none']:+.1f} dB against none, "
+        section.differs("The paper shows pictures and no numbers. Its own filter has "
+                        f"{like['the paper' + chr(39) + 's'] - like['none']:+.1f} dB against none, "
                         f"EWA {like['EWA'] - like['none']:+.1f} dB and Botsch's approximation "
-                        f"{like['Botsch et al.'] - like['none']:+.1f} dB; the module, whose prefilter's radius is "
-                        "0.8 pixels where the paper's is the square root of two, "
-                        f"{like['this module'] - like['none']:+.1f} dB: with the Gaussian of sigma 0.6 "
-                        "that is as wide as a pixel, and blurs no more than truth does.")
+                        f"{like['Botsch et al.'] - like['none']:+.1f} dB; the module, whose "
+                        "prefilter's radius is 0.8 pixels where the paper's is the square root of "
+                        f"two, {like['this module'] - like['none']:+.1f} dB: with the Gaussian of "
+                        "sigma 0.6 that is as wide as a pixel, and blurs no more than truth does.")
 
 
 def hybrids(section, _):
@@ -135,7 +142,7 @@ def hybrids(section, _):
 def gathered(section, plan):
     size = plan.size(768)
     ball = sphere_mesh(plan.points(5000), 0.5)
-    places = [(1.2 * x, 1.2 * y, 1.2 * z) for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1)]
+    places = list(itertools.product((-1.2, 0, 1.2), repeat=3))
     data = clouds.vertices(ball)
     view = scene(27 * [0.4], ([-1.7] * 3, [1.7] * 3))
 
@@ -143,19 +150,20 @@ def gathered(section, plan):
         drawing = Frame(view, [splat_mapper(data, *calls) for _ in places], size)
         for i, (actor, place) in enumerate(zip(drawing.actors, places)):
             actor.SetPosition(place)
-            actor.GetProperty().SetColor([(p + 2) / 3 for p in place])
+            actor.GetProperty().SetColor([(p + 1.5) / 3 for p in place])
         return drawing
     everything = drawing_of()
     truth = everything.draw()
     all_layers = everything.mappers[0].GetNumberOfLayersDrawn()
     everything.close()
-    section.text(f"27 translucent spheres (opacity 0.4) of {data.GetNumberOfPoints()} points, {size} x {size} "
-                 f"pixels, {all_layers} layers deep: six layers, three, and three of which the last "
-                 "gathers the rest; likeness to all layers.")
+    section.text(f"27 translucent spheres (opacity 0.4) of {data.GetNumberOfPoints()} points, "
+                 f"{size} x {size} pixels, {all_layers} layers deep: six layers, three, and three "
+                 "of which the last gathers the rest; likeness to all layers.")
     drawings = {
         "6 layers": drawing_of(("SetMaximumNumberOfLayers", 6)),
         "3 layers": drawing_of(("SetMaximumNumberOfLayers", 3)),
-        "3 layers, the last gathers": drawing_of(("SetMaximumNumberOfLayers", 3), ("GatherRemainingOn",))}
+        "3 layers, the last gathers": drawing_of(("SetMaximumNumberOfLayers", 3),
+                                                 ("GatherRemainingOn",))}
     pictures = {name: drawing.draw() for name, drawing in drawings.items()}
     ms = medians(drawings, plan.runs(5))
     closed(drawings)
@@ -165,17 +173,19 @@ def gathered(section, plan):
         for name, paper in zip(drawings, (21, 45, 49))])
     section.pictures(list(pictures.items()))
     six, three, gather = (ms[name] for name in drawings)
-    section.differs(f"Three layers are {six / three:.2f} times as fast as six here, 2.14 times in the paper, since "
-                    "tiles peel all layers from one projection of the splats; gathering costs "
-                    f"{gather / three:.2f} times as much time as leaving the rest out, where in the paper it "
-                    "saves the visibility pass (0.92), and gains "
-                    f"{likes['3 layers, the last gathers'] - likes['3 layers']:.1f} dB. The paper's scene has at most "
-                    f"six layers, ours {all_layers}.")
+    section.differs(f"Three layers are {six / three:.2f} times as fast as six here, 2.14 times in "
+                    "the paper, since tiles peel all layers from one projection of the splats; "
+                    f"gathering costs {gather / three:.2f} times as much time as leaving the rest "
+                    "out, where in the paper it saves the visibility pass (0.92), and gains "
+                    f"{likes['3 layers, the last gathers'] - likes['3 layers']:.1f} dB. The "
+                    f"paper's scene has at most six layers, ours {all_layers}.")
 
 
 SECTIONS = {
-    "guennebaud-table-1": ("Guennebaud, Barthe and Paulin, table 1: the rasteriser's cost", rasteriser),
-    "guennebaud-figures-3-4": ("Guennebaud, Barthe and Paulin, figures 3 and 4: prefilters", prefilters),
+    "guennebaud-table-1": ("Guennebaud, Barthe and Paulin, table 1: the rasteriser's cost",
+                           rasteriser),
+    "guennebaud-figures-3-4": ("Guennebaud, Barthe and Paulin, figures 3 and 4: prefilters",
+                               prefilters),
     "guennebaud-figure-5": ("Guennebaud, Barthe and Paulin, figure 5: hybrids", hybrids),
     "guennebaud-figure-6": ("Guennebaud, Barthe and Paulin, figure 6: layers gathered", gathered),
 }
