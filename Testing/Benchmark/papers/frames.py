@@ -98,7 +98,7 @@ def difference(picture, truth, gain=8):
     return np.clip(128 + gain * (picture - truth), 0, 255)
 
 
-def crop(picture, share=0.25, centre=(0.5, 0.5), grown=4):
+def crop(picture, share=0.3, centre=(0.5, 0.5), grown=3):
     """A part of a picture, its pixels enlarged."""
     size = picture.shape[0]
     half = max(4, round(share * size / 2))

@@ -41,7 +41,7 @@ def rasteriser(section, plan):
         closed(drawings)
         rates[count] = ms
         rows.append([f"{count / 1e6:g} M", Number(points, ",.0f"),
-                     *(Number(1e3 / ms[name], ".3g", f" ({points / ms[name] / 1e3:.2f})")
+                     *(Number(1e3 / ms[name], unit=f" ({points / ms[name] / 1e3:.2f})")
                        for name in WAYS),
                      *(Quoted(f"{fps} ({fps * count / 1e6:.3g})") for fps in (perspective, rays))])
     section.table(["", "points", "tiles", "quads", "paper: perspective splatting",

@@ -24,10 +24,11 @@ WIDTH, HEIGHT, LEFT, BOTTOM, RIGHT = 620, 320, 60, 45, 190
 
 
 class Number:
-    """What was measured here, and the text that a table shows of it."""
+    """What was measured here, and the text that a table shows of it: three digits, or `form`."""
 
-    def __init__(self, value, form=".3g", unit=""):
+    def __init__(self, value, form=None, unit=""):
         self.value = float(value)
+        form = form or (",.0f" if abs(self.value) >= 100 else ".3g")
         self.text = f"{self.value:{form}}{unit}"
 
 
@@ -143,7 +144,9 @@ class Page:
 
     def write(self, machine):
         """papers.html and papers.json; machine: facts by name."""
-        facts = "; ".join(f"{key}: {value}" for key, value in machine.items())
+        flat = [(key, " ".join(value.values()) if isinstance(value, dict) else value)
+                for key, value in machine.items()]
+        facts = "; ".join(f"{key}: {value}" for key, value in flat)
         contents = "".join(f'<li><a href="#{s.name}">{html.escape(s.title)}</a></li>'
                            for s in self.sections)
         out = ['<!DOCTYPE html><html lang="en"><head><meta charset="utf-8">',
