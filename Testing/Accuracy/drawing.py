@@ -41,9 +41,10 @@ def save(path, picture):
 class Drawing:
     """One window with one mapper for each of a scene's parts."""
 
-    def __init__(self, scene, mappers, size, peels=None):
+    def __init__(self, scene, mappers, size, peels=None, shared=None):
         """peels: of VTK's dual depth peeling, for translucent scenes; None: none. (0 does not mean
-        all of them there: after the first it blends the rest unsorted.)"""
+        all of them there: after the first it blends the rest unsorted.) shared: a window of many
+        drawings, in which shaders are compiled once for all."""
         self.scene, self.size, self.mappers = scene, size, mappers
         self.renderer = vtkRenderer()
         if peels is not None:
@@ -57,7 +58,8 @@ class Drawing:
             actor.GetProperty().DeepCopy(prop)
             self.renderer.AddActor(actor)
             self.actors.append(actor)
-        self.window = window(size, size)
+        self.shared = shared
+        self.window = shared or window(size, size)
         self.window.AddRenderer(self.renderer)
         scene.set_view(self.renderer)
         self.milliseconds = self.processor_milliseconds = None
@@ -89,6 +91,11 @@ class Drawing:
 
     def draw(self):
         """A frame with read-back, which waits until all is drawn: colours, 0 to 255."""
+        if self.shared:
+            self.shared.SetSize(self.size, self.size)
+            for i in range(self.shared.GetRenderers().GetNumberOfItems()):
+                other = self.shared.GetRenderers().GetItemAsObject(i)
+                other.SetDraw(other is self.renderer)
         pixels = vtkUnsignedCharArray()
         last = self.size - 1
         start, processor = time.perf_counter(), time.process_time()
@@ -184,5 +191,6 @@ class Drawing:
         return np.round(count).astype(int)
 
     def close(self):
-        self.window.Finalize()
+        if not self.shared:
+            self.window.Finalize()
         self.window.RemoveRenderer(self.renderer)
