@@ -59,8 +59,8 @@ def body_mesh(count):
     directions = vtk_to_numpy(ball.GetPoints().GetData()).astype(float)
     triangles = vtk_to_numpy(ball.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     # Not on a grid, as a scan's points are not.
-    shift = np.random.default_rng(3).normal(size=directions.shape)
-    directions = unit(directions + 0.2 * np.sqrt(4 * np.pi / len(directions)) * shift)
+    shift = np.random.default_rng(3).uniform(-0.25, 0.25, directions.shape)
+    directions = unit(directions + np.sqrt(4 * np.pi / len(directions)) * shift)
     points = directions * radius_of(directions)[:, None]
     step = 1e-5
     level = np.stack([np.linalg.norm(points + e, axis=1) - radius_of(unit(points + e))

@@ -204,10 +204,9 @@ def overdraw(section, plan):
     section.table(["", "mean", "95 % have at most", "most"], rows)
     section.pictures(pictures)
     section.differs("The paper shows mostly blue pixels (few splats) at a tolerance of 0.02 % and "
-                    f"gives no numbers. Our mean is {min(means):.1f} to {max(means):.1f}, more or "
-                    "less whatever the number of points: disks of 1.5 times 0.75 spacings cover "
-                    "each place about four times, and more where the surface is seen at a flat "
-                    "angle.")
+                    f"gives no numbers. Our means are {means[0]:.1f} and {means[1]:.1f}: as many "
+                    "as a disk's area has points, whatever their number, and more where the surface "
+                    "is seen at a flat angle.")
 
 
 SECTIONS = {

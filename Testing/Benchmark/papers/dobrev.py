@@ -158,9 +158,9 @@ def samples(section, plan):
                              reference.Shadows(view.light_radius, RAYS))
     probe.close()
     for count in counts:
-        drawings[f"{count} samples"] = splat_drawing(
+        drawings[f"{count} sample{'s' if count > 1 else ''}"] = splat_drawing(
             view, data, size, ("ShadowsOn",), ("SetNumberOfShadowSamples", count),
-            ("SetTargetError", 0.0),
+            ("SetTargetError", 0.0), ("AntiAliasingOff",),
             ("SetShadowLightRadius", view.light_radius if count > 1 else 0.0))
     for name, drawing in drawings.items():
         pictures[name] = drawing.draw()
@@ -171,10 +171,10 @@ def samples(section, plan):
     section.table(["", "ms a frame", "rms error of colour (of 255)"], [
         [name, Number(value), Number(error, ".2f")]
         for (name, value), error in zip(ms.items(), errors)])
-    section.pictures([*((name, pictures[name]) for name in ("1 samples", "30 samples")),
+    section.pictures([*((name, pictures[name]) for name in ("1 sample", "30 samples")),
                       ("ray casting", truth.colour),
-                      *((f"{name}, magnified", crop(pictures[name], 0.2, (0.42, 0.42)))
-                        for name in ("1 samples", "30 samples"))])
+                      *((f"{name}, magnified", crop(pictures[name], 0.3, (0.38, 0.72)))
+                        for name in ("1 sample", "30 samples"))])
     section.chart("samples", "rms error, of 255", [("point shadow texture", counts, errors)])
     section.differs("The paper has figure 16's pictures with 1 and 30 samples and no errors. A "
                     "sample here is one shadow map, of disks instead of points, against which all "

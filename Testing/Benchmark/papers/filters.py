@@ -9,6 +9,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from papers.clouds import board_colour
+from scenes import BACKGROUND
 
 SIGMA, SUPPORT = 0.6, 1.5     # in radii, as vtkPointSplatMapper's defaults
 PREFILTER = np.sqrt(2)        # pixels: section 4.1's typical choice of h
@@ -151,7 +152,7 @@ class Splats:
         return lambda which, pixels: kernel(exact(which, pixels))
 
     def draw(self, weight):
-        """[height, width, 3], 0 where there is no splat; and where there is one."""
+        """[height, width, 3], the background where there is no splat."""
         longest = SUPPORT * np.sqrt((self.projected(self.s) ** 2).sum(1) +
                                     (self.projected(self.t) ** 2).sum(1) + PREFILTER ** 2)
         width, height = self.size
@@ -163,8 +164,19 @@ class Splats:
             weights += np.bincount(to[inside], w[inside], width * height)
             sums += np.bincount(to[inside], (w * colour)[inside], width * height)
         grey = np.where(weights > 0, sums / np.maximum(weights, 1e-300), 0.0)
-        picture = 255 * np.repeat(grey.reshape(height, width, 1), 3, 2)
-        return picture, weights.reshape(height, width) > 0
+        return np.where(weights[:, None] > 0, 255 * grey[:, None],
+                        255 * np.array(BACKGROUND)).reshape(height, width, 3)
+
+    def spacing_below(self, spacing):
+        """For each pixel with points, how many pixels a length of `spacing` spans there along the
+        tangent that is foreshortened; infinite at others."""
+        across = np.linalg.norm(self.projected(self.t), axis=1) / np.linalg.norm(self.t, axis=1)
+        width, height = self.size
+        x, y = np.round(self.at).astype(int).T
+        inside = (x >= 0) & (x < width) & (y >= 0) & (y < height)
+        least = np.full((height, width), np.inf)
+        np.minimum.at(least, (y[inside], x[inside]), spacing * across[inside])
+        return least
 
 
 def board_truth(camera, field, extent, samples=9):
@@ -179,6 +191,7 @@ def board_truth(camera, field, extent, samples=9):
             hit = (t > 0) & (np.abs(x) < extent) & (np.abs(y) < extent)
             grey += np.where(hit, board_colour(x, y, field), 0)
             met += hit
+    share = (met / samples ** 2)[:, None]
+    colour = 255 * ((grey / samples ** 2)[:, None] + (1 - share) * BACKGROUND)
     shape = (camera.height, camera.width)
-    grey = (grey / np.maximum(met, 1)).reshape(shape)
-    return 255 * np.repeat(grey[..., None], 3, 2), (met == samples ** 2).reshape(shape)
+    return colour.reshape(*shape, 3), (met == samples ** 2).reshape(shape)

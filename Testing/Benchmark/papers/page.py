@@ -10,6 +10,7 @@ import tempfile
 
 import numpy as np
 
+from bench.charts import ticks
 from drawing import save
 
 STYLE = """body{font:15px/1.5 sans-serif;max-width:1150px;margin:2em auto;padding:0 1em;color:#222}
@@ -87,6 +88,18 @@ class Section:
         self.parts.append(chart(x_title, y_title, series, log))
 
 
+def even_ticks(low, high):
+    step = 10 ** math.floor(math.log10(high - low))
+    step *= 1 if high - low > 4 * step else 0.5 if high - low > 2 * step else 0.25
+    found = [step * i for i in range(math.floor(low / step), math.ceil(high / step) + 1)]
+    return [value for value in found if low <= value <= high]
+
+
+def chart(self, x_title, y_title, series, log=True):
+        """series: names with values x and y; log: both axes."""
+        self.parts.append(chart(x_title, y_title, series, log))
+
+
 def ticks(low, high, log):
     if log:
         decades = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
@@ -104,6 +117,7 @@ def chart(x_title, y_title, series, log):
     def scaled(values):
         return np.log10(values) if log else np.asarray(values, float)
 
+    marks = ticks if log else even_ticks
     ends, places = [], []
     for axis, (first, last) in enumerate(((LEFT, WIDTH - RIGHT), (HEIGHT - BOTTOM, 12))):
         values = scaled(np.concatenate([np.asarray(s[1 + axis], float) for s in series]))
@@ -114,11 +128,11 @@ def chart(x_title, y_title, series, log):
                       first + (scaled(v) - low) / (high - low) * (last - first))
     at_x, at_y = places
     out = [f'<svg width="{WIDTH}" height="{HEIGHT}" font-size="12" font-family="sans-serif">']
-    for value in ticks(*ends[0], log):
+    for value in marks(*ends[0]):
         x = at_x(value)
         out.append(f'<path d="M{x:.1f} 12V{HEIGHT - BOTTOM}" stroke="#ddd"/><text x="{x:.1f}" '
                    f'y="{HEIGHT - BOTTOM + 16}" text-anchor="middle">{value:g}</text>')
-    for value in ticks(*ends[1], log):
+    for value in marks(*ends[1]):
         y = at_y(value)
         out.append(f'<path d="M{LEFT} {y:.1f}H{WIDTH - RIGHT}" stroke="#ddd"/><text x="{LEFT - 5}" '
                    f'y="{y + 4:.1f}" text-anchor="end">{value:g}</text>')
