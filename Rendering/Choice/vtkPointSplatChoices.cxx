@@ -225,8 +225,11 @@ void ChooseLevels(const vtkPointSplatFacts& facts, double tolerance, vtkPointSpl
   choice.LevelPixels = std::max(scale * FilterPixels, tolerance / StrideErrorPerPixel);
   choice.SmoothLevelPixels = std::max(scale * SmoothPixels, choice.LevelPixels);
   choice.LevelDeviation = looser * SmoothDeviation;
-  choice.LevelsReason = !facts.Levels ? "no cloud has levels" : "splats stand for others up to a radius of " + Number(choice.LevelPixels) +
-    " pixels, of " + Number(choice.SmoothLevelPixels) + " where it is smooth";
+  choice.LevelsReason = facts.Levels
+    ? "splats stand for others up to a radius of " + Number(choice.LevelPixels) +
+      " pixels, of " + Number(choice.SmoothLevelPixels) + " where it is smooth"
+    : facts.LevelsUnderWay ? "they are being made; until then all points are drawn"
+                           : "no cloud has levels";
 }
 }
 

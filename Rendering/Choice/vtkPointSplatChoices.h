@@ -49,6 +49,7 @@ struct vtkPointSplatFacts
   bool Sortable = true;     // nothing else translucent can lie between the layers
   bool Refracts = false;
   bool Levels = false;      // some cloud has levels
+  bool LevelsUnderWay = false; // those of some cloud are being made
   bool Selects = false;     // ids of points are wanted
   int Groups = -1;          // for deferred blending; -1: not made yet, 0: cannot be made
   bool GroupsFit = true;    // their images fit the hardware and MaximumImageMemory

@@ -217,6 +217,10 @@ vtkPointSplatFacts vtkPointSplatCollection::Describe(
     std::any_of(entries.begin(), entries.end(), [](const vtkPointSplatEntry& entry) {
       return entry.Settings.LevelOfDetail && entry.Item.Cloud->GetLevels().AreMade();
     });
+  facts.LevelsUnderWay =
+    std::any_of(entries.begin(), entries.end(), [](const vtkPointSplatEntry& entry) {
+      return entry.Settings.LevelOfDetail && entry.Item.Cloud->GetLevels().IsUnderWay();
+    });
   for (const vtkPointSplatEntry& entry : entries)
   {
     // To find it takes a pass over the points, once: only where it can matter.

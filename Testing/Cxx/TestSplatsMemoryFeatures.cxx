@@ -23,7 +23,7 @@ using namespace SplatScene;
 
 constexpr int Cycle = 40;
 constexpr int Interval = 5 * Cycle;
-constexpr int Frames = SplatMemory::MeasureMemory ? 2000 + Interval : 3 * Interval;
+constexpr int Frames = SplatMemory::MeasureMemory ? 4000 + Interval : 3 * Interval;
 // KiB in an interval: a hundred bytes a frame.
 constexpr long MostGrowth = 20;
 

@@ -95,23 +95,6 @@ def even_ticks(low, high):
     return [value for value in found if low <= value <= high]
 
 
-def chart(self, x_title, y_title, series, log=True):
-        """series: names with values x and y; log: both axes."""
-        self.parts.append(chart(x_title, y_title, series, log))
-
-
-def ticks(low, high, log):
-    if log:
-        decades = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
-        steps = (1, 2, 5) if high < 1000 * low else (1,)
-        found = [step * 10.0 ** decade for decade in decades for step in steps]
-    else:
-        step = 10 ** math.floor(math.log10(high - low))
-        step *= 1 if high - low > 4 * step else 0.5 if high - low > 2 * step else 0.25
-        found = [step * i for i in range(math.floor(low / step), math.ceil(high / step) + 1)]
-    return [value for value in found if low <= value <= high]
-
-
 def chart(x_title, y_title, series, log):
     """As SVG."""
     def scaled(values):
