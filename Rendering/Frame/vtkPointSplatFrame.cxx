@@ -39,6 +39,11 @@ int SelectionPassOf(vtkRenderer* renderer)
 /// Whether render passes that ask for keys take both actors or none.
 bool HaveSameKeys(vtkActor* a, vtkActor* b)
 {
+  // What cullers leave out, since it is out of view, gets no keys: there is nothing of it to see.
+  if (a->GetRenderTimeMultiplier() == 0.0 || b->GetRenderTimeMultiplier() == 0.0)
+  {
+    return true;
+  }
   vtkInformation* first = a->GetPropertyKeys();
   vtkInformation* second = b->GetPropertyKeys();
   return first == second || ((!first || b->HasKeys(first)) && (!second || a->HasKeys(second)));
