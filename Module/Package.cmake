@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # The CMake package PointSplatting, in the build tree as in the install tree.
-# It offers VTK::FiltersPointSplatting, VTK::RenderingPointSplatting and, for
-# who wants both, VTK::PointSplatting.
+# It offers VTK::FiltersPointSplatting, VTK::RenderingPointSplatting, with HDF5
+# VTK::IOPointSplatting and, for who wants all, VTK::PointSplatting.
 include(CMakePackageConfigHelpers)
 
 # Which components of VTK the exported targets refer to.

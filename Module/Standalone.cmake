@@ -62,12 +62,17 @@ endif ()
 if (BUILD_TESTING)
   list(APPEND _components TestingCore TestingRendering)
 endif ()
-find_package(VTK 9.1 REQUIRED COMPONENTS ${_components} OPTIONAL_COMPONENTS glad)
+find_package(VTK 9.1 REQUIRED COMPONENTS ${_components} OPTIONAL_COMPONENTS glad hdf5 IOCore)
 
 set(_cmake_destination "${CMAKE_INSTALL_LIBDIR}/cmake/PointSplatting")
 set(_module_files
   "${CMAKE_SOURCE_DIR}/Filters/vtk.module"
   "${CMAKE_SOURCE_DIR}/Rendering/vtk.module")
+if (TARGET VTK::hdf5 AND TARGET VTK::IOCore AND NOT SKBUILD)
+  # Without HDF5 there is no reader and writer of octrees. Wheels of VTK have one of their own, whose
+  # headers they do not have.
+  list(APPEND _module_files "${CMAKE_SOURCE_DIR}/IO/vtk.module")
+endif ()
 vtk_module_scan(
   MODULE_FILES         ${_module_files}
   PROVIDES_MODULES     _modules
@@ -118,7 +123,8 @@ if (PointSplatting_BUILD_EXAMPLES)
 endif ()
 # What a user of this tree runs, without the tests.
 add_custom_target(programs)
-foreach (_target IN ITEMS splatview vtkFiltersPointSplattingPython vtkRenderingPointSplattingPython)
+foreach (_target IN ITEMS splatview vtkFiltersPointSplattingPython vtkIOPointSplattingPython
+    vtkRenderingPointSplattingPython)
   if (TARGET ${_target})
     add_dependencies(programs ${_target})
   endif ()

@@ -151,6 +151,11 @@ std::vector<double> CameraNumbers(const std::string& option, const std::string& 
   return c;
 }
 
+bool EndsIn(const std::string& text, const std::string& end)
+{
+  return text.size() > end.size() && text.substr(text.size() - end.size()) == end;
+}
+
 std::string OneOf(
   const std::string& option, const std::string& text, const std::vector<std::string>& choices)
 {
@@ -233,15 +238,17 @@ Options Options::Parse(int argc, char* argv[])
     { "--frames", [&o](auto& n, auto& v) { o.Frames = Whole(n, v, 1, 10000); } },
     { "--output",
       [&o](auto& n, auto& v) {
-        if (v.size() < 5 || v.substr(v.size() - 4) != ".png")
+        if (!EndsIn(v, ".png") && !EndsIn(v, ".h5"))
         {
           throw UserError(n + ": '" + v + "' does not end in .png");
         }
         o.Output = v;
       } },
+    { "--points", [&o](auto& n, auto& v) { o.MostPoints = Whole(n, v, 1, VTK_INT_MAX); } },
     { "--json", [&o](auto&, auto& v) { o.Json = v; } },
   };
-  const std::map<std::string, bool Options::*> flags = { { "--particles", &Options::Particles },
+  const std::map<std::string, bool Options::*> flags = { { "--convert", &Options::Convert },
+    { "--particles", &Options::Particles },
     { "--project", &Options::Project }, { "--scalar-bar", &Options::ScalarBar },
     { "--unlit", &Options::Unlit }, { "--lit", &Options::Lit },
     { "--quiet", &Options::Quiet }, { "--help", &Options::Help }, { "-h", &Options::Help },
@@ -289,6 +296,14 @@ Options Options::Parse(int argc, char* argv[])
       o.Files.push_back(argv[i]);
     }
   }
+  if (o.Convert && (o.Files.empty() || !EndsIn(o.Output, ".h5")))
+  {
+    throw UserError("--convert: needs files, and --output with a name that ends in .h5");
+  }
+  if (!o.Convert && EndsIn(o.Output, ".h5"))
+  {
+    throw UserError("--output: '" + o.Output + "' does not end in .png; --convert writes .h5");
+  }
   if (o.Particles && !o.Isovalues.empty())
   {
     throw UserError("--particles: goes without --iso; the surface is where the fluid ends");
@@ -311,7 +326,7 @@ std::string Options::HelpText()
 
   splatview [FILES] [options]
 
-FILES  points: .vtp .ply .obj .stl .xyz .pts .txt .csv .vtu .vts .vtk .vtm
+FILES  points: .vtp .ply .obj .stl .xyz .pts .txt .csv .vtu .vts .vtk .vtm .h5
        volumes: .vti .mhd .mha .nrrd .nhdr .vtk .vtm
        Without files splatview makes a hydrogen orbital of its own, cut open to show three
        nested isosurfaces, and writes hydrogen.png.
@@ -359,6 +374,11 @@ How it is drawn
   --layers N           the most layers that are peeled (32)
   --projection P       automatic (default), compute, quads
 
+Large clouds
+  --convert            write the files' points, one file after the other, with coarser versions of
+                       them to --output F.h5, and end: of that any number of points is read
+  --points N           of .h5 files, draw at most N splats that stand for all points
+
 What comes out
   --output F.png       write a picture and end; without it a window opens where there is a
                        display, and splatview.png is written where there is none
@@ -377,6 +397,8 @@ Examples
   splatview scan.xyz --normals estimate --camera 30,20,1.5 --json report.json --output scan.png
   splatview scans.ply --project --output scans.png
   splatview flow.vtp --array pressure --scalar-bar
+  splatview --convert scan1.ply scan2.ply --output scans.h5
+  splatview scans.h5 --points 1000000
   splatview tank.vtp --particles --opacity 0.5 --array velocity
   splatview before.ply after.ply --color '#5588ee;1,.6,.2'
 

@@ -38,6 +38,8 @@ struct Options
   std::string Normals = "keep";
   double RadiusScale = 1.0;
   int Frames = 5;
+  long MostPoints = 0; // of .h5 files; 0: all
+  bool Convert = false;
   bool Particles = false;
   bool Project = false;
   bool ScalarBar = false;

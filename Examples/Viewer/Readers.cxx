@@ -4,6 +4,7 @@
 
 #include "Messages.h"
 #include "ObjIndices.h"
+#include "OctreeFiles.h"
 #include "Options.h"
 #include "PlyVertices.h"
 #include "Progress.h"
@@ -188,7 +189,7 @@ const std::map<std::string, ReadFunction>& GetReaders()
 
 //------------------------------------------------------------------------------
 std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> ReadFile(
-  const std::string& file, bool quiet)
+  const std::string& file, bool quiet, long mostPoints)
 {
   // Folders open, but have nothing to read.
   std::ifstream in(file);
@@ -196,12 +197,14 @@ std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> ReadFile(
   {
     throw UserError(file + ": cannot be opened");
   }
-  const auto reader = GetReaders().find(Extension(file));
-  if (reader == GetReaders().end())
+  const std::string extension = Extension(file);
+  const auto reader = GetReaders().find(extension);
+  if (reader == GetReaders().end() && extension != "h5")
   {
     throw UserError(file + ": files of this kind are not read; --help lists those that are");
   }
-  vtkSmartPointer<vtkDataObject> object = reader->second(file, quiet);
+  vtkSmartPointer<vtkDataObject> object =
+    extension == "h5" ? ReadOctree(file, mostPoints, quiet) : reader->second(file, quiet);
   const std::string error = MessageKeeper::TakeError();
   if (!error.empty())
   {

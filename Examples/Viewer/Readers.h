@@ -14,9 +14,10 @@ class vtkDataSet;
 
 /**
  * What lies in the file, each a vtkImageData or a vtkPointSet with at least one
- * point, and its name: the file's, and of more than one the block's. Throws UserError.
+ * point, and its name: the file's, and of more than one the block's. Of .h5 files at most so many
+ * splats are read; 0: all points. Throws UserError.
  */
 std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> ReadFile(
-  const std::string& file, bool quiet);
+  const std::string& file, bool quiet, long mostPoints);
 
 #endif

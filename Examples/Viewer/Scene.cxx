@@ -404,7 +404,7 @@ Scene Scene::Make(const Options& options)
   }
   for (const std::string& file : options.Files)
   {
-    for (const auto& [name, data] : ReadFile(file, options.Quiet))
+    for (const auto& [name, data] : ReadFile(file, options.Quiet, options.MostPoints))
     {
       if (vtkImageData* volume = vtkImageData::SafeDownCast(data))
       {

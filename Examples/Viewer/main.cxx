@@ -3,6 +3,7 @@
 // splatview: point clouds, and volumes by way of them, drawn as smooth surfaces.
 #include "Display.h"
 #include "Messages.h"
+#include "OctreeFiles.h"
 #include "Options.h"
 #include "Report.h"
 #include "Scene.h"
@@ -195,6 +196,12 @@ int main(int argc, char* argv[])
       std::cout << "splatview " SPLATVIEW_VERSION " with VTK " << vtkVersion::GetVTKVersion()
                 << "\n";
       return 0;
+    }
+    if (options.Convert)
+    {
+      CheckWritable(options.Output);
+      ConvertFiles(options);
+      return ShowMessages();
     }
     return Run(options);
   }

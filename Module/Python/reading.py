@@ -30,6 +30,7 @@ _OWN_READERS = {
     ".las": "reading_las",
     ".laz": "reading_las",
     ".e57": "reading_e57",
+    ".h5": "reading_octree",
     ".xyz": "reading_text",
     ".txt": "reading_text",
     ".csv": "reading_text",
@@ -62,12 +63,13 @@ def read(path, box=None, spacing=None):
     path : str or path-like
         The file. What its name ends with tells the format: what VTK reads (``.vtp .vtu .vts .vtr
         .vti .vtm .vtk .ply .obj .stl .pts .mhd .mha .nrrd .nhdr``), text (``.xyz .txt .csv
-        .asc``), and scans: ``.las .laz .copc.laz`` by the package laspy with lazrs
+        .asc``), ``.h5`` of vtkPointSplatOctreeWriter, and scans: ``.las .laz .copc.laz`` by the package laspy with lazrs
         (``pip install pointsplatting[las]``), ``.e57`` by pye57 (``pip install
         pointsplatting[e57]``).
     box : sequence of 6 float, optional
         Of scans, the points inside alone: xmin, xmax, ymin, ymax, zmin, zmax, in the file's
-        coordinates. Of a ``.copc.laz`` nothing else is read.
+        coordinates. Of a ``.copc.laz`` nothing else is read. Of an ``.h5`` whole blocks of points
+        are read, which reach into it.
     spacing : float, optional
         Of a ``.copc.laz``, points about so far apart alone (the file's unit): its octree is read
         to that level, and no further.

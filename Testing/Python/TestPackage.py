@@ -36,6 +36,7 @@ class TestPackage(unittest.TestCase):
         for module in (
             pointsplatting.vtkFiltersPointSplatting,
             pointsplatting.vtkRenderingPointSplatting,
+            getattr(pointsplatting, "vtkIOPointSplatting", pointsplatting.vtkFiltersPointSplatting),
         ):
             for name, value in classes_of(module).items():
                 self.assertIs(getattr(pointsplatting, name), value)

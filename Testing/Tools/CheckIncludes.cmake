@@ -3,7 +3,7 @@
 #
 # cmake -DTOP=<source tree> -P CheckIncludes.cmake: what each folder may know of the others.
 #
-# 1. All files of Filters/, Rendering/ and its folders are found; a header or a shader belongs to
+# 1. All files of Filters/, IO/, Rendering/ and its folders are found; a header or a shader belongs to
 #    the folder that it lies in. "Rendering" is Rendering/'s root.
 # 2. Each #include of a file of this project must name one that is there, in the same folder or in
 #    one of those that the rules below allow. So must each shader that C++ names, since shaders
@@ -13,6 +13,7 @@ cmake_minimum_required(VERSION 3.16)
 
 # What each folder may use: folders, or single files.
 set(Filters)
+set(IO Filters)
 set(Choice)
 set(GL)
 set(Cloud GL Filters)
@@ -26,7 +27,7 @@ set(Shade GL Cloud Project
 set(Shadow GL Cloud Project Reconstruct)
 set(Frame GL Cloud Project Select Reconstruct Shade Shadow Choice)
 set(Rendering ${Frame} Frame Filters)
-set(without_opengl Filters Choice)
+set(without_opengl Filters IO Choice)
 # Public headers are installed, and the private ones are not: of Rendering/'s root those that a class
 # has for its own files.
 set(public_headers)
@@ -46,7 +47,7 @@ foreach (_folder IN LISTS folders)
     list(APPEND files "${_folder}|${_file}")
   endforeach ()
 endforeach ()
-foreach (_folder IN ITEMS Filters Rendering)
+foreach (_folder IN ITEMS Filters IO Rendering)
   file(GLOB _found "${TOP}/${_folder}/*.h" "${TOP}/${_folder}/*.cxx")
   foreach (_file IN LISTS _found)
     get_filename_component(_name "${_file}" NAME)

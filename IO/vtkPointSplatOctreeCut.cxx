@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatOctreeCut.h"
+
+#include "vtkDataArray.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+namespace
+{
+using namespace vtkPointSplatHDF5;
+
+/// Numbers of a group's array of a name, which has so many components; none: there is no such array.
+std::vector<double> NumbersOf(hid_t group, const char* name, int components)
+{
+  std::vector<double> numbers;
+  for (int a = 0;; ++a)
+  {
+    const std::string dataset = "Array" + std::to_string(a);
+    ArrayHead head;
+    if (!ReadHead(group, dataset, head))
+    {
+      return numbers;
+    }
+    auto array = vtkSmartPointer<vtkAbstractArray>(NewArray(group, dataset));
+    auto* data = vtkDataArray::SafeDownCast(array);
+    if (head.Name != name || head.Components != components || !data)
+    {
+      continue;
+    }
+    data->SetNumberOfTuples(head.Tuples);
+    if (ReadTuples(group, dataset, { { 0, head.Tuples } }, data, 0))
+    {
+      for (vtkIdType i = 0; i < head.Tuples; ++i)
+      {
+        for (int c = 0; c < components; ++c)
+        {
+          numbers.push_back(data->GetComponent(i, c));
+        }
+      }
+    }
+    return numbers;
+  }
+}
+
+/// Of whole numbers that HDF5 holds.
+bool IsWithin(double number, double least, double most)
+{
+  return number >= least && number <= most; // NaN is not
+}
+
+bool Meets(const vtkBoundingBox& wanted, const vtkBoundingBox& box)
+{
+  return !wanted.IsValid() || wanted.Intersects(box) != 0;
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatOctreeCut::AddPiece(hid_t file, int number)
+{
+  const Handle piece = OpenGroup(file, "Piece" + std::to_string(number));
+  std::vector<long long> points(1);
+  std::vector<long long> levels(1);
+  std::vector<double> bounds(6);
+  if (!piece || !ReadNumbers(piece, "Points", points) || !ReadNumbers(piece, "Levels", levels) ||
+    !ReadNumbers(piece, "Bounds", bounds) || levels[0] < 1 || levels[0] > 64)
+  {
+    return false;
+  }
+  std::vector<vtkIdType> sizes;
+  for (int level = 0; level < levels[0]; ++level)
+  {
+    ArrayHead head;
+    const Handle group = OpenGroup(piece, "Level" + std::to_string(level));
+    if (!group || !ReadHead(group, "Array0", head) || head.Components != 3)
+    {
+      return false;
+    }
+    sizes.push_back(head.Tuples);
+  }
+  if (sizes[0] != points[0])
+  {
+    return false;
+  }
+  if (levels[0] > 1)
+  {
+    return this->AddBlocks(piece, number, sizes);
+  }
+  this->Roots.push_back(this->Blocks.size());
+  this->Blocks.push_back(
+    { number, 0, { 0, sizes[0] }, 0, 0, vtkBoundingBox(bounds.data()), 0.0f });
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatOctreeCut::AddBlocks(
+  hid_t piece, int number, const std::vector<vtkIdType>& sizes)
+{
+  const Handle group = OpenGroup(piece, "Blocks");
+  if (!group)
+  {
+    return false;
+  }
+  const std::vector<double> ranges = NumbersOf(group, "SplatBlockRange", 3);
+  const std::vector<double> children = NumbersOf(group, "SplatBlockChildren", 2);
+  const std::vector<double> boxes = NumbersOf(group, "SplatBlockBounds", 6);
+  const std::vector<double> radii = NumbersOf(group, "SplatBlockSize", 3);
+  const std::vector<double> origin = NumbersOf(group, "SplatBlockOrigin", 3);
+  const size_t count = ranges.size() / 3;
+  if (count == 0 || children.size() != 2 * count || boxes.size() != 6 * count ||
+    radii.size() != 3 * count || origin.size() != 3)
+  {
+    return false;
+  }
+  const size_t first = this->Blocks.size();
+  size_t roots = count;
+  for (size_t i = 0; i < count; ++i)
+  {
+    const double* range = &ranges[3 * i];
+    const double* child = &children[2 * i];
+    const bool inner = child[1] > 0.0;
+    // Children come after their parents, so that no way down is a circle.
+    if (!IsWithin(range[0], 0.0, sizes.size() - 1.0) ||
+      !IsWithin(range[1], 0.0, static_cast<double>(sizes[static_cast<size_t>(range[0])])) ||
+      !IsWithin(range[2], 0.0, static_cast<double>(sizes[static_cast<size_t>(range[0])]) - range[1]) ||
+      (inner &&
+        (!IsWithin(child[0], i + 1.0, count - 1.0) || !IsWithin(child[1], 1.0, count - child[0]))))
+    {
+      return false;
+    }
+    Block block{ number, static_cast<int>(range[0]),
+      { static_cast<vtkIdType>(range[1]), static_cast<vtkIdType>(range[2]) }, 0, 0,
+      vtkBoundingBox(), static_cast<float>(radii[3 * i]) };
+    if (inner)
+    {
+      block.FirstChild = first + static_cast<size_t>(child[0]);
+      block.ChildCount = static_cast<size_t>(child[1]);
+      roots = std::min(roots, static_cast<size_t>(child[0]));
+    }
+    const double* box = &boxes[6 * i];
+    const double reach = std::isfinite(block.Radius) ? block.Radius : 0.0;
+    for (int end = 0; end < 2; ++end)
+    {
+      const double off = end ? reach : -reach;
+      block.Box.AddPoint(
+        origin[0] + box[end] + off, origin[1] + box[2 + end] + off, origin[2] + box[4 + end] + off);
+    }
+    this->Blocks.push_back(block);
+  }
+  for (size_t i = 0; i < roots; ++i)
+  {
+    this->Roots.push_back(first + i);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPointSplatOctreeCut::ChildrenOf(
+  const Block& block, const vtkBoundingBox& box, std::vector<size_t>& children) const
+{
+  vtkIdType splats = 0;
+  children.clear();
+  for (size_t c = block.FirstChild; c < block.FirstChild + block.ChildCount; ++c)
+  {
+    if (Meets(box, this->Blocks[c].Box))
+    {
+      splats += this->Blocks[c].Splats.Count;
+      children.push_back(c);
+    }
+  }
+  return splats;
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatOctreeCut::Runs vtkPointSplatOctreeCut::Make(
+  vtkIdType room, const vtkBoundingBox& box) const
+{
+  const auto smaller = [this](size_t a, size_t b) {
+    const Block& first = this->Blocks[a];
+    const Block& second = this->Blocks[b];
+    return first.Radius != second.Radius ? first.Radius < second.Radius : a > b;
+  };
+  std::priority_queue<size_t, std::vector<size_t>, decltype(smaller)> open(smaller);
+  vtkIdType splats = 0;
+  for (size_t root : this->Roots)
+  {
+    if (Meets(box, this->Blocks[root].Box))
+    {
+      open.push(root);
+      splats += this->Blocks[root].Splats.Count;
+    }
+  }
+  Runs runs;
+  std::vector<size_t> children;
+  while (!open.empty())
+  {
+    const Block& block = this->Blocks[open.top()];
+    open.pop();
+    const vtkIdType below = this->ChildrenOf(block, box, children);
+    if (block.ChildCount > 0 && (room == 0 || splats - block.Splats.Count + below <= room))
+    {
+      splats += below - block.Splats.Count;
+      for (size_t child : children)
+      {
+        open.push(child);
+      }
+      continue;
+    }
+    runs[{ block.Piece, block.Level }].push_back(block.Splats);
+  }
+  for (auto& one : runs)
+  {
+    std::vector<Run>& own = one.second;
+    std::sort(own.begin(), own.end(), [](const Run& a, const Run& b) { return a.First < b.First; });
+    size_t last = 0;
+    for (size_t i = 1; i < own.size(); ++i)
+    {
+      if (own[last].First + own[last].Count == own[i].First)
+      {
+        own[last].Count += own[i].Count;
+      }
+      else
+      {
+        own[++last] = own[i];
+      }
+    }
+    own.resize(std::min(own.size(), last + 1));
+  }
+  return runs;
+}

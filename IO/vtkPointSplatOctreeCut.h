@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Of the octree's reader: the tree of blocks of a file, and the cut through it that is read.
+#ifndef vtkPointSplatOctreeCut_h
+#define vtkPointSplatOctreeCut_h
+
+#include "vtkPointSplatHDF5.h"
+
+#include "vtkBoundingBox.h"
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkPointSplatOctreeCut
+{
+public:
+  /// The splats of a piece's level that are read, in their order.
+  using Runs = std::map<std::pair<int, int>, std::vector<vtkPointSplatHDF5::Run>>;
+
+  /// Reads the tree of a piece. False: what the file has cannot be right.
+  bool AddPiece(hid_t file, int piece);
+  /// room: splats at most, 0: all points; box: an invalid one holds everything.
+  Runs Make(vtkIdType room, const vtkBoundingBox& box) const;
+
+private:
+  struct Block
+  {
+    int Piece;
+    int Level;
+    vtkPointSplatHDF5::Run Splats;
+    size_t FirstChild;
+    size_t ChildCount;
+    vtkBoundingBox Box;
+    float Radius; // the largest
+  };
+
+  bool AddBlocks(hid_t piece, int number, const std::vector<vtkIdType>& sizes);
+  /// Those of the children that reach into the box, and how many splats they have.
+  vtkIdType ChildrenOf(
+    const Block& block, const vtkBoundingBox& box, std::vector<size_t>& children) const;
+
+  std::vector<Block> Blocks;
+  std::vector<size_t> Roots;
+};
+
+#endif

@@ -1,0 +1,324 @@
+# SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkPointSplatOctreeWriter and -Reader: what is written comes back, coarse versions look like the
+whole, and files that are no such files are refused.
+
+TestOctreeFiles.py, with the package pointsplatting to be found.
+"""
+import os
+import random
+import shutil
+import tempfile
+import unittest
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import (
+    vtkBitArray, vtkFileOutputWindow, vtkLogger, vtkOutputWindow, vtkPoints, vtkStringArray)
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkWindowToImageFilter
+import pointsplatting
+
+FAR = 1e6  # of the torus, so that floats would not hold its coordinates
+COUNT = 60000
+vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)  # errors are read from a file
+
+
+def torus(count=COUNT, seed=1):
+    draws = np.random.default_rng(seed)
+    u, v = 2 * np.pi * draws.random((2, count))
+    out = np.stack([np.cos(v) * np.cos(u), np.cos(v) * np.sin(u), np.sin(v)], 1)
+    ring = np.stack([np.cos(u), np.sin(u), 0 * u], 1)
+    data = vtkPolyData()
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(ring + 0.4 * out + FAR, deep=1))
+    data.SetPoints(points)
+    for name, values in (("Normals", out.astype(np.float32)), ("a/b", np.arange(count, dtype="i2")),
+                         ("pair", draws.random((count, 2), "f4")), ("height", out[:, 2])):
+        array = numpy_to_vtk(values, deep=1)
+        array.SetName(name)
+        data.GetPointData().AddArray(array)
+    data.GetPointData().SetActiveNormals("Normals")
+    data.GetPointData().SetActiveScalars("height")
+    data.GetPointData().GetArray("pair").SetComponentName(1, "second")
+    texts, bits = vtkStringArray(), vtkBitArray()
+    texts.SetName("texts")
+    bits.SetName("bits")
+    for i in range(count):
+        texts.InsertNextValue(f"point {i} ö")
+        bits.InsertNextValue(i % 3 == 0)
+    data.GetPointData().AddArray(texts)
+    data.GetPointData().AddArray(bits)
+    field = numpy_to_vtk(np.array([[1.5, 2.5, 3.5]]), deep=1)
+    field.SetName("SensorPosition")
+    data.GetFieldData().AddArray(field)
+    return data
+
+
+def arrays(data):
+    return [data.GetPointData().GetArrayName(i)
+            for i in range(data.GetPointData().GetNumberOfArrays())]
+
+
+def positions(data):
+    return vtk_to_numpy(data.GetPoints().GetData())
+
+
+def picture(data):
+    mapper = pointsplatting.vtkPointSplatMapper()
+    mapper.SetInputData(data)
+    mapper.SetScalarRange(-1, 1)
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    renderer = vtkRenderer()
+    renderer.AddActor(actor)
+    camera = renderer.GetActiveCamera()
+    camera.SetFocalPoint(FAR, FAR, FAR)
+    camera.SetPosition(FAR, FAR - 4, FAR + 4)
+    renderer.ResetCameraClippingRange()
+    window = pointsplatting.vtkEGLHeadlessRenderWindow()
+    window.SetSize(200, 200)
+    window.AddRenderer(renderer)
+    window.Render()
+    image = vtkWindowToImageFilter()
+    image.SetInput(window)
+    image.ReadFrontBufferOff()
+    image.Update()
+    pixels = vtk_to_numpy(image.GetOutput().GetPointData().GetScalars()).astype(float)
+    window.Finalize()
+    return pixels
+
+
+class TestOctreeFiles(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.name = os.path.join(self.folder, "cloud.h5")
+        self.log = os.path.join(self.folder, "log")
+        output = vtkFileOutputWindow()
+        output.SetFileName(self.log)
+        output.FlushOn()
+        before = vtkOutputWindow.GetInstance()
+        vtkOutputWindow.SetInstance(output)
+        self.addCleanup(vtkOutputWindow.SetInstance, before)
+
+    def said(self):
+        """What VTK has said since the last time."""
+        if not os.path.exists(self.log):
+            return ""
+        with open(self.log, "r+", encoding="utf-8") as file:
+            text = file.read()
+            file.truncate(0)
+        return text
+
+    def write(self, data, name=None):
+        writer = pointsplatting.vtkPointSplatOctreeWriter()
+        writer.SetFileName(self.name if name is None else name)
+        writer.SetInputData(data)
+        return writer.Write(), writer
+
+    def read(self, most=0, bounds=None, name=None):
+        reader = pointsplatting.vtkPointSplatOctreeReader()
+        reader.SetFileName(self.name if name is None else name)
+        reader.SetMaximumNumberOfPoints(most)
+        if bounds:
+            reader.SetBounds(bounds)
+        reader.Update()
+        return reader.GetOutput(), reader
+
+    def test_all_comes_back(self):
+        whole = torus()
+        written, writer = self.write(whole)
+        self.assertEqual((written, writer.GetNumberOfPointsWritten()), (1, COUNT))
+        self.assertEqual(os.listdir(self.folder), ["cloud.h5"])
+        read, reader = self.read()
+        self.assertEqual((read.GetNumberOfPoints(), reader.GetCoarsestLevelRead()), (COUNT, 0))
+        self.assertEqual(reader.GetNumberOfPointsInFile(), COUNT)
+        self.assertEqual(reader.GetBoundsInFile(), whole.GetBounds())
+        ids = vtk_to_numpy(read.GetPointData().GetArray("vtkOriginalPointIds"))
+        np.testing.assert_array_equal(np.sort(ids), np.arange(COUNT))
+        np.testing.assert_array_equal(positions(read), positions(whole)[ids])
+        for name, most in (("Normals", 1e-7), ("a/b", 0), ("pair", 0), ("height", 0)):  # normals are normalised
+            before, after = (d.GetPointData().GetArray(name) for d in (whole, read))
+            self.assertEqual(after.GetDataType(), before.GetDataType())
+            np.testing.assert_allclose(
+                vtk_to_numpy(after), vtk_to_numpy(before)[ids], rtol=0, atol=most)
+        texts = read.GetPointData().GetAbstractArray("texts")
+        bits = read.GetPointData().GetAbstractArray("bits")
+        for i in range(0, COUNT, 997):
+            self.assertEqual(texts.GetValue(i), f"point {ids[i]} ö")
+            self.assertEqual(bits.GetValue(i), ids[i] % 3 == 0)
+        self.assertEqual(read.GetPointData().GetScalars().GetName(), "height")
+        self.assertEqual(read.GetPointData().GetArray("pair").GetComponentName(1), "second")
+        self.assertEqual(read.GetFieldData().GetArray("SensorPosition").GetTuple(0), (1.5, 2.5, 3.5))
+        self.assertEqual(self.said(), "")
+
+    def test_coarse_versions(self):
+        self.write(torus())
+        best = picture(self.read()[0])
+        for most, least in ((20000, 42), (4000, 35), (800, 20)):
+            coarse, reader = self.read(most)
+            self.assertLessEqual(coarse.GetNumberOfPoints(), most)
+            self.assertGreater(coarse.GetNumberOfPoints(), 0.6 * most)
+            self.assertGreater(reader.GetCoarsestLevelRead(), 0)
+            self.assertIn("SplatRadius", arrays(coarse))
+            self.assertNotIn("texts", arrays(coarse))
+            self.assertNotIn("SplatFirstChild", arrays(coarse))
+            psnr = 10 * np.log10(255**2 / ((picture(coarse) - best) ** 2).mean())
+            self.assertGreater(psnr, least, most)
+        # There is nothing coarser than the coarsest.
+        self.assertEqual(self.read(1)[0].GetNumberOfPoints(), self.read(2)[0].GetNumberOfPoints())
+
+    def test_bounds(self):
+        whole = torus()
+        self.write(whole)
+        box = (FAR + 0.5, FAR + 2, FAR - 2, FAR + 2, FAR - 2, FAR + 2)
+        read, _ = self.read(0, box)
+        inside = int((positions(whole)[:, 0] >= box[0]).sum())
+        self.assertEqual(int((positions(read)[:, 0] >= box[0]).sum()), inside)
+        self.assertLess(read.GetNumberOfPoints(), 1.3 * inside)
+        nothing, _ = self.read(0, (0, 1, 0, 1, 0, 1))
+        self.assertEqual(nothing.GetNumberOfPoints(), 0)
+
+    def test_pieces(self):
+        """Of a source that divides itself, and of data sets one after the other."""
+        sphere = vtkSphereSource()
+        sphere.SetThetaResolution(64)
+        sphere.SetPhiResolution(64)
+        writer = pointsplatting.vtkPointSplatOctreeWriter()
+        writer.SetFileName(self.name)
+        writer.SetInputConnection(sphere.GetOutputPort())
+        writer.SetNumberOfPieces(3)
+        self.assertEqual(writer.Write(), 1)
+        self.assertEqual(writer.GetNumberOfPiecesWritten(), 3)
+        self.assertGreaterEqual(writer.GetNumberOfPointsWritten(), 62 * 64)
+        self.assertEqual(self.read()[0].GetNumberOfPoints(), writer.GetNumberOfPointsWritten())
+
+        # What cannot divide itself is written once.
+        producer = vtkTrivialProducer()
+        producer.SetOutput(torus(5000))
+        writer.SetInputConnection(producer.GetOutputPort())
+        self.assertEqual(writer.Write(), 1)
+        self.assertEqual(writer.GetNumberOfPointsWritten(), 5000)
+
+        self.assertTrue(writer.Open())
+        for seed in range(4):
+            self.assertTrue(writer.Append(torus(3000, seed)))
+        self.assertTrue(writer.Append(vtkPolyData()))
+        self.assertTrue(writer.Close())
+        read, reader = self.read()
+        self.assertEqual((read.GetNumberOfPoints(), writer.GetNumberOfPiecesWritten()), (12000, 4))
+        self.assertEqual(self.read(3000)[1].GetNumberOfPointsInFile(), 12000)
+        self.assertEqual(self.said(), "")
+
+    def test_pieces_with_other_arrays(self):
+        """Those that all pieces have are read."""
+        writer = pointsplatting.vtkPointSplatOctreeWriter()
+        writer.SetFileName(self.name)
+        self.assertTrue(writer.Open())
+        self.assertTrue(writer.Append(torus(3000)))
+        other = torus(3000)
+        other.GetPointData().RemoveArray("a/b")
+        self.assertTrue(writer.Append(other))
+        self.assertTrue(writer.Close())
+        read, _ = self.read()
+        self.assertEqual(read.GetNumberOfPoints(), 6000)
+        self.assertIn("texts", arrays(read))
+        self.assertNotIn("a/b", arrays(read))
+
+    def test_few_and_bad_points(self):
+        one = torus(1)
+        self.assertEqual(self.write(one)[0], 1)
+        self.assertEqual(self.read()[0].GetNumberOfPoints(), 1)
+        spoilt = torus(2000)
+        positions(spoilt)[7] = np.nan
+        written, writer = self.write(spoilt)
+        self.assertEqual((written, writer.GetNumberOfSkippedPoints()), (1, 1))
+        self.assertEqual(self.read()[0].GetNumberOfPoints(), 1999)
+
+    def test_what_cannot_be_written(self):
+        self.write(torus(2000))
+        before = os.path.getsize(self.name)
+        for data, name, what in (
+                (vtkPolyData(), self.name, "no point"),
+                (torus(10), os.path.join(self.folder, "no", "such.h5"), "folder"),
+                (torus(10), "", "FileName")):
+            writer = pointsplatting.vtkPointSplatOctreeWriter()
+            writer.SetFileName(name)
+            writer.SetInputData(data)
+            self.assertEqual(writer.Write(), 0)
+            self.assertIn(what, self.said())
+        self.assertFalse(pointsplatting.vtkPointSplatOctreeWriter().Append(torus(10)))
+        self.assertIn("Open first", self.said())
+        # What is given up leaves what was there before.
+        writer = pointsplatting.vtkPointSplatOctreeWriter()
+        writer.SetFileName(self.name)
+        self.assertTrue(writer.Open())
+        self.assertTrue(writer.Append(torus(100)))
+        del writer
+        self.assertEqual(sorted(os.listdir(self.folder)), ["cloud.h5", "log"])
+        self.assertEqual(os.path.getsize(self.name), before)
+
+    def test_abort(self):
+        self.write(torus(2000))
+        before = os.path.getsize(self.name)
+        writer = pointsplatting.vtkPointSplatOctreeWriter()
+        writer.SetFileName(self.name)
+        writer.SetInputData(torus())
+        writer.AddObserver("ProgressEvent", lambda *_: writer.SetAbortExecute(1))
+        self.assertEqual(writer.Write(), 0)
+        self.assertIn("aborted", self.said())
+        self.assertEqual(os.path.getsize(self.name), before)
+
+    def test_what_cannot_be_read(self):
+        def refused(name, what):
+            self.assertFalse(pointsplatting.vtkPointSplatOctreeReader.CanReadFile(name), what)
+            read, _ = self.read(0, None, name)
+            self.assertEqual(read.GetNumberOfPoints(), 0)
+            self.assertIn(what, self.said())
+
+        self.write(torus(3000))
+        with open(self.name, "rb") as file:
+            good = file.read()
+        self.assertTrue(pointsplatting.vtkPointSplatOctreeReader.CanReadFile(self.name))
+        other = os.path.join(self.folder, "other.h5")
+        refused(other, "is not there")
+        refused("", "FileName")
+        refused(self.folder, "is not there")
+        for content, what in ((b"", "no HDF5"), (b"x y z\n1 2 3\n", "no HDF5"),
+                              (good[: len(good) // 2], "truncated"), (good[:-1], "truncated"),
+                              (good.replace(b"PointSplatOctree", b"PointSplatOctavo"),
+                               "was not written by")):
+            with open(other, "wb") as file:
+                file.write(content)
+            refused(other, what)
+
+    def test_damaged(self):
+        """Bytes that changed are an error or other values, never a crash."""
+        self.write(torus(3000))
+        with open(self.name, "rb") as file:
+            good = file.read()
+        dice = random.Random(5)
+        other = os.path.join(self.folder, "damaged.h5")
+        errors = 0
+        for _ in range(150):
+            bad = bytearray(good)
+            for _ in range(dice.choice((1, 8, 64))):
+                # Most of the tree's own numbers lie in what is not deflated, at the beginning of groups.
+                bad[dice.randrange(len(bad))] = dice.randrange(256)
+            with open(other, "wb") as file:
+                file.write(bad)
+            read, _ = self.read(dice.choice((0, 500)), None, other)
+            text = self.said()
+            errors += "damaged" in text or "truncated" in text or "was not written" in text
+            self.assertTrue(text or read.GetNumberOfPoints() > 0)
+        self.assertGreater(errors, 20)
+
+
+if __name__ == "__main__":
+    if not hasattr(pointsplatting, "vtkPointSplatOctreeReader"):
+        print("SKIPPED: this VTK has no HDF5")
+    else:
+        unittest.main()
