@@ -4,7 +4,7 @@
  * @class   vtkPointSplatOctreeReader
  * @brief   reads the points of a vtkPointSplatOctreeWriter's file: all, or as many as there is room for
  *
- * 1. *Tree.* The blocks of all pieces are read: some 100 bytes for 40 points.
+ * 1. *Tree.* The blocks of all pieces are read: some 100 bytes for 80 points.
  * 2. *Cut.* From the coarsest blocks down, the one with the largest splats gives way to those below
  *    it, as long as there are at most MaximumNumberOfPoints splats in all (Pajarola, Sainz, Guidotti
  *    2004, Confetti: Object-Space Point Blending and Splatting, section 6). So the size of splats is
