@@ -145,10 +145,12 @@ void vtkPointSplatBodies::LookAtRow(const Neighborhood& around, int nearest)
   this->InRow[around.Center] = IsRow(around);
 }
 
-void vtkPointSplatBodies::AddRow(const Neighborhood& around, const vtkPointSplatSheet& sheet)
+void vtkPointSplatBodies::AddRow(
+  const Neighborhood& around, const vtkPointSplatSheet& sheet, float length)
 {
   Row row;
   row.At = around.Center;
+  row.Length = length;
   for (int k = 0; k < NumberOfModels; ++k)
   {
     row.Models[k] =
@@ -185,6 +187,18 @@ bool vtkPointSplatBodies::Finish(vtkAlgorithm* self, double from, double to,
       [this](Slot s) { return this->Guessed[s] && this->Suspected[s].load(); }))
   {
     return false;
+  }
+  std::vector<const Row*> bends;
+  for (const Row& row : this->Rows)
+  {
+    if (disks.Opening[row.At] > 0 && !disks.HasClosedWitness(row.At))
+    {
+      bends.push_back(&row);
+    }
+  }
+  for (const Row* bend : bends)
+  {
+    disks.Open(bend->At, bend->Length);
   }
   // Lengths of points with neighbours all around stay as they are, so that the rows' order is of
   // no concern.

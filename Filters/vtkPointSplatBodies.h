@@ -17,7 +17,9 @@
  * 2. Points with given normals are on a curve where no more neighbours than a row of them were
  *    found on any side. So are those of a surface's border row, of scan lines that are many times
  *    as dense along them as from one to the next. But their sheet has points with neighbours all
- *    around, the rows beside: of the nearest one such a border point takes the size.
+ *    around, the rows beside: of the nearest one such a border point takes the size. Where a curve
+ *    bends or jumps, a few of its points have some of its farther parts all around: on a sheet of rows
+ *    not they alone have, but some of the witnesses too.
  */
 #ifndef vtkPointSplatBodies_h
 #define vtkPointSplatBodies_h
@@ -45,8 +47,9 @@ public:
 
   /// Looks at the nearest, so many, of a point whose neighbours lie in a row.
   void LookAtRow(const Neighborhood& around, int nearest);
-  /// Takes a point of a row that has no neighbours all around, with the farthest that were found.
-  void AddRow(const Neighborhood& around, const vtkPointSplatSheet& sheet);
+  /// Takes a point of a row, with the farthest neighbours that were found. length: of its disk by
+  /// the nearest.
+  void AddRow(const Neighborhood& around, const vtkPointSplatSheet& sheet, float length);
 
   /**
    * Makes disks of length 0 of the bodies, and of border rows' as large as those in the next row.
@@ -61,6 +64,7 @@ private:
   {
     Slot At;
     Slot Models[NumberOfModels]; // of its sheet, nearest first
+    float Length;                // by its nearest neighbours alone
   };
 
   /// The variances along the principal axes, the greatest first, of the centre and so many

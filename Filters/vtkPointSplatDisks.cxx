@@ -190,6 +190,20 @@ bool vtkPointSplatDisks::IsOutlier(Slot slot, float times) const
   return largest > 0 && this->Nearest[slot] > times * largest;
 }
 
+bool vtkPointSplatDisks::HasClosedWitness(Slot slot) const
+{
+  const Slot* first = this->Witnesses.data() + std::size_t(NumberOfWitnesses) * slot;
+  return std::any_of(first, first + NumberOfWitnesses, [this](Slot witness) {
+    return witness != vtkPointSplatNeighbors::None && this->Opening[witness] > 0;
+  });
+}
+
+void vtkPointSplatDisks::Open(Slot slot, float length)
+{
+  this->Length[slot] = length;
+  this->Gap[slot] = this->Opening[slot] = 0;
+}
+
 bool vtkPointSplatDisks::AgreeWitnesses(
   Slot slot, const std::vector<unsigned char>& marks) const
 {

@@ -40,6 +40,10 @@ public:
   void SetAlone(Slot slot) { this->Length[slot] = this->Gap[slot] = 0; }
   /// Whether a slot is so many times farther from all others than its neighbours are.
   bool IsOutlier(Slot slot, float times) const;
+  /// Whether the cell of some witness is closed.
+  bool HasClosedWitness(Slot slot) const;
+  /// Makes of a closed cell an open one, of a disk of that length.
+  void Open(Slot slot, float length);
   /// Whether at least half of the witnesses have a mark, or there are too few neighbours for any.
   bool AgreeWitnesses(Slot slot, const std::vector<unsigned char>& marks) const;
 

@@ -314,8 +314,12 @@ int vtkPointSplatEstimation::RequestData(
           }
           return !inRow;
         }
-        bodies.AddRow(around, disk.Sheet);
+        bodies.AddRow(around, disk.Sheet, disks.Length[s]);
         return true;
+      }
+      if (round == 2)
+      {
+        bodies.AddRow(around, disk.Sheet, disks.Length[s]);
       }
       std::copy(disk.Normal, disk.Normal + 3, disks.Planes.data() + std::size_t(3) * s);
       const bool fits =

@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""One cloud as one block and as many: frames of both, in turn, by processor time.
+
+blocks.py [--points N] [--blocks N] [--size N] [--opacity A] [--frames N] [--bound X]
+
+With a bound the exit code is 1 where the many blocks' median frame takes more than X times that of
+the one block.
+"""
+import argparse
+import os
+import statistics
+import sys
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
+import pointsplatting
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [HERE, os.path.join(HERE, "..", "Accuracy")]
+
+from bench.cloud import Cloud  # noqa: E402
+from drawing import Drawing  # noqa: E402
+from scenes import torus_scene  # noqa: E402
+
+
+def part_of(whole, ids):
+    """Some of the points, with all that is known of them."""
+    part = vtkPolyData()
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(vtk_to_numpy(whole.GetPoints().GetData())[ids], deep=1))
+    part.SetPoints(points)
+    for i in range(whole.GetPointData().GetNumberOfArrays()):
+        own = whole.GetPointData().GetArray(i)
+        array = numpy_to_vtk(vtk_to_numpy(own)[ids], deep=1)
+        array.SetName(own.GetName())
+        part.GetPointData().AddArray(array)
+    part.GetPointData().SetActiveNormals(whole.GetPointData().GetNormals().GetName())
+    return part
+
+
+def mapper_of(data):
+    mapper = pointsplatting.vtkPointSplatMapper()
+    mapper.SetInputDataObject(data)
+    mapper.LevelOfDetailOff()  # which several blocks do not have
+    return mapper
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--points", type=int, default=1000000)
+    parser.add_argument("--blocks", type=int, default=1000)
+    parser.add_argument("--size", type=int, default=768)
+    parser.add_argument("--opacity", type=float, default=1.0)
+    parser.add_argument("--frames", type=int, default=9)
+    parser.add_argument("--bound", type=float)
+    options = parser.parse_args()
+
+    scene = torus_scene()
+    scene.properties[0].SetOpacity(options.opacity)
+    whole = Cloud(scene, options.points).splats()[0]
+    blocks = vtkMultiBlockDataSet()
+    for i, ids in enumerate(np.array_split(np.arange(whole.GetNumberOfPoints()), options.blocks)):
+        blocks.SetBlock(i, part_of(whole, ids))
+    drawings = [Drawing(scene, [mapper_of(data)], options.size) for data in (whole, blocks)]
+    times = [[], []]
+    for frame in range(2 + options.frames):
+        for own, drawing in zip(times, drawings):
+            drawing.turn(7)
+            drawing.draw()
+            if frame >= 2:  # shaders are made before
+                own.append(drawing.processor_milliseconds)
+    one, many = map(statistics.median, times)
+    print(f"{whole.GetNumberOfPoints()} points, opacity {options.opacity:g}, {options.size} x {options.size}: one block "
+          f"{one:.0f} ms, {options.blocks} blocks {many:.0f} ms, {many / one:.2f} times")
+    if options.bound and many > options.bound * one:
+        sys.exit(f"more than {options.bound:g} times")
+
+
+if __name__ == "__main__":
+    main()
