@@ -1,23 +1,29 @@
 # SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 # SPDX-License-Identifier: BSD-3-Clause
 """ParaView's window, by its own test player: a file is opened, the representation chosen in the
-toolbar, the view dragged, points selected by a rubber band, opacity changed, and the state saved.
+toolbar, that undone and done again, the view dragged, points selected by a rubber band, opacity
+changed, and the state saved. The panel says at each step what was chosen for the last frame, and the
+trace in Python of it all gives the same picture.
 
 Argument: the script that runs ParaView's programs.
 """
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
 
 import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 FRAME = (
     "pqClientMainWindow/centralwidget/MultiViewWidget/CoreWidget/qt_tabwidget_stackedwidget/"
     "MultiViewWidget1/Container/Frame.0"
 )
+PANEL = ("shown", "redone", "dragged", "translucent")  # where the panel has the line
 
 
 def write_cloud(file, count=20000):
@@ -34,19 +40,37 @@ def write_cloud(file, count=20000):
         np.savetxt(out, normals, "%.5f")
 
 
+def read(file):
+    reader = vtkPNGReader()
+    reader.SetFileName(file)
+    reader.Update()
+    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].astype(float)
+
+
 folder = tempfile.mkdtemp(prefix="splats-client-")
 write_cloud(os.path.join(folder, "cloud.vtk"))
 with open(os.path.join(HERE, "client.xml.in")) as file:
     steps = file.read().replace("@FRAME@", FRAME).replace("@FOLDER@", folder)
-steps = steps.replace("@HERE@", HERE)
-with open(os.path.join(folder, "client.xml"), "w") as file:
-    file.write(steps)
+# After the steps that note what the client knows the panel is looked at, by what they write.
+scripts, lines = [], []
+for line in steps.replace("@HERE@", HERE).splitlines():
+    if "pqevents" in line or line.startswith(("<?xml", "<!--")):
+        continue
+    lines.append(line)
+    noted = re.search(r"facts.note\('(\w+)'\)", line)
+    if noted or "facts.end()" in line:
+        scripts.append(os.path.join(folder, f"steps_{len(scripts)}.xml"))
+        with open(scripts[-1], "w") as file:
+            file.write("\n".join(["<pqevents>", *lines, "</pqevents>"]))
+        lines = []
+    if noted and noted[1] in PANEL:
+        scripts.append(os.path.join(folder, f"panel_{noted[1]}.xml"))
 # No settings of a user's, and none left behind.
 environment = dict(os.environ, HOME=folder, XDG_CONFIG_HOME=folder, QT_QPA_PLATFORM="xcb")
 environment.pop("DISPLAY", None)
 done = subprocess.run(
     ["bash", sys.argv[1], "--with", "paraview", "-dr", f"--test-directory={folder}",
-     f"--test-script={folder}/client.xml", "--exit"],
+     *(f"--test-script={script}" for script in scripts), "--exit"],
     env=environment, capture_output=True, text=True, timeout=280,
 )  # fmt: skip
 said = done.stdout + done.stderr
@@ -55,11 +79,31 @@ assert "ERR|" not in said and "Warning: In vtkPointSplat" not in said, said
 with open(os.path.join(folder, "facts.json")) as file:
     facts = json.load(file)
 print(json.dumps(facts, indent=1))
+for step in PANEL:
+    known = facts[step]["known"]
+    assert known == facts[step]["choices"], f"{step}: what was chosen is known as {known}"
+    assert "method: none" not in known and "method: " in known, f"{step}: {known}"
 assert facts["shown"]["representation"] == "Point Splats"
-assert "method:" in facts["shown"]["choices"]
-assert facts["dragged"]["frames"] - facts["shown"]["frames"] >= 4, "dragging draws no frames"
+assert facts["undone"]["representation"] == "Surface", "the representation is not undone"
+assert facts["redone"]["representation"] == "Point Splats", "the representation is not done again"
+assert facts["dragged"]["frames"] - facts["redone"]["frames"] >= 4, "dragging draws no frames"
+assert facts["dragged"]["frames"] - facts["redone"]["frames"] <= 12, "frames follow by themselves"
 assert facts["selected"]["picked"] > 100, "the rubber band picks no points"
 assert facts["translucent"]["opacity"] == 0.5
 assert "peel" in facts["translucent"]["choices"]
 with open(os.path.join(folder, "state.pvsm")) as file:
     assert '"Point Splats"' in file.read(), "the state does not have the representation"
+
+# The trace, played in a batch.
+with open(os.path.join(folder, "trace.py")) as file:
+    trace = file.read()
+assert "SetRepresentationType('Point Splats')" in trace and "Opacity = 0.5" in trace, trace
+replay = os.path.join(folder, "replay.py")
+with open(replay, "w") as file:
+    file.write(f"{trace}\nClearSelection()\nSaveScreenshot('{folder}/replayed.png', renderView1,"
+               " ImageResolution=[400, 300])\n")  # fmt: skip
+subprocess.run(["bash", sys.argv[1], replay], check=True, timeout=120)
+error = np.mean((read(f"{folder}/traced.png") - read(f"{folder}/replayed.png")) ** 2)
+value = 10 * np.log10(255**2 / max(error, 1e-9))
+print(f"the trace's picture: {value:.1f} dB, at least 50")
+assert value >= 50, folder

@@ -3,16 +3,29 @@
 """For client.xml.in, in the Python shell of ParaView's window: what the client knows at each step."""
 import json
 import os
+from xml.sax.saxutils import quoteattr
 
-from paraview.simple import GetActiveSource, GetActiveView, GetDisplayProperties
+from paraview import smtrace
+from paraview.simple import (
+    ClearSelection, GetActiveSource, GetActiveView, GetDisplayProperties, SaveScreenshot,
+)  # fmt: skip
 
+LINE = (
+    "pqClientMainWindow/propertiesDock/propertiesPanel/scrollArea/qt_scrollarea_viewport/"
+    "scrollAreaWidgetContents/DisplayFrame/ProxyPanel/SplatChoices/SplatChoices"
+)
 facts = {"frames": 0}
 where = {}
+
+
+def file(name):
+    return os.path.join(where["folder"], name)
 
 
 def begin(folder):
     where["folder"] = folder
     GetActiveView().GetRenderWindow().AddObserver("EndEvent", count)
+    smtrace.start_trace()
 
 
 def count(caller, event):
@@ -22,6 +35,8 @@ def count(caller, event):
 def note(step):
     source, view = GetActiveSource(), GetActiveView()
     shown = GetDisplayProperties(source, view)
+    property = shown.GetProperty("SplatChoices")
+    known = property.GetElement(0)
     shown.UpdatePropertyInformation()
     selection = source.GetSelectionInput(source.Port)
     inputs = getattr(selection, "Input", None) or []
@@ -29,11 +44,24 @@ def note(step):
         "frames": facts["frames"],
         "representation": str(shown.Representation).strip("'"),
         "opacity": shown.Opacity,
-        "choices": shown.GetProperty("SplatChoices").GetElement(0),
+        "known": known,
+        "choices": property.GetElement(0),
         "picked": sum(len(list(ids.IDs)) // 2 for ids in inputs),
     }
+    # What the panel is to show, for the test player, which comes to it next.
+    text = quoteattr(property.GetElement(0))
+    with open(file(f"panel_{step}.xml"), "w") as out:
+        out.write('<pqevents><pqevent object="pqClientMainWindow" command="pause" arguments="500"/>')
+        out.write(f'<pqcheck object="{LINE}" property="plainText" arguments={text}/></pqevents>')
+
+
+def end_trace():
+    with open(file("trace.py"), "w") as out:
+        out.write(smtrace.stop_trace())
+    ClearSelection()
+    SaveScreenshot(file("traced.png"), GetActiveView(), ImageResolution=[400, 300])
 
 
 def end():
-    with open(os.path.join(where["folder"], "facts.json"), "w") as file:
-        json.dump(facts, file)
+    with open(file("facts.json"), "w") as out:
+        json.dump(facts, out)
