@@ -3,17 +3,12 @@
 """For client.xml.in, in the Python shell of ParaView's window: what the client knows at each step."""
 import json
 import os
-from xml.sax.saxutils import quoteattr
 
 from paraview import smtrace
 from paraview.simple import (
     ClearSelection, GetActiveSource, GetActiveView, GetDisplayProperties, SaveScreenshot,
 )  # fmt: skip
 
-LINE = (
-    "pqClientMainWindow/propertiesDock/propertiesPanel/scrollArea/qt_scrollarea_viewport/"
-    "scrollAreaWidgetContents/DisplayFrame/ProxyPanel/SplatChoices/SplatChoices"
-)
 facts = {"frames": 0}
 where = {}
 
@@ -48,18 +43,15 @@ def note(step):
         "choices": property.GetElement(0),
         "picked": sum(len(list(ids.IDs)) // 2 for ids in inputs),
     }
-    # What the panel is to show, for the test player, which comes to it next.
-    text = quoteattr(property.GetElement(0))
-    with open(file(f"panel_{step}.xml"), "w") as out:
-        out.write('<pqevents><pqevent object="pqClientMainWindow" command="pause" arguments="500"/>')
-        out.write(f'<pqcheck object="{LINE}" property="plainText" arguments={text}/></pqevents>')
 
 
 def end_trace():
     with open(file("trace.py"), "w") as out:
         out.write(smtrace.stop_trace())
     ClearSelection()
-    SaveScreenshot(file("traced.png"), GetActiveView(), ImageResolution=[400, 300])
+    view = GetActiveView()
+    view.OrientationAxesVisibility = 0  # their size is that of the window
+    SaveScreenshot(file("traced.png"), view, ImageResolution=[400, 300])
 
 
 def end():
