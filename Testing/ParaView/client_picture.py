@@ -30,7 +30,7 @@ EXAMPLE = os.path.join(TOP, "Examples", "ParaView", "hydrogen.py")
 HANDS = (
     "mousemove 297 500 mousedown 1 mousemove 350 500 mousemove 400 500 mousemove 433 500 mouseup 1",
     "mousemove 147 386 mousedown 1 mousemove 147 330 mousemove 147 290 mousemove 147 254 mouseup 1",
-    "mousemove 5 600 " + 7 * "click 5 ",
+    "mousemove 411 440 mousedown 1 mousemove 411 500 mousemove 411 560 mousemove 411 590 mouseup 1",
 )
 
 

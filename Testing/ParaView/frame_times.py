@@ -89,11 +89,11 @@ def measure(millions, file):
                     timed.append(collections.Counter())
                     for name, seconds in log:
                         timed[-1][name] += seconds
-                rows["drawn"].append(max(sums["ICET_RENDER_TIME"] for sums in timed))
+                rows["drawn"].append(np.max([sums["ICET_RENDER_TIME"] for sums in timed]))
                 # Of the one that waits least for others; it has the time of collecting in it.
-                rows["composited"].append(min(sums["ICET_COMPOSITE_TIME"] for sums in timed))
+                rows["composited"].append(np.min([sums["ICET_COMPOSITE_TIME"] for sums in timed]))
             fastest = int(np.argmin(rows["frame"]))
-            row = {name: values[fastest] for name, values in rows.items()}
+            row = {name: float(values[fastest]) for name, values in rows.items()}
             results.append({"scene": scene, "shown": representation, "first": first, **row})
             Delete(source)
     with open(file, "w") as out:

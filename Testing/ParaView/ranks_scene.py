@@ -32,7 +32,7 @@ start = time.time()
 for frame in range(5):
     Render(view)
 seconds = (time.time() - start) / 5
-SelectSurfacePoints(Rectangle=[120, 60, 280, 240], View=view)
+SelectSurfacePoints(Rectangle=[0, 0, 399, 299], View=view)
 extracted = ExtractSelection(Input=sphere)
 extracted.UpdatePipeline()
 ids = []
