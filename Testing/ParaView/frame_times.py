@@ -14,14 +14,10 @@ import subprocess
 import sys
 import tempfile
 
-FRAMES = 9
-SIZE = [1024, 768]
-SCENES = {"opaque": "opaque", "translucent": "three nested spheres, translucent"}
-SHOWN = {
-    "Surface": "mesh, Surface",
-    "Point Gaussian": "points, Point Gaussian",
-    "Point Splats": "points, Point Splats",
-}
+FRAMES = 5
+SIZE = [800, 600]
+SCENES = ("opaque", "translucent")
+SHOWN = {"Surface": "mesh, Surface", "Point Splats": "points, Point Splats"}
 
 
 def logs():
@@ -64,19 +60,15 @@ def measure(millions, file):
             if representation == "Surface":
                 side = int((count / 2) ** 0.5)
                 source = Sphere(Radius=1, ThetaResolution=2 * side, PhiResolution=side)
-            elif scene == "opaque":
-                source = scenes.cloud(count=count)
             else:
-                source = scenes.cloud(scenes.THREE_SPHERES, "vtkMultiblockDataSet", count // 3)
+                source = scenes.cloud(count=count)
             shown = scenes.show(source, view, representation)
             shown.Opacity = 1 if scene == "opaque" else 0.5
             source.UpdatePipeline()
             start = time.time()
             Render(view)
             first = time.time() - start
-            for frame in range(2):
-                view.GetActiveCamera().Azimuth(3)
-                Render(view)
+            Render(view)
             rows = collections.defaultdict(list)
             for frame in range(FRAMES):
                 clear()
@@ -103,7 +95,7 @@ def measure(millions, file):
 if __name__ == "__main__" and sys.argv[1:2] == ["measure"]:
     measure(float(sys.argv[2]), sys.argv[3])
 elif __name__ == "__main__":
-    millions = sys.argv[1] if len(sys.argv) > 1 else "0.2"
+    millions = sys.argv[1] if len(sys.argv) > 1 else "0.1"
     batch = os.path.join(os.path.dirname(__file__), "..", "..", "Module", "ParaView", "batch.sh")
     tables = {}
     for ranks in (1, 2, 4):
@@ -124,6 +116,6 @@ elif __name__ == "__main__":
                 row["drawn"], row["composited"] = row["frame"], 0
             rest = row["frame"] - row["drawn"] - row["composited"]
             print(
-                f"| {SCENES[row['scene']]} | {SHOWN[row['shown']]} | {ranks} | {row['first']:.0f} "
+                f"| {row['scene']} | {SHOWN[row['shown']]} | {ranks} | {row['first']:.0f} "
                 f"| {row['frame']:.0f} | {row['drawn']:.0f} | {row['composited']:.0f} | {rest:.0f} |"
             )
