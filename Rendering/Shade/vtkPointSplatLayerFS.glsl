@@ -43,7 +43,6 @@ uniform ivec2 ImageOrigin;   // the images' first pixel in the framebuffer
 uniform int Layer;
 uniform vec4 SelectionColour;
 uniform int SelectionShift;
-uniform int DepthStays; // that of a frame which was drawn before, and which selection draws over
 
 void main()
 {
@@ -75,18 +74,7 @@ void main()
   {
     discard;
   }
-  float shownDepth = depth;
-#if OUTPUT != 0
-  // Where an outline ran through that frame's pixel it has the nearest depth of up to 3 x 3 pixels,
-  // behind which nothing could be selected.
-  for (int i = 0; i < 9 && DepthStays != 0; ++i)
-  {
-    uvec4 other =
-      fetchLayer(clamp(at + ivec2(i % 3, i / 3) - 1, ivec2(0), LayerSize - 1), 0);
-    shownDepth = isShown(other) ? min(shownDepth, uintBitsToFloat(other.x)) : shownDepth;
-  }
-#endif
-  gl_FragDepth = windowDepth(-(NearDistance + shownDepth));
+  gl_FragDepth = windowDepth(-(NearDistance + depth));
 
   //VTK::DepthPeeling::PreColor
 

@@ -248,8 +248,6 @@ bool vtkPointSplatResolve::PresentSelection(const Target& target, const vtkPoint
   target.Renderer->GetSelector()->GetPropColorValue(&colour.x);
   program.Set("SelectionColour", colour);
   program.Set("SelectionShift", selection.Shift);
-  // Before points are selected VTK draws a frame, and has the renderer keep its depth.
-  program.Set("DepthStays", target.Renderer->GetPreserveDepthBuffer() ? 1 : 0);
   this->Draw(target, view);
   return true;
 }

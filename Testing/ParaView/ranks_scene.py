@@ -32,16 +32,14 @@ start = time.time()
 for frame in range(5):
     Render(view)
 seconds = (time.time() - start) / 5
-picked = {}
-for name, rectangle in (("ids", [120, 60, 280, 240]), ("all", [0, 0, 399, 299])):
-    SelectSurfacePoints(Rectangle=rectangle, View=view)
-    extracted = ExtractSelection(Input=sphere)
-    extracted.UpdatePipeline()
-    picked[name] = []
-    for rank in range(processes):
-        ids = servermanager.Fetch(extracted, rank).GetPointData().GetArray("Id")
-        picked[name] += np.asarray(ids).tolist() if ids else []
-    Delete(extracted)
+SelectSurfacePoints(Rectangle=[120, 60, 280, 240], View=view)
+extracted = ExtractSelection(Input=sphere)
+extracted.UpdatePipeline()
+ids = []
+for rank in range(processes):
+    picked = servermanager.Fetch(extracted, rank).GetPointData().GetArray("Id")
+    ids += np.asarray(picked).tolist() if picked else []
+Delete(extracted)
 Delete(sphere)
 bare = scenes.cloud(shares=shares, normals=False, count=5000)
 scenes.show(bare, view)
@@ -52,5 +50,5 @@ nested = scenes.show(blocks, view)
 nested.BlockOpacities = ["/Root/Block0", "0.3", "/Root/Block1", "0.5"]
 scenes.picture(view, os.path.join(folder, "translucent.png"))
 with open(os.path.join(folder, "facts.json"), "w") as file:
-    facts = {"seconds": seconds, "choices": choices, "remote": bool(drawn_by_server)}
-    json.dump({**picked, **facts}, file)
+    facts = {"ids": ids, "seconds": seconds, "choices": choices, "remote": bool(drawn_by_server)}
+    json.dump(facts, file)
