@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The same scene on 1, 2 and 4 processes, with even and uneven shares of the points: the same
-pictures, and the same points picked; and by a server of 2. Argument: the script that runs ParaView's
-programs."""
+pictures, and the same points picked; with one process that has no points and one that has a single
+one; and by a server of 2, drawn there and drawn by the client. Argument: the script that runs
+ParaView's programs."""
 import json
 import os
 import signal
@@ -42,8 +43,8 @@ def run(options, shares, *more):
     return {name: read(os.path.join(folder, name + ".png")) for name in LEAST}, facts
 
 
-def run_by_server(ranks, shares):
-    """The same by a client, of a server that draws."""
+def run_by_server(ranks, shares, threshold):
+    """The same by a client, of a server that draws what is larger than so many MB."""
     with socket.socket() as free:
         free.bind(("", 0))
         port = str(free.getsockname()[1])
@@ -55,7 +56,7 @@ def run_by_server(ranks, shares):
         for line in server.stdout:
             if "Accepting connection" in line:
                 break
-        result = run(["--with", "pvpython"], shares, port)
+        result = run(["--with", "pvpython"], shares, port, str(threshold))
         server.wait(30)  # it ends with its client
         return result
     finally:
@@ -75,10 +76,20 @@ def compare(name, shares, pictures, other):
     print(f"{len(other['ids'])} points picked, {len(missed)} others than by one process")
     assert len(other["ids"]) == len(set(other["ids"])), "a point is picked twice"
     assert not missed, f"other points are picked: {sorted(missed)[:20]}"
+    told = other["choices"]
+    print(told.splitlines()[0])
+    assert "method: none" not in told and "method: " in told, told
 
 
 one, facts = run([], "EVEN")
 assert len(facts["ids"]) > 500
 compare("2 processes", "EVEN", *run(["--ranks", "2"], "EVEN"))
 compare("4 processes", "UNEVEN", *run(["--ranks", "4"], "UNEVEN"))
-compare("a server of 2", "EVEN", *run_by_server(2, "EVEN"))
+pictures, single = run(["--ranks", "3"], "SINGLE")
+compare("3 processes", "SINGLE", pictures, single)
+assert single["choices"].startswith("process: 2 of 3"), "the process without points tells"
+pictures, remote = run_by_server(2, "EVEN", 0)
+compare("a server of 2", "EVEN", pictures, remote)
+pictures, local = run_by_server(2, "EVEN", 1000)
+compare("a client of a server of 2", "EVEN", pictures, local)
+assert remote["remote"] and not local["remote"], "the threshold does not say who draws"

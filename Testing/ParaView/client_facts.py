@@ -4,15 +4,23 @@
 import json
 import os
 
-from paraview.simple import GetActiveSource, GetActiveView, GetDisplayProperties
+from paraview import smtrace
+from paraview.simple import (
+    ClearSelection, GetActiveSource, GetActiveView, GetDisplayProperties, SaveScreenshot,
+)  # fmt: skip
 
 facts = {"frames": 0}
 where = {}
 
 
+def file(name):
+    return os.path.join(where["folder"], name)
+
+
 def begin(folder):
     where["folder"] = folder
     GetActiveView().GetRenderWindow().AddObserver("EndEvent", count)
+    smtrace.start_trace()
 
 
 def count(caller, event):
@@ -22,6 +30,8 @@ def count(caller, event):
 def note(step):
     source, view = GetActiveSource(), GetActiveView()
     shown = GetDisplayProperties(source, view)
+    property = shown.GetProperty("SplatChoices")
+    known = property.GetElement(0)
     shown.UpdatePropertyInformation()
     selection = source.GetSelectionInput(source.Port)
     inputs = getattr(selection, "Input", None) or []
@@ -29,11 +39,21 @@ def note(step):
         "frames": facts["frames"],
         "representation": str(shown.Representation).strip("'"),
         "opacity": shown.Opacity,
-        "choices": shown.GetProperty("SplatChoices").GetElement(0),
+        "known": known,
+        "choices": property.GetElement(0),
         "picked": sum(len(list(ids.IDs)) // 2 for ids in inputs),
     }
 
 
+def end_trace():
+    with open(file("trace.py"), "w") as out:
+        out.write(smtrace.stop_trace())
+    ClearSelection()
+    view = GetActiveView()
+    view.OrientationAxesVisibility = 0  # their size is that of the window
+    SaveScreenshot(file("traced.png"), view, ImageResolution=[400, 300])
+
+
 def end():
-    with open(os.path.join(where["folder"], "facts.json"), "w") as file:
-        json.dump(facts, file)
+    with open(file("facts.json"), "w") as out:
+        json.dump(facts, out)

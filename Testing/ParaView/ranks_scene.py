@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Of TestManyRanks.py: pictures of one scene, opaque and translucent, and what a rectangle picks.
 
-Arguments: a folder to write to, EVEN or UNEVEN shares of points for the processes; and, where these
-are a pvserver's, its port.
+Arguments: a folder to write to; EVEN, UNEVEN or SINGLE shares of points for the processes; and, where
+these are a pvserver's, its port, and the size from which on it draws, in MB.
 """
 import json
 import os
@@ -22,10 +22,12 @@ if len(sys.argv) > 3:
     Connect("localhost", int(sys.argv[3]))
     processes = servermanager.ActiveConnection.GetNumberOfDataPartitions()
 view = scenes.new_view()
-view.RemoteRenderThreshold = 0
+view.RemoteRenderThreshold = float(sys.argv[4]) if len(sys.argv) > 4 else 0
 sphere = scenes.cloud(shares=shares)
 splats = scenes.show(sphere, view)
 scenes.picture(view, os.path.join(folder, "opaque.png"))
+choices = splats.GetProperty("SplatChoices").GetElement(0)
+drawn_by_server = view.GetClientSideObject().GetUseDistributedRenderingForRender()
 start = time.time()
 for frame in range(5):
     Render(view)
@@ -48,4 +50,5 @@ nested = scenes.show(blocks, view)
 nested.BlockOpacities = ["/Root/Block0", "0.3", "/Root/Block1", "0.5"]
 scenes.picture(view, os.path.join(folder, "translucent.png"))
 with open(os.path.join(folder, "facts.json"), "w") as file:
-    json.dump({"ids": ids, "seconds": seconds}, file)
+    facts = {"ids": ids, "seconds": seconds, "choices": choices, "remote": bool(drawn_by_server)}
+    json.dump(facts, file)

@@ -37,6 +37,10 @@ def fill(data, points, first_id):
     cuts = SHARES[controller.GetNumberOfProcesses() if controller else 1]
     # By x: a half of the sphere each, or what the cuts say.
     along = (points[:, 0] / np.abs(points).max() + 1) / 2
+    if len(cuts) == 1 and len(points) > 1:
+        # No points for the first, exactly one for the second, the others for the last.
+        least = np.sort(along)[:2].mean()
+        cuts = (0, 0, least, 1)
     own = (along >= cuts[rank]) & ((along < cuts[rank + 1]) | (cuts[rank + 1] == 1))
     ids = first_id + np.arange(len(points))[own]
     points = np.ascontiguousarray(points[own])
@@ -72,6 +76,8 @@ for block in range(3):
 EVEN = {1: (0, 1), 2: (0, 0.5, 1), 4: (0, 0.25, 0.5, 0.75, 1)}
 # Most points with one process, none with the last but one, where there are four.
 UNEVEN = {1: (0, 1), 2: (0, 0.9, 1), 4: (0, 0.8, 0.85, 0.85, 1)}
+# Of three the first has none, the second one point, and the last the others.
+SINGLE = {1: (0, 1), 3: (0,)}
 
 
 def cloud(body=ONE_SPHERE, type="vtkPolyData", count=20000, shares=EVEN, normals=True):

@@ -12,6 +12,7 @@
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
+#include "vtkMultiProcessStream.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVPointSplatBorders.h"
@@ -27,6 +28,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace
@@ -207,6 +209,7 @@ void vtkPVPointSplatRepresentation::ProvideLessDetail(vtkInformation* inputs)
 //------------------------------------------------------------------------------
 void vtkPVPointSplatRepresentation::PrepareToDraw(vtkInformation* inputs)
 {
+  this->GatheredStride = 0;
   vtkDataObject* full = vtkPVView::GetDeliveredPiece(inputs, this);
   vtkDataObject* less = vtkPVView::GetDeliveredPieceLOD(inputs, this);
   int points = CountPoints(full) > 0 ? 1 : 0;
@@ -446,19 +449,45 @@ void vtkPVPointSplatRepresentation::SetShadowLightRadius(double radius)
 //------------------------------------------------------------------------------
 const char* vtkPVPointSplatRepresentation::GetChoices()
 {
-  return this->SplatMapper->GetChoices();
+  return this->GatheredStride ? this->GatheredChoices.c_str() : this->SplatMapper->GetChoices();
 }
 
 //------------------------------------------------------------------------------
 int vtkPVPointSplatRepresentation::GetStride()
 {
-  return this->SplatMapper->GetStride();
+  return this->GatheredStride ? this->GatheredStride : this->SplatMapper->GetStride();
 }
 
 //------------------------------------------------------------------------------
 int vtkPVPointSplatRepresentation::GetNumberOfLayersDrawn()
 {
-  return this->SplatMapper->GetNumberOfLayersDrawn();
+  return this->GatheredStride ? this->GatheredLayers : this->SplatMapper->GetNumberOfLayersDrawn();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVPointSplatRepresentation::GatherChoices()
+{
+  vtkMultiProcessController* processes = Processes();
+  if (!processes || processes->GetNumberOfProcesses() < 2)
+  {
+    return;
+  }
+  const int count = processes->GetNumberOfProcesses();
+  const vtkIdType own = CountPoints(this->SplatMapper->GetInputDataObject(0, 0));
+  std::vector<vtkIdType> points(static_cast<size_t>(count));
+  processes->AllGather(&own, points.data(), 1);
+  const auto teller =
+    static_cast<int>(std::max_element(points.begin(), points.end()) - points.begin());
+  vtkMultiProcessStream told;
+  if (processes->GetLocalProcessId() == teller)
+  {
+    told << std::string(this->SplatMapper->GetChoices()) << this->SplatMapper->GetStride()
+         << this->SplatMapper->GetNumberOfLayersDrawn();
+  }
+  processes->Broadcast(told, teller);
+  told >> this->GatheredChoices >> this->GatheredStride >> this->GatheredLayers;
+  this->GatheredChoices = "process: " + std::to_string(teller) + " of " + std::to_string(count) +
+    ", it has the most points\n" + this->GatheredChoices;
 }
 
 //------------------------------------------------------------------------------

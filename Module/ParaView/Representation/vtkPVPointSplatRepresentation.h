@@ -85,6 +85,13 @@ public:
   int GetNumberOfLayersDrawn();
   ///@}
 
+  /**
+   * Lets the first of many processes tell what was chosen for the last frame by the one that has
+   * the most points, and says which that is: the first itself may have none. Until the next frame,
+   * and nothing where there is one process. All processes that draw must call.
+   */
+  void GatherChoices();
+
 protected:
   vtkPVPointSplatRepresentation();
   ~vtkPVPointSplatRepresentation() override;
@@ -111,6 +118,10 @@ private:
   vtkMTimeType AttributesTime = 0;
   bool SizeByArray = false;
   std::string SizeArray;
+  // What the first of many processes tells of the last frame; Stride is 0 where nothing is gathered.
+  std::string GatheredChoices;
+  int GatheredStride = 0;
+  int GatheredLayers = 0;
 };
 
 #endif
