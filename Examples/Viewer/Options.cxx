@@ -328,6 +328,7 @@ std::string Options::HelpText()
 
 FILES  points: .vtp .ply .obj .stl .xyz .pts .txt .csv .vtu .vts .vtk .vtm .h5
        volumes: .vti .mhd .mha .nrrd .nhdr .vtk .vtm
+       scans (.las .laz .copc.laz .e57) by Python: python3 -m pointsplatting.convert IN OUT.vtp
        Without files splatview makes a hydrogen orbital of its own, cut open to show three
        nested isosurfaces, and writes hydrogen.png.
        Text points: a line a point, x y z [nx ny nz] [r g b]; an intensity, other orders,

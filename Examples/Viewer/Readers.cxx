@@ -52,6 +52,21 @@ std::string Extension(const std::string& file)
   return extension;
 }
 
+/**
+ * What to do with a file that has no reader here.
+ */
+std::string WhyNotRead(const std::string& file)
+{
+  const std::string extension = Extension(file);
+  if (extension != "las" && extension != "laz" && extension != "e57")
+  {
+    return "files of this kind are not read; --help lists those that are";
+  }
+  const std::string cloud = file.substr(0, file.rfind('.')) + ".vtp";
+  return "the Python package reads scans: python3 -m pointsplatting.convert \"" + file + "\" \"" +
+    cloud + "\" makes one that splatview reads";
+}
+
 template <typename Reader>
 vtkSmartPointer<vtkDataObject> Read(const std::string& file, bool quiet)
 {
@@ -201,7 +216,7 @@ std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> ReadFile(
   const auto reader = GetReaders().find(extension);
   if (reader == GetReaders().end() && extension != "h5")
   {
-    throw UserError(file + ": files of this kind are not read; --help lists those that are");
+    throw UserError(file + ": " + WhyNotRead(file));
   }
   vtkSmartPointer<vtkDataObject> object =
     extension == "h5" ? ReadOctree(file, mostPoints, quiet) : reader->second(file, quiet);

@@ -16,7 +16,11 @@ packages=(
 )
 mkdir -p "$root"
 rm -rf "${root:?}"/*
-debootstrap --variant=minbase "$suite" "$root" "$mirror"
+# A suite that is newer than debootstrap is unpacked as the newest of all is.
+scripts=/usr/share/debootstrap/scripts
+script=$scripts/$suite
+[ -e "$script" ] || script=$scripts/sid
+debootstrap --variant=minbase "$suite" "$root" "$mirror" "$script"
 echo 'Acquire::Check-Valid-Until "false";' >"$root/etc/apt/apt.conf.d/99valid"
 # Nobody looks at documentation there, and writing all through takes half of the time.
 echo force-unsafe-io >"$root/etc/dpkg/dpkg.cfg.d/unsafe-io"

@@ -25,8 +25,8 @@ pip() { "$environment" -m pip --quiet --disable-pip-version-check "$@"; }
 CXXFLAGS="-Werror ${CXXFLAGS:-}" pip wheel "$top" --no-deps --wheel-dir "$folder"
 POINTSPLATTING_WHEEL=$(echo "$folder"/pointsplatting-*.whl)
 export POINTSPLATTING_WHEEL
-pip install "$POINTSPLATTING_WHEEL[pyvista,las,e57,app]" playwright trame-pyvista \
-  sphinx myst-parser
+pip install "$POINTSPLATTING_WHEEL[pyvista,las,e57,app]" 'pyvista[jupyter]' nbclient ipykernel \
+  playwright sphinx myst-parser
 
 # Away from the tree, so that nothing is found there by chance.
 cd "$folder"
@@ -42,14 +42,15 @@ test_with_vtk() {
   run "$top/Testing/Python/TestVersions.py"
   run "$top/Testing/Python/TestLikeAnyMapper.py"
 }
-run "$wheel/TestApp.py" & # which waits for a browser most of the time
-app=$!
+# Which wait for a browser most of the time.
+(run "$wheel/TestApp.py" && run "$wheel/TestNotebook.py") &
+browsers=$!
 test_with_vtk
 run "$wheel/TestReading.py"
 run "$wheel/TestDocstrings.py"
 run "$wheel/TestExamples.py"
 run "$wheel/TestDocumentation.py"
-wait "$app"
+wait "$browsers"
 # The requirement's lower bound.
 oldest=$("$environment" -c '
 import importlib.metadata, re

@@ -4,9 +4,11 @@
 import os
 import pty
 import re
+import shlex
 import shutil
 import struct
 import subprocess
+import sys
 import time
 
 from splatview_tools import PROGRAM, Picture, SplatviewTest, main
@@ -133,6 +135,24 @@ class TestSplatviewCommand(SplatviewTest):
     def test_broken_files(self):
         for name, content in BROKEN_FILES.items():
             self.assertIn(name, self.assert_refused(self.write(name, content)))
+
+    def test_scans_are_left_to_the_package(self):
+        """The refusal names a command, which is one that the package has."""
+        for name in ("scan.las", "two words.LAZ", "a.b.copc.laz", "scan.e57"):
+            said = self.assert_refused(self.write(name, "no scan\n"))
+            command = shlex.split(re.search(r"python3( -m pointsplatting\.convert .*) makes", said)[1])
+            self.assertEqual(command[2:], [name, name.rpartition(".")[0] + ".vtp"])
+            # laspy and pye57 may be here or not: such a file is none that they read.
+            done = subprocess.run([sys.executable, *command], cwd=self.folder, text=True,
+                                  capture_output=True, timeout=100, check=False)
+            self.assertEqual((done.returncode, done.stdout), (1, ""), name)
+            self.assertRegex(done.stderr, rf"\A[^\n]*{re.escape(name)}[^\n]*\n\Z")
+            self.assertFalse(os.path.exists(self.path(command[3])))
+        self.write("cloud.xyz", CLOUD)
+        subprocess.run([sys.executable, "-m", "pointsplatting.convert", "cloud.xyz", "cloud.vtp"],
+                       cwd=self.folder, stdout=subprocess.DEVNULL, timeout=100, check=True)
+        of_text, of_vtp = (self.draw(f"cloud.{kind}")[0]["surfaces"][0] for kind in ("xyz", "vtp"))
+        self.assertEqual(of_vtp["points"], of_text["points"])
 
     def test_text_that_cannot_be_told(self):
         for name, content, why in (

@@ -6,12 +6,27 @@ import importlib
 import inspect
 import sys
 
+import pointsplatting
 import pyvista
 
 MODULES = ("dataset_splats", "plotter_splats", "reading")
 
 pyvista.OFF_SCREEN = True
 failures = tried = 0
+
+
+def lacks(name, function):
+    """Print which sections a docstring lacks; their number."""
+    missing = [section for section in ("Returns\n", "Examples\n")
+               if section not in (function.__doc__ or "")]
+    for section in missing:
+        print(f"{name} says nothing of {section.strip()}")
+    return len(missing)
+
+
+for name, value in vars(pointsplatting).items():
+    if inspect.isfunction(value):
+        failures += lacks(name, value)
 for name in MODULES:
     module = importlib.import_module(f"pointsplatting.{name}")
     for kind in (value for value in vars(module).values() if inspect.isclass(value)):
@@ -20,10 +35,7 @@ for name in MODULES:
         for method, value in vars(kind).items():
             value = getattr(value, "__func__", value)
             if not method.startswith("_") and callable(value):
-                for section in ("Returns\n", "Examples\n"):
-                    if section not in (value.__doc__ or ""):
-                        print(f"{kind.__name__}.{method} says nothing of {section.strip()}")
-                        failures += 1
+                failures += lacks(f"{kind.__name__}.{method}", value)
     done = doctest.testmod(module)
     failures += done.failed
     tried += done.attempted

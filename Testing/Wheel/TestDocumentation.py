@@ -33,7 +33,7 @@ class TestDocumentation(unittest.TestCase):
         page = self.page("python_api")
         for name in ("pointsplatting.read", "PlotterSplats.add", "PlotterSplats.settings",
                      "PlotterSplats.choices", "DataSetSplats.estimate", "DataSetSplats.contour",
-                     "DataSetSplats.project", "app.main"):
+                     "DataSetSplats.project", "convert.convert", "app.main"):
             self.assertTrue(re.search(rf'id="[\w.]*{re.escape(name)}"', page), name)
 
     def test_every_class_is_there_with_its_methods(self):

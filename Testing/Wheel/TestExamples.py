@@ -10,7 +10,9 @@ import unittest
 import numpy as np
 import pyvista as pv
 
-EXAMPLES = pathlib.Path(__file__).parents[2] / "Examples" / "Python" / "PyVista"
+TOP = pathlib.Path(__file__).parents[2]
+EXAMPLES = TOP / "Examples" / "Python" / "PyVista"
+LEAST = 40.0 # dB
 
 
 class TestExamples(unittest.TestCase):
@@ -26,6 +28,13 @@ class TestExamples(unittest.TestCase):
                 differs = np.abs(pixels - background).max(axis=1) > 8
                 self.assertGreater(differs.mean(), 0.05)
                 self.assertGreater(len(np.unique(pixels[differs], axis=0)), 500)
+                # The gallery shows what users get.
+                shown = pv.read(TOP / "Documentation" / f"gallery_{example.stem}.png")
+                shown = shown.point_data.active_scalars[:, :3].astype(int)
+                self.assertEqual(shown.shape, pixels.shape)
+                psnr = 10 * np.log10(255**2 / max(np.mean((shown - pixels) ** 2), 1e-9))
+                print(f"{example.name}: {psnr:.1f} dB to the gallery's picture")
+                self.assertGreater(psnr, LEAST)
 
 
 if __name__ == "__main__":

@@ -1,8 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The package as PyVista's users write it: found by entry points, drawn off screen."""
+import os
+import pathlib
+import re
 import subprocess
 import sys
+import tempfile
 import unittest
 
 import numpy as np
@@ -80,6 +84,22 @@ assert "pointsplatting" in sys.modules
         cloud = cloud.splats.estimate()
         self.assertIn("SplatRadius", cloud.array_names)
         self.assertGreater(self.picture().std(), 10)
+
+    def test_the_readme(self):
+        """Its lines as they stand, with files of the names that it reads."""
+        text = pathlib.Path(__file__).parents[2].joinpath("README.md").read_text()
+        lines = re.search(r"## Ten lines of PyVista.*?```python\n(.*?)```", text, re.DOTALL)[1]
+        volume = pv.Wavelet()
+        volume["RTData"] -= 60
+        there = {}
+        with tempfile.TemporaryDirectory() as folder:
+            self.addCleanup(os.chdir, os.getcwd())
+            os.chdir(folder)
+            ball().save("scan.ply")
+            volume.save("head.vti")
+            exec(lines, there)
+        self.assertEqual(sorted(set(there["surface"]["Isovalue"])), [20, 60, 120])
+        self.assertIn("Normals", there["cloud"].array_names)
 
     def test_like_the_module_itself(self):
         """By PyVista and by the classes alone: one picture."""

@@ -172,6 +172,35 @@ class TestReading(unittest.TestCase):
                 read = pointsplatting.read(self.path(name))
                 self.assertGreater(read.GetNumberOfElements(0), 100)
 
+    def test_convert(self):
+        """What programs that read no scans are given instead."""
+        self.write_las("a.laz")
+        convert = [sys.executable, "-m", "pointsplatting.convert"]
+        target = self.path("a.vtp")
+        done = subprocess.run([*convert, self.path("a.laz"), target], text=True, check=True,
+                              stdout=subprocess.PIPE)
+        self.assertEqual(done.stdout, f"{target}: 5000 points\n")
+        cloud = pointsplatting.read(target)
+        _, metres = survey()
+        self.assertEqual(points_of(cloud).dtype, np.float64)
+        np.testing.assert_allclose(points_of(cloud), metres, rtol=0, atol=1e-9)
+        self.assertIn("Normals", cloud.GetPointData().GetNormals().GetName())
+        self.assertEqual(array_of(cloud, "RGB").shape, (5000, 3))
+        half = ["--box", *(str(v) for v in (OFFSET[0], OFFSET[0] + 10, 0, 1e9, 0, 1e9))]
+        subprocess.run([*convert, self.path("a.laz"), target, *half], check=True,
+                       stdout=subprocess.DEVNULL)
+        self.assertEqual(pointsplatting.read(target).GetNumberOfPoints(),
+                         np.count_nonzero(metres[:, 0] <= OFFSET[0] + 10))
+        pv.Wavelet().save(self.path("v.vti"))
+        for says, arguments in (("with .vtp", ("a.laz", "a.ply")), ("missing.laz", ("missing.laz", "b.vtp")),
+                                ("vtkImageData", ("v.vti", "b.vtp")), ("b.vtp", ("a.laz", "none/b.vtp"))):
+            with self.subTest(says):
+                done = subprocess.run([*convert, *(self.path(one) for one in arguments)], text=True,
+                                      check=False, stderr=subprocess.PIPE)
+                self.assertEqual(done.returncode, 1)
+                self.assertIn(says, done.stderr)
+                self.assertEqual(len(done.stderr.splitlines()), 1)
+
     def test_pyvista_reads_scans(self):
         self.write_las("a.laz")
         cloud = pv.read(self.path("a.laz"))

@@ -6,7 +6,7 @@ import sys
 import numpy as np
 import pyvista as pv
 
-grid = pv.ImageData(dimensions=(80, 80, 80), spacing=(0.4, 0.4, 0.4), origin=(-16, -16, -16))
+grid = pv.ImageData(dimensions=(100, 100, 100), spacing=(0.4, 0.4, 0.4), origin=(-19.8,) * 3)
 x, y, z = grid.points.T
 r = np.sqrt(x * x + y * y + z * z)
 grid["density"] = (np.exp(-r / 3) * (3 * z * z - r * r)) ** 2  # an orbital of hydrogen, 3d
