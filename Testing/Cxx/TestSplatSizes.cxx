@@ -150,6 +150,17 @@ void Curves()
   }
   line.Expect("line", 0.49, 0.51, 500);
   circle.Expect("circle", 0.0062, 0.0064, 500);
+
+  // Where a row of points ends and the next begins a spacing and a half beside it, the cells of a few
+  // points close by what is far away.
+  Cloud rows;
+  for (int i = 0; i < 1000; ++i)
+  {
+    const double radius = 296.0 + (i < 446 ? 1.4 : 0.0);
+    const double angle = (i - 451) / radius;
+    rows.Add(radius * std::cos(angle), radius * std::sin(angle), 0, 0, 0, 1);
+  }
+  rows.Expect("the end of one row and the beginning of the next", 0.45, 1.0, 1000);
 }
 }
 
