@@ -56,6 +56,20 @@ inline constexpr const char* ProjectionDistance = "ProjectionDistance";
 inline constexpr const char* Outlier = "Outlier";
 /// 1 double: the isovalue of the surface that a point lies on.
 inline constexpr const char* Isovalue = "Isovalue";
+
+///@{
+/// Of vtkPointSplatOctree's levels, which says what they hold: point data, then field data of its blocks.
+inline constexpr const char* Level = "SplatLevel";
+inline constexpr const char* FirstChild = "SplatFirstChild";
+inline constexpr const char* ChildCount = "SplatChildCount";
+inline constexpr const char* NormalDeviation = "SplatNormalDeviation";
+inline constexpr const char* BlockRange = "SplatBlockRange";
+inline constexpr const char* BlockChildren = "SplatBlockChildren";
+inline constexpr const char* BlockBounds = "SplatBlockBounds";
+inline constexpr const char* BlockCone = "SplatBlockCone";
+inline constexpr const char* BlockSize = "SplatBlockSize";
+inline constexpr const char* BlockOrigin = "SplatBlockOrigin";
+///@}
 }
 
 #endif

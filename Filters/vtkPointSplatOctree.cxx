@@ -272,10 +272,10 @@ void CopyLevels(const Hierarchy& hierarchy, const Reader& reader, int pointType,
     radii = Add<vtkFloatArray>(data, vtkPointSplatArrays::Radius, 1, count);
   }
   auto* bends = Add<vtkFloatArray>(data, vtkPointSplatArrays::Curvature, 6, count);
-  auto* levels = Add<vtkUnsignedCharArray>(data, "SplatLevel", 1, count);
-  auto* firsts = Add<vtkIdTypeArray>(data, "SplatFirstChild", 1, count);
-  auto* counts = Add<vtkIntArray>(data, "SplatChildCount", 1, count);
-  auto* deviations = Add<vtkFloatArray>(data, "SplatNormalDeviation", 1, count);
+  auto* levels = Add<vtkUnsignedCharArray>(data, vtkPointSplatArrays::Level, 1, count);
+  auto* firsts = Add<vtkIdTypeArray>(data, vtkPointSplatArrays::FirstChild, 1, count);
+  auto* counts = Add<vtkIntArray>(data, vtkPointSplatArrays::ChildCount, 1, count);
+  auto* deviations = Add<vtkFloatArray>(data, vtkPointSplatArrays::NormalDeviation, 1, count);
   vtkIdType to = 0;
   for (int level = 1; level < hierarchy.GetNumberOfLevels(); ++level)
   {
@@ -393,11 +393,11 @@ void CopyBlocks(const Hierarchy& hierarchy, const Reader& reader, vtkFieldData* 
 {
   const std::vector<Hierarchy::Block>& blocks = hierarchy.GetBlocks();
   const vtkIdType count = static_cast<vtkIdType>(blocks.size());
-  auto* ranges = Add<vtkIdTypeArray>(data, "SplatBlockRange", 3, count);
-  auto* children = Add<vtkIdTypeArray>(data, "SplatBlockChildren", 2, count);
-  auto* bounds = Add<vtkFloatArray>(data, "SplatBlockBounds", 6, count);
-  auto* cones = Add<vtkFloatArray>(data, "SplatBlockCone", 4, count);
-  auto* sizes = Add<vtkFloatArray>(data, "SplatBlockSize", 3, count);
+  auto* ranges = Add<vtkIdTypeArray>(data, vtkPointSplatArrays::BlockRange, 3, count);
+  auto* children = Add<vtkIdTypeArray>(data, vtkPointSplatArrays::BlockChildren, 2, count);
+  auto* bounds = Add<vtkFloatArray>(data, vtkPointSplatArrays::BlockBounds, 6, count);
+  auto* cones = Add<vtkFloatArray>(data, vtkPointSplatArrays::BlockCone, 4, count);
+  auto* sizes = Add<vtkFloatArray>(data, vtkPointSplatArrays::BlockSize, 3, count);
   for (vtkIdType i = 0; i < count; ++i)
   {
     const Hierarchy::Block& b = blocks[i];
@@ -412,7 +412,7 @@ void CopyBlocks(const Hierarchy& hierarchy, const Reader& reader, vtkFieldData* 
     cones->SetTypedTuple(i, cone);
     sizes->SetTypedTuple(i, size);
   }
-  Add<vtkDoubleArray>(data, "SplatBlockOrigin", 3, 1)->SetTypedTuple(0, reader.GetOrigin());
+  Add<vtkDoubleArray>(data, vtkPointSplatArrays::BlockOrigin, 3, 1)->SetTypedTuple(0, reader.GetOrigin());
 }
 }
 

@@ -92,6 +92,11 @@ bool Read(hid_t where, const char* name, hid_t type, std::vector<T>& numbers)
     H5Aread(attribute, type, numbers.data()) >= 0;
 }
 
+std::string DataSetName(int number)
+{
+  return "Array" + std::to_string(number);
+}
+
 /// Of a data set: tuples and components, tuples of a chunk, 0 to 9.
 struct Shape
 {
@@ -351,14 +356,14 @@ bool IsKnown(vtkAbstractArray* array)
 }
 
 //------------------------------------------------------------------------------
-bool WriteArray(
-  hid_t where, const std::string& dataset, vtkAbstractArray* array, const ArrayWish& wish)
+bool WriteArray(hid_t group, int number, vtkAbstractArray* array, const ArrayWish& wish)
 {
+  const std::string dataset = DataSetName(number);
   auto* strings = vtkStringArray::SafeDownCast(array);
   bool good = strings
-    ? WriteStrings(where, dataset, strings, wish)
-    : WriteDataArray(where, dataset, vtkDataArray::SafeDownCast(array), wish);
-  const Handle data(H5Dopen2(where, dataset.c_str(), H5P_DEFAULT), H5Dclose);
+    ? WriteStrings(group, dataset, strings, wish)
+    : WriteDataArray(group, dataset, vtkDataArray::SafeDownCast(array), wish);
+  const Handle data(H5Dopen2(group, dataset.c_str(), H5P_DEFAULT), H5Dclose);
   good = good && data && WriteText(data, "Name", array->GetName() ? array->GetName() : "") &&
     WriteNumbers(data, "DataType", std::vector<long long>{ array->GetDataType() }) &&
     WriteNumbers(data, "Role", std::vector<long long>{ wish.Role });
@@ -376,30 +381,37 @@ bool WriteArray(
 }
 
 //------------------------------------------------------------------------------
-bool ReadHead(hid_t where, const std::string& dataset, ArrayHead& head)
+std::vector<ArrayHead> ReadHeads(hid_t group)
 {
-  hsize_t size[2];
-  const Handle data = OpenArray(where, dataset, size);
-  std::vector<long long> type(1);
-  std::vector<long long> role(1);
-  if (!data || !ReadText(data, "Name", head.Name) || !ReadNumbers(data, "DataType", type) ||
-    !ReadNumbers(data, "Role", role))
+  std::vector<ArrayHead> heads;
+  for (;;)
   {
-    return false;
+    hsize_t size[2];
+    const Handle data = OpenArray(group, DataSetName(static_cast<int>(heads.size())), size);
+    ArrayHead head;
+    std::vector<long long> type(1);
+    std::vector<long long> role(1);
+    if (!data || !ReadText(data, "Name", head.Name) || !ReadNumbers(data, "DataType", type) ||
+      !ReadNumbers(data, "Role", role) || (type[0] != VTK_STRING && TypeOf(static_cast<int>(type[0])) < 0))
+    {
+      return heads;
+    }
+    head.DataType = static_cast<int>(type[0]);
+    head.Role = static_cast<int>(role[0]);
+    head.Tuples = static_cast<vtkIdType>(size[0]);
+    head.Components = static_cast<int>(size[1]);
+    ReadText(data, "ComponentNames", head.ComponentNames);
+    heads.push_back(head);
   }
-  head.DataType = static_cast<int>(type[0]);
-  head.Role = static_cast<int>(role[0]);
-  head.Tuples = static_cast<vtkIdType>(size[0]);
-  head.Components = static_cast<int>(size[1]);
-  return head.DataType == VTK_STRING || TypeOf(head.DataType) >= 0;
 }
 
 //------------------------------------------------------------------------------
-bool ReadTuples(hid_t where, const std::string& dataset, const std::vector<Run>& runs,
-  vtkAbstractArray* array, vtkIdType at)
+bool ReadTuples(
+  hid_t group, int number, const std::vector<Run>& runs, vtkAbstractArray* array, vtkIdType at)
 {
+  const std::string dataset = DataSetName(number);
   hsize_t size[2];
-  const Handle data = OpenArray(where, dataset, size);
+  const Handle data = OpenArray(group, dataset, size);
   if (!data || size[1] != static_cast<hsize_t>(array->GetNumberOfComponents()))
   {
     return false;
@@ -407,7 +419,7 @@ bool ReadTuples(hid_t where, const std::string& dataset, const std::vector<Run>&
   auto* strings = vtkStringArray::SafeDownCast(array);
   auto* flags = vtkBitArray::SafeDownCast(array);
   const Handle text(
-    strings ? H5Dopen2(where, (dataset + "Text").c_str(), H5P_DEFAULT) : -1, H5Dclose);
+    strings ? H5Dopen2(group, (dataset + "Text").c_str(), H5P_DEFAULT) : -1, H5Dclose);
   for (const Run& run : runs)
   {
     const hsize_t start[2] = { static_cast<hsize_t>(run.First), 0 };
@@ -435,13 +447,8 @@ bool ReadTuples(hid_t where, const std::string& dataset, const std::vector<Run>&
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkAbstractArray> NewArray(hid_t where, const std::string& dataset)
+vtkSmartPointer<vtkAbstractArray> NewArray(const ArrayHead& head)
 {
-  ArrayHead head;
-  if (!ReadHead(where, dataset, head))
-  {
-    return nullptr;
-  }
   auto array =
     vtkSmartPointer<vtkAbstractArray>::Take(vtkAbstractArray::CreateArray(head.DataType));
   if (!array)
@@ -450,19 +457,25 @@ vtkSmartPointer<vtkAbstractArray> NewArray(hid_t where, const std::string& datas
   }
   array->SetName(head.Name.c_str());
   array->SetNumberOfComponents(head.Components);
-  hsize_t size[2];
-  const Handle data = OpenArray(where, dataset, size);
-  std::string names;
-  if (ReadText(data, "ComponentNames", names))
+  const std::string& names = head.ComponentNames;
+  size_t begin = 0;
+  for (int c = 0; c < head.Components && !names.empty(); ++c)
   {
-    size_t begin = 0;
-    for (int c = 0; c < head.Components; ++c)
-    {
-      const size_t end = std::min(names.find('\n', begin), names.size());
-      array->SetComponentName(c, names.substr(begin, end - begin).c_str());
-      begin = std::min(end + 1, names.size());
-    }
+    const size_t end = std::min(names.find('\n', begin), names.size());
+    array->SetComponentName(c, names.substr(begin, end - begin).c_str());
+    begin = std::min(end + 1, names.size());
   }
   return array;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkAbstractArray> ReadArray(hid_t group, int number, const ArrayHead& head)
+{
+  vtkSmartPointer<vtkAbstractArray> array = NewArray(head);
+  if (array)
+  {
+    array->SetNumberOfTuples(head.Tuples);
+  }
+  return array && ReadTuples(group, number, { { 0, head.Tuples } }, array, 0) ? array : nullptr;
 }
 }

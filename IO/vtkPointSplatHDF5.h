@@ -103,18 +103,20 @@ bool ReadNumbers(hid_t where, const char* name, std::vector<long long>& numbers)
 /// Whether arrays of this kind can be written.
 bool IsKnown(vtkAbstractArray* array);
 /**
- * Writes some tuples of an array that is known. role: of vtkDataSetAttributes, or -1; deflate: 0 to 9.
+ * What is written of an array, and how.
  */
 struct ArrayWish
 {
   Run Tuples;
-  int Role = -1;
-  int Deflate = 1;
+  int Role = -1;   // of vtkDataSetAttributes
+  int Deflate = 1; // 0 to 9
 };
-bool WriteArray(
-  hid_t where, const std::string& dataset, vtkAbstractArray* array, const ArrayWish& wish);
+/// Writes an array that is known as a group's Array0, Array1, ...
+bool WriteArray(hid_t group, int number, vtkAbstractArray* array, const ArrayWish& wish);
 
-/// Of an array in a file.
+/**
+ * What a file says of an array.
+ */
 struct ArrayHead
 {
   std::string Name;
@@ -122,13 +124,17 @@ struct ArrayHead
   int Role = -1;
   vtkIdType Tuples = 0;
   int Components = 1;
+  std::string ComponentNames; // a line each, or nothing
 };
-bool ReadHead(hid_t where, const std::string& dataset, ArrayHead& head);
+/// Those of a group's Array0, Array1, ..., up to the first that is not there.
+std::vector<ArrayHead> ReadHeads(hid_t group);
+/// An array without tuples; none where this VTK knows no such type.
+vtkSmartPointer<vtkAbstractArray> NewArray(const ArrayHead& head);
 /// Puts the runs' tuples into the array, which has room for them, from a tuple on.
-bool ReadTuples(hid_t where, const std::string& dataset, const std::vector<Run>& runs,
-  vtkAbstractArray* array, vtkIdType at);
-/// An empty array as the head says; none where this VTK knows no such type.
-vtkSmartPointer<vtkAbstractArray> NewArray(hid_t where, const std::string& dataset);
+bool ReadTuples(
+  hid_t group, int number, const std::vector<Run>& runs, vtkAbstractArray* array, vtkIdType at);
+/// All of an array; none where it cannot be read.
+vtkSmartPointer<vtkAbstractArray> ReadArray(hid_t group, int number, const ArrayHead& head);
 }
 
 #endif

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatOctreeCut.h"
 
+#include "vtkPointSplatArrays.h"
+
 #include "vtkDataArray.h"
 #include "vtkSmartPointer.h"
 
@@ -13,37 +15,25 @@ namespace
 {
 using namespace vtkPointSplatHDF5;
 
-/// Numbers of a group's array of a name, which has so many components; none: there is no such array.
-std::vector<double> NumbersOf(hid_t group, const char* name, int components)
+/// The numbers of a group's arrays, by their names; an array that cannot be read has none.
+std::map<std::string, std::vector<double>> NumbersOf(hid_t group)
 {
-  std::vector<double> numbers;
-  for (int a = 0;; ++a)
+  std::map<std::string, std::vector<double>> all;
+  const std::vector<ArrayHead> heads = ReadHeads(group);
+  for (size_t a = 0; a < heads.size(); ++a)
   {
-    const std::string dataset = "Array" + std::to_string(a);
-    ArrayHead head;
-    if (!ReadHead(group, dataset, head))
+    const auto array = ReadArray(group, static_cast<int>(a), heads[a]);
+    if (auto* data = vtkDataArray::SafeDownCast(array))
     {
-      return numbers;
-    }
-    auto array = vtkSmartPointer<vtkAbstractArray>(NewArray(group, dataset));
-    auto* data = vtkDataArray::SafeDownCast(array);
-    if (head.Name != name || head.Components != components || !data)
-    {
-      continue;
-    }
-    data->SetNumberOfTuples(head.Tuples);
-    if (ReadTuples(group, dataset, { { 0, head.Tuples } }, data, 0))
-    {
-      for (vtkIdType i = 0; i < head.Tuples; ++i)
+      std::vector<double>& numbers = all[heads[a].Name];
+      numbers.resize(static_cast<size_t>(data->GetNumberOfValues()));
+      for (vtkIdType i = 0; i < data->GetNumberOfTuples() && data->GetNumberOfComponents() > 0; ++i)
       {
-        for (int c = 0; c < components; ++c)
-        {
-          numbers.push_back(data->GetComponent(i, c));
-        }
+        data->GetTuple(i, &numbers[static_cast<size_t>(i * data->GetNumberOfComponents())]);
       }
     }
-    return numbers;
   }
+  return all;
 }
 
 /// Of whole numbers that HDF5 holds.
@@ -73,13 +63,15 @@ bool vtkPointSplatOctreeCut::AddPiece(hid_t file, int number)
   std::vector<vtkIdType> sizes;
   for (int level = 0; level < levels[0]; ++level)
   {
-    ArrayHead head;
-    const Handle group = OpenGroup(piece, "Level" + std::to_string(level));
-    if (!group || !ReadHead(group, "Array0", head) || head.Components != 3)
+    Level own;
+    own.Group = OpenGroup(piece, "Level" + std::to_string(level));
+    own.Heads = ReadHeads(own.Group);
+    if (own.Heads.empty() || own.Heads[0].Components != 3)
     {
       return false;
     }
-    sizes.push_back(head.Tuples);
+    sizes.push_back(own.Heads[0].Tuples);
+    this->Levels[{ number, level }] = std::move(own);
   }
   if (sizes[0] != points[0])
   {
@@ -104,11 +96,12 @@ bool vtkPointSplatOctreeCut::AddBlocks(
   {
     return false;
   }
-  const std::vector<double> ranges = NumbersOf(group, "SplatBlockRange", 3);
-  const std::vector<double> children = NumbersOf(group, "SplatBlockChildren", 2);
-  const std::vector<double> boxes = NumbersOf(group, "SplatBlockBounds", 6);
-  const std::vector<double> radii = NumbersOf(group, "SplatBlockSize", 3);
-  const std::vector<double> origin = NumbersOf(group, "SplatBlockOrigin", 3);
+  std::map<std::string, std::vector<double>> numbers = NumbersOf(group);
+  const std::vector<double>& ranges = numbers[vtkPointSplatArrays::BlockRange];
+  const std::vector<double>& children = numbers[vtkPointSplatArrays::BlockChildren];
+  const std::vector<double>& boxes = numbers[vtkPointSplatArrays::BlockBounds];
+  const std::vector<double>& radii = numbers[vtkPointSplatArrays::BlockSize];
+  const std::vector<double>& origin = numbers[vtkPointSplatArrays::BlockOrigin];
   const size_t count = ranges.size() / 3;
   if (count == 0 || children.size() != 2 * count || boxes.size() != 6 * count ||
     radii.size() != 3 * count || origin.size() != 3)

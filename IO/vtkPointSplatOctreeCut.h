@@ -18,6 +18,14 @@
 class vtkPointSplatOctreeCut
 {
 public:
+  /**
+   * What a piece's level has: coordinates first, then point data.
+   */
+  struct Level
+  {
+    vtkPointSplatHDF5::Handle Group;
+    std::vector<vtkPointSplatHDF5::ArrayHead> Heads;
+  };
   /// The splats of a piece's level that are read, in their order.
   using Runs = std::map<std::pair<int, int>, std::vector<vtkPointSplatHDF5::Run>>;
 
@@ -25,6 +33,7 @@ public:
   bool AddPiece(hid_t file, int piece);
   /// room: splats at most, 0: all points; box: an invalid one holds everything.
   Runs Make(vtkIdType room, const vtkBoundingBox& box) const;
+  const Level& GetLevel(int piece, int level) const { return this->Levels.at({ piece, level }); }
 
 private:
   struct Block
@@ -43,6 +52,7 @@ private:
   vtkIdType ChildrenOf(
     const Block& block, const vtkBoundingBox& box, std::vector<size_t>& children) const;
 
+  std::map<std::pair<int, int>, Level> Levels;
   std::vector<Block> Blocks;
   std::vector<size_t> Roots;
 };

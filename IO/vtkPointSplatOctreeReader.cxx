@@ -93,30 +93,20 @@ struct File
  */
 struct Source
 {
-  Handle Group;
+  const vtkPointSplatOctreeCut::Level* Level;
   std::vector<Run> Runs;
   vtkIdType Count;
-  std::vector<std::string> Names; // of Array0, Array1, ...
 };
 
-std::vector<Source> SourcesOf(hid_t file, vtkPointSplatOctreeCut::Runs runs)
+std::vector<Source> SourcesOf(const vtkPointSplatOctreeCut& cut, vtkPointSplatOctreeCut::Runs runs)
 {
   std::vector<Source> sources;
   for (auto& one : runs)
   {
-    Source source;
-    source.Group = OpenGroup(file,
-      "Piece" + std::to_string(one.first.first) + "/Level" + std::to_string(one.first.second));
-    source.Runs = std::move(one.second);
-    source.Count = 0;
+    Source source{ &cut.GetLevel(one.first.first, one.first.second), std::move(one.second), 0 };
     for (const Run& run : source.Runs)
     {
       source.Count += run.Count;
-    }
-    ArrayHead head;
-    while (ReadHead(source.Group, "Array" + std::to_string(source.Names.size()), head))
-    {
-      source.Names.push_back(head.Name);
     }
     sources.push_back(std::move(source));
   }
@@ -129,37 +119,35 @@ bool IsOfLevelsAlone(const std::string& name)
     [&name](const char* other) { return name == other; });
 }
 
-/// Which data set of each source has the array; empty where one has none, or one of another kind.
-std::vector<std::string> DataSetsOf(
-  const std::vector<Source>& sources, const std::string& name, bool points)
+/// Which of its arrays each source has for one of the first source's; empty where one has none, or one
+/// of another kind.
+std::vector<int> NumbersOf(const std::vector<Source>& sources, size_t wanted)
 {
-  std::vector<std::string> found;
-  ArrayHead first;
+  const ArrayHead& first = sources[0].Level->Heads[wanted];
+  std::vector<int> numbers;
   for (const Source& source : sources)
   {
-    const auto begin = source.Names.begin() + (points ? 0 : 1);
-    const auto at = points ? begin : std::find(begin, source.Names.end(), name);
-    ArrayHead head;
-    const std::string dataset = "Array" + std::to_string(at - source.Names.begin());
-    if (at == source.Names.end() || !ReadHead(source.Group, dataset, head))
+    // Coordinates come first, whatever their name is, and others after.
+    const std::vector<ArrayHead>& heads = source.Level->Heads;
+    const auto at = wanted == 0
+      ? heads.begin()
+      : std::find_if(heads.begin() + 1, heads.end(),
+          [&first](const ArrayHead& head) { return head.Name == first.Name; });
+    if (at == heads.end() || at->DataType != first.DataType || at->Components != first.Components)
     {
       return {};
     }
-    first = found.empty() ? head : first;
-    if (head.DataType != first.DataType || head.Components != first.Components)
-    {
-      return {};
-    }
-    found.push_back(dataset);
+    numbers.push_back(static_cast<int>(at - heads.begin()));
   }
-  return found;
+  return numbers;
 }
 
 /// The array's tuples of all sources; none: they cannot be read.
-vtkSmartPointer<vtkAbstractArray> ReadArray(
-  const std::vector<Source>& sources, const std::vector<std::string>& datasets, vtkIdType count)
+vtkSmartPointer<vtkAbstractArray> ReadOfAll(
+  const std::vector<Source>& sources, const std::vector<int>& numbers, vtkIdType count)
 {
-  vtkSmartPointer<vtkAbstractArray> array = NewArray(sources[0].Group, datasets[0]);
+  vtkSmartPointer<vtkAbstractArray> array =
+    NewArray(sources[0].Level->Heads[static_cast<size_t>(numbers[0])]);
   if (!array)
   {
     return nullptr;
@@ -168,7 +156,7 @@ vtkSmartPointer<vtkAbstractArray> ReadArray(
   vtkIdType at = 0;
   for (size_t i = 0; i < sources.size(); ++i)
   {
-    if (!ReadTuples(sources[i].Group, datasets[i], sources[i].Runs, array, at))
+    if (!ReadTuples(sources[i].Level->Group, numbers[i], sources[i].Runs, array, at))
     {
       return nullptr;
     }
@@ -180,27 +168,21 @@ vtkSmartPointer<vtkAbstractArray> ReadArray(
 bool ReadFieldData(hid_t file, vtkFieldData* data)
 {
   const Handle group = OpenGroup(file, "Piece0/FieldData");
-  for (int a = 0; group; ++a)
+  if (!group)
   {
-    const std::string dataset = "Array" + std::to_string(a);
-    ArrayHead head;
-    if (!ReadHead(group, dataset, head))
-    {
-      return true;
-    }
-    vtkSmartPointer<vtkAbstractArray> array = NewArray(group, dataset);
+    return false;
+  }
+  const std::vector<ArrayHead> heads = ReadHeads(group);
+  for (size_t a = 0; a < heads.size(); ++a)
+  {
+    const auto array = ReadArray(group, static_cast<int>(a), heads[a]);
     if (!array)
-    {
-      return false;
-    }
-    array->SetNumberOfTuples(head.Tuples);
-    if (!ReadTuples(group, dataset, { { 0, head.Tuples } }, array, 0))
     {
       return false;
     }
     data->AddArray(array);
   }
-  return false;
+  return true;
 }
 }
 
@@ -275,7 +257,7 @@ int vtkPointSplatOctreeReader::RequestData(
     box.SetBounds(this->Bounds);
   }
   const vtkPointSplatOctreeCut::Runs runs = cut.Make(this->MaximumNumberOfPoints, box);
-  const std::vector<Source> sources = SourcesOf(file.Data, runs);
+  const std::vector<Source> sources = SourcesOf(cut, runs);
   vtkIdType count = 0;
   for (const Source& source : sources)
   {
@@ -290,42 +272,38 @@ int vtkPointSplatOctreeReader::RequestData(
     return 1;
   }
   vtkPointData* data = output->GetPointData();
-  const std::vector<std::string>& names = sources[0].Names;
-  for (size_t a = 0; a < names.size() && !this->AbortExecute; ++a)
+  const std::vector<ArrayHead>& heads = sources[0].Level->Heads;
+  for (size_t a = 0; a < heads.size() && !this->AbortExecute; ++a)
   {
-    if (a > 0 && IsOfLevelsAlone(names[a]))
+    const std::vector<int> numbers =
+      a > 0 && IsOfLevelsAlone(heads[a].Name) ? std::vector<int>() : NumbersOf(sources, a);
+    if (numbers.empty() && a > 0)
     {
       continue;
     }
-    const std::vector<std::string> datasets = DataSetsOf(sources, names[a], a == 0);
-    if (datasets.empty() && a > 0)
-    {
-      continue;
-    }
-    vtkSmartPointer<vtkAbstractArray> array =
-      datasets.empty() ? nullptr : ReadArray(sources, datasets, count);
-    ArrayHead head;
-    auto* numbers = vtkDataArray::SafeDownCast(array);
-    if (!array || (a == 0 && (!numbers || numbers->GetNumberOfComponents() != 3)) ||
-      !ReadHead(sources[0].Group, datasets[0], head))
+    const vtkSmartPointer<vtkAbstractArray> array =
+      numbers.empty() ? nullptr : ReadOfAll(sources, numbers, count);
+    auto* coordinates = a == 0 ? vtkDataArray::SafeDownCast(array) : nullptr;
+    if (!array || (a == 0 && !coordinates))
     {
       return damaged();
     }
     if (a == 0)
     {
       vtkNew<vtkPoints> points;
-      points->SetData(numbers);
+      points->SetData(coordinates);
       output->SetPoints(points);
     }
     else
     {
       const int index = data->AddArray(array);
-      if (head.Role >= 0 && head.Role < vtkDataSetAttributes::NUM_ATTRIBUTES)
+      const int role = heads[a].Role;
+      if (role >= 0 && role < vtkDataSetAttributes::NUM_ATTRIBUTES)
       {
-        data->SetActiveAttribute(index, head.Role);
+        data->SetActiveAttribute(index, role);
       }
     }
-    this->UpdateProgress(0.1 + 0.9 * (a + 1.0) / names.size());
+    this->UpdateProgress(0.1 + 0.9 * (a + 1.0) / heads.size());
   }
   if (!ReadFieldData(file.Data, output->GetFieldData()))
   {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatOctreeWriter.h"
 
+#include "vtkPointSplatArrays.h"
 #include "vtkPointSplatHDF5.h"
 #include "vtkPointSplatOctree.h"
 #include "vtkPointSplatOctreeFile.h"
@@ -78,14 +79,13 @@ bool WritePoints(hid_t piece, const std::string& name, vtkPolyData* from, const 
   const Handle group = CreateGroup(piece, name);
   bool good = group && from->GetPoints();
   int number = 0;
-  const auto next = [&number] { return "Array" + std::to_string(number++); };
   if (good)
   {
     // They have a name of VTK's, which programs need not know.
     const vtkSmartPointer<vtkDataArray> points = from->GetPoints()->GetData();
     const std::string own = points->GetName() ? points->GetName() : "";
     points->SetName("Points");
-    good = WriteArray(group, next(), points, wish);
+    good = WriteArray(group, number++, points, wish);
     points->SetName(own.empty() ? nullptr : own.c_str());
   }
   vtkPointData* data = from->GetPointData();
@@ -99,7 +99,7 @@ bool WritePoints(hid_t piece, const std::string& name, vtkPolyData* from, const 
     }
     ArrayWish own = wish;
     own.Role = data->IsArrayAnAttribute(a);
-    good = WriteArray(group, next(), array, own);
+    good = WriteArray(group, number++, array, own);
   }
   return good;
 }
@@ -115,8 +115,8 @@ bool WriteFieldData(hid_t piece, const char* name, vtkFieldData* data, bool bloc
     vtkAbstractArray* array = data->GetAbstractArray(a);
     if (IsOfBlocks(array->GetName()) == blocks && IsKnown(array))
     {
-      good = WriteArray(group, "Array" + std::to_string(number++), array,
-        { { 0, array->GetNumberOfTuples() }, -1, deflate });
+      good = WriteArray(
+        group, number++, array, { { 0, array->GetNumberOfTuples() }, -1, deflate });
     }
   }
   return good;
@@ -306,7 +306,7 @@ bool vtkPointSplatOctreeWriter::WritePiece(
   std::string unknown;
   good = good &&
     WritePoints(piece, "Level0", points, { { 0, count }, -1, this->CompressionLevel }, unknown);
-  vtkDataArray* named = levels->GetPointData()->GetArray("SplatLevel");
+  vtkDataArray* named = levels->GetPointData()->GetArray(vtkPointSplatArrays::Level);
   Run run{ 0, 0 };
   for (int level = 1; level < numberOfLevels && good; ++level)
   {
