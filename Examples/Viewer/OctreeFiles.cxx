@@ -46,10 +46,8 @@ void ConvertFiles(const Options& options)
   vtkNew<vtkPointSplatOctreeWriter> writer;
   writer->SetFileName(options.Output.c_str());
   ShowProgress(writer, "making levels", options.Quiet);
-  if (!writer->Open())
-  {
-    ThrowError();
-  }
+  writer->Open();
+  ThrowError();
   for (const std::string& file : options.Files)
   {
     for (const auto& one : ReadFile(file, options.Quiet, 0))

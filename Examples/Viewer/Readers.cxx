@@ -188,9 +188,12 @@ vtkSmartPointer<vtkDataObject> ReadNrrd(const std::string& file, bool quiet)
 
 using ReadFunction = std::function<vtkSmartPointer<vtkDataObject>(const std::string&, bool)>;
 
-const std::map<std::string, ReadFunction>& GetReaders()
+std::map<std::string, ReadFunction> GetReaders(long mostPoints)
 {
-  static const std::map<std::string, ReadFunction> readers = { { "csv", ReadText },
+  const auto octree = [mostPoints](const std::string& file, bool quiet) {
+    return ReadOctree(file, mostPoints, quiet);
+  };
+  return { { "csv", ReadText }, { "h5", octree },
     { "mha", Read<vtkMetaImageReader> }, { "mhd", Read<vtkMetaImageReader> },
     { "nhdr", ReadNrrd }, { "nrrd", ReadNrrd },
     { "obj", ReadObj }, { "ply", ReadPlyFile }, { "pts", ReadText },
@@ -198,7 +201,6 @@ const std::map<std::string, ReadFunction>& GetReaders()
     { "vtk", Read<vtkGenericDataObjectReader> }, { "vtm", Read<vtkXMLMultiBlockDataReader> },
     { "vtp", Read<vtkXMLPolyDataReader> }, { "vts", Read<vtkXMLStructuredGridReader> },
     { "vtu", Read<vtkXMLUnstructuredGridReader> }, { "xyz", ReadText } };
-  return readers;
 }
 }
 
@@ -212,14 +214,13 @@ std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> ReadFile(
   {
     throw UserError(file + ": cannot be opened");
   }
-  const std::string extension = Extension(file);
-  const auto reader = GetReaders().find(extension);
-  if (reader == GetReaders().end() && extension != "h5")
+  const std::map<std::string, ReadFunction> readers = GetReaders(mostPoints);
+  const auto reader = readers.find(Extension(file));
+  if (reader == readers.end())
   {
     throw UserError(file + ": " + WhyNotRead(file));
   }
-  vtkSmartPointer<vtkDataObject> object =
-    extension == "h5" ? ReadOctree(file, mostPoints, quiet) : reader->second(file, quiet);
+  vtkSmartPointer<vtkDataObject> object = reader->second(file, quiet);
   const std::string error = MessageKeeper::TakeError();
   if (!error.empty())
   {
