@@ -63,9 +63,9 @@ def read(path, box=None, spacing=None):
     path : str or path-like
         The file. What its name ends with tells the format: what VTK reads (``.vtp .vtu .vts .vtr
         .vti .vtm .vtk .ply .obj .stl .pts .mhd .mha .nrrd .nhdr``), text (``.xyz .txt .csv
-        .asc``), ``.h5`` of vtkPointSplatOctreeWriter, and scans: ``.las .laz .copc.laz`` by the package laspy with lazrs
-        (``pip install pointsplatting[las]``), ``.e57`` by pye57 (``pip install
-        pointsplatting[e57]``).
+        .asc``), ``.h5`` of vtkPointSplatOctreeWriter, and scans: ``.las .laz .copc.laz`` by the
+        package laspy with lazrs (``pip install pointsplatting[las]``), ``.e57`` by pye57 (``pip
+        install pointsplatting[e57]``).
     box : sequence of 6 float, optional
         Of scans, the points inside alone: xmin, xmax, ymin, ymax, zmin, zmax, in the file's
         coordinates. Of a ``.copc.laz`` nothing else is read. Of an ``.h5`` whole blocks of points
@@ -127,8 +127,30 @@ def read(path, box=None, spacing=None):
 
 
 def _read_by_vtk(path, module, name):
-    """What VTK's reader makes of a file; its complaints become an error."""
-    reader = getattr(importlib.import_module(f"vtkmodules.{module}"), name)()
+    """What VTK's reader makes of a file."""
+    return run_reader(getattr(importlib.import_module(f"vtkmodules.{module}"), name)(), path)
+
+
+def run_reader(reader, path):
+    """What a reader of VTK's kind makes of a file; its complaints become an error.
+
+    Parameters
+    ----------
+    reader : vtkmodules.vtkCommonExecutionModel.vtkAlgorithm
+        Which has a file name.
+    path : pathlib.Path
+        The file.
+
+    Returns
+    -------
+    vtkmodules.vtkCommonDataModel.vtkDataObject
+        The reader's first output.
+
+    Raises
+    ------
+    OSError
+        Where the reader complains, or makes nothing.
+    """
     complaints = []
 
     def complain(caller, event, text="an error"):

@@ -3,6 +3,8 @@
 """Points with levels of detail, as vtkPointSplatOctreeWriter writes them: .h5."""
 import pointsplatting
 
+from .reading import run_reader
+
 
 def read(path, box=None, spacing=None):
     """Read all points of a file, or those about a box.
@@ -32,18 +34,6 @@ def read(path, box=None, spacing=None):
         raise ImportError(f"{path}: this build of pointsplatting has no HDF5. Read it where "
                           "pointsplatting was built against an installed VTK.")
     reader = pointsplatting.vtkPointSplatOctreeReader()
-    complaints = []
-
-    def complain(caller, event, text="an error"):
-        complaints.append(text.strip())
-
-    complain.CallDataType = "string0"
-    reader.AddObserver("ErrorEvent", complain)
-    reader.GetExecutive().AddObserver("ErrorEvent", complain)
-    reader.SetFileName(str(path))
     if box is not None:
         reader.SetBounds(box)
-    reader.Update()
-    if complaints:
-        raise OSError(complaints[0].splitlines()[-1])
-    return reader.GetOutput()
+    return run_reader(reader, path)
