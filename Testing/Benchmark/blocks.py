@@ -15,8 +15,7 @@ import sys
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 import pointsplatting
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -24,21 +23,18 @@ sys.path[:0] = [HERE, os.path.join(HERE, "..", "Accuracy")]
 
 from bench.cloud import Cloud  # noqa: E402
 from drawing import Drawing  # noqa: E402
-from scenes import torus_scene  # noqa: E402
+from scenes import polydata, torus_scene  # noqa: E402
 
 
 def part_of(whole, ids):
-    """Some of the points, with all that is known of them."""
-    part = vtkPolyData()
-    points = vtkPoints()
-    points.SetData(numpy_to_vtk(vtk_to_numpy(whole.GetPoints().GetData())[ids], deep=1))
-    part.SetPoints(points)
-    for i in range(whole.GetPointData().GetNumberOfArrays()):
-        own = whole.GetPointData().GetArray(i)
-        array = numpy_to_vtk(vtk_to_numpy(own)[ids], deep=1)
-        array.SetName(own.GetName())
+    """Some of the points, with their sizes."""
+    data = whole.GetPointData()
+    part = polydata(vtk_to_numpy(whole.GetPoints().GetData())[ids],
+                    vtk_to_numpy(data.GetNormals())[ids])
+    for name in ("SplatRadius", "SplatPlaneNormal", "SplatCurvature"):
+        array = numpy_to_vtk(vtk_to_numpy(data.GetArray(name))[ids], deep=1)
+        array.SetName(name)
         part.GetPointData().AddArray(array)
-    part.GetPointData().SetActiveNormals(whole.GetPointData().GetNormals().GetName())
     return part
 
 

@@ -22,9 +22,6 @@ import subprocess
 import sys
 import time
 
-from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
-import pointsplatting
-
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [HERE, os.path.join(HERE, "..", "Accuracy")]
 
@@ -64,53 +61,30 @@ def card_megabytes():
         return None
 
 
-class Drawing:
-    def __init__(self, setting, scene, cloud, size):
-        self.scene = scene
-        self.renderer = vtkRenderer()
-        if setting.peels is not None:
-            self.renderer.UseDepthPeelingOn()
-            self.renderer.SetMaximumNumberOfPeels(setting.peels)
-            self.renderer.SetOcclusionRatio(0.0)
-        mapper = getattr(setting, setting.draws)(cloud, 0)
-        actor = vtkActor()
-        actor.SetMapper(mapper)
-        actor.GetProperty().DeepCopy(scene.properties[0])
-        actor.GetProperty().SetOpacity(OPACITY[setting.kind])
-        actor.GetProperty().SetPointSize(setting.width)
-        self.renderer.AddActor(actor)
-        self.window = pointsplatting.vtkEGLHeadlessRenderWindow()
-        self.window.SetMultiSamples(0)
-        self.window.SetSize(*size)
-        self.window.AddRenderer(self.renderer)
-        scene.set_view(self.renderer)
-
-    def draw(self):
-        """Seconds."""
-        start = time.perf_counter()
-        self.window.Render()
-        self.window.WaitForCompletion()
-        return time.perf_counter() - start
-
-    def turn(self):
-        self.renderer.GetActiveCamera().Azimuth(7)
-        self.renderer.ResetCameraClippingRange(self.scene.bounds)
+def draw(drawing):
+    """Seconds, until the card is done; nothing is read back."""
+    start = time.perf_counter()
+    drawing.window.Render()
+    drawing.window.WaitForCompletion()
+    return time.perf_counter() - start
 
 
 def measure(setting, scene, cloud, options):
     """First frame, median frame (seconds), megabytes or None, and what the driver is."""
     before = card_megabytes()
-    drawing = Drawing(setting, scene, cloud, [int(side) for side in options.size.split("x")])
-    first = drawing.draw()
+    width, height = (int(side) for side in options.size.split("x"))
+    scene.properties[0].SetOpacity(OPACITY[setting.kind])
+    drawing = setting.drawing(scene, cloud, height)
+    drawing.window.SetSize(width, height)
+    first = draw(drawing)
     times = []
     # Drivers still compile during the second frame.
     for _ in range(1 + options.frames if first < options.budget else 0):
-        drawing.turn()
-        times.append(drawing.draw())
+        drawing.turn(7)
+        times.append(draw(drawing))
     after = card_megabytes()
     about = machine(drawing.window)
-    drawing.window.Finalize()
-    del drawing
+    drawing.close()
     gc.collect()
     return (first, statistics.median(times[1:]) if times else first,
             None if before is None else after - before, about)

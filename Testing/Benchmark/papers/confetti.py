@@ -8,6 +8,7 @@ import pointsplatting
 
 import measures
 import reference
+from bench.choosing import make_ready
 from papers import clouds
 from papers.filters import board_truth, overlaps
 from papers.frames import (
@@ -23,7 +24,6 @@ TABLE_2 = (("David", 0.0, 899523, 0.187, 0.584), ("David", 0.02, 185858, 0.121, 
            ("Dragon", 0.02, 72037, 0.036, 0.069), ("Dragon", 0.04, 57655, 0.031, 0.056))
 TOLERANCES = {"all points": None, "1/256": 1 / 256, "1/64": 1 / 64, "1/32": 1 / 32}
 KERNELS = {"a = 1, n = 2": (1.0, 2.0), "a = 6, n = 3": (6.0, 3.0), "a = 4, n = 5": (4.0, 5.0)}
-LONGEST_WAIT = 120  # seconds, for levels of detail
 
 
 def tables(section, plan):
@@ -63,15 +63,6 @@ def tables(section, plan):
     tolerances(section, plan)
 
 
-def wait_for_levels(drawing):
-    """Draws until the hierarchy, which a thread makes, is used."""
-    start = time.perf_counter()
-    while ("stand for others" not in drawing.mappers[0].GetChoices() and
-           time.perf_counter() - start < LONGEST_WAIT):
-        drawing.draw()
-        time.sleep(0.05)
-
-
 def tolerances(section, plan):
     size, rows, found = plan.size(512), [], []
     section.text(f"Table 2: splats drawn and milliseconds a frame over the tolerance, {size} x "
@@ -88,7 +79,7 @@ def tolerances(section, plan):
             if error:
                 drawing = splat_drawing(view, [data], size, ("SetTargetError", error))
                 if not plan.quick:  # too few points for levels there
-                    wait_for_levels(drawing)
+                    make_ready(drawing)
             psnr = likeness(drawing.draw(), truth)
             splats = drawing.mappers[0].GetNumberOfPointsProjected()
             ms = medians({"": drawing}, plan.runs(9), 40)[""]
