@@ -302,6 +302,10 @@ int vtkPointSplatEstimation::RequestData(
       {
         bodies.Look(around, slotNormals.data());
       }
+      if (round == 2)
+      {
+        bodies.AddRow(around, disk.Sheet, disks.Length[s]);
+      }
       if (round > 0 && !closed)
       {
         // What more neighbours do not close is a border: the first round's disk stands.
@@ -314,12 +318,7 @@ int vtkPointSplatEstimation::RequestData(
           }
           return !inRow;
         }
-        bodies.AddRow(around, disk.Sheet, disks.Length[s]);
         return true;
-      }
-      if (round == 2)
-      {
-        bodies.AddRow(around, disk.Sheet, disks.Length[s]);
       }
       std::copy(disk.Normal, disk.Normal + 3, disks.Planes.data() + std::size_t(3) * s);
       const bool fits =

@@ -213,16 +213,12 @@ vtkPointSplatFacts vtkPointSplatCollection::Describe(
       s.TargetError >= 0.0 ? s.TargetError : vtkPointSplatChoices::FullQuality); // of NaN
   }
   tolerance = std::max(tolerance, facts.TargetError);
-  facts.Levels =
-    std::any_of(entries.begin(), entries.end(), [](const vtkPointSplatEntry& entry) {
-      return entry.Settings.LevelOfDetail && entry.Item.Cloud->GetLevels().AreMade();
-    });
-  facts.LevelsUnderWay =
-    std::any_of(entries.begin(), entries.end(), [](const vtkPointSplatEntry& entry) {
-      return entry.Settings.LevelOfDetail && entry.Item.Cloud->GetLevels().IsUnderWay();
-    });
   for (const vtkPointSplatEntry& entry : entries)
   {
+    const vtkPointSplatLevels& levels = entry.Item.Cloud->GetLevels();
+    const bool wanted = entry.Settings.LevelOfDetail;
+    facts.Levels = facts.Levels || (wanted && levels.AreMade());
+    facts.LevelsUnderWay = facts.LevelsUnderWay || (wanted && levels.IsUnderWay());
     // To find it takes a pass over the points, once: only where it can matter.
     const bool matters = IsPoints(entry) || tolerance > vtkPointSplatChoices::FullQuality;
     facts.Clouds.push_back({ static_cast<double>(entry.Item.Cloud->GetNumberOfSplats()),
