@@ -124,7 +124,7 @@ int vtkPointSplatEstimation::RequestData(
   const vtkIdType numberOfPoints = input->GetNumberOfPoints();
   const bool elliptical = this->Shape == Elliptical;
   this->NumberOfPointsAlone = 0;
-  this->Noise = 0;
+  this->Noise = this->Contradiction = 0;
 
   vtkNew<vtkFloatArray> normals;
   vtkDataArray* given = input->GetPointData()->GetNormals();
@@ -269,9 +269,13 @@ int vtkPointSplatEstimation::RequestData(
       }
     }
     // A mesh is one surface, whatever its normals say.
-    this->Noise = missing || !fans.IsEmpty()
-      ? 0
-      : vtkPointSplatNoise::Measure(this, neighbors, slotNormals.data());
+    if (!missing && fans.IsEmpty())
+    {
+      const vtkPointSplatNoise::Shares found =
+        vtkPointSplatNoise::Measure(this, neighbors, slotNormals.data());
+      this->Noise = found.Noisy;
+      this->Contradiction = found.Contradicted;
+    }
 
     // 4. Disks, but for the corners of triangles
     std::vector<unsigned char> wanted(slots, 0);
@@ -381,7 +385,7 @@ int vtkPointSplatEstimation::RequestData(
     // 5. Creases
     vtkPointSplatCreases creases(neighbors, slotNormals.data(),
       elliptical ? nullptr : disks.Curvatures.data(), usual, elliptical);
-    if (given && (fans.IsEmpty() || meshAlone) && !this->IsNoisy() &&
+    if (given && (fans.IsEmpty() || meshAlone) && !this->IsRough() &&
       !creases.Find(this, 0.85, 0.9, creased, FindTwins(n, slotNormals, neighbors)))
     {
       return 1;
@@ -565,6 +569,7 @@ void vtkPointSplatEstimation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RadiusScale: " << this->RadiusScale << "\n";
   os << indent << "NumberOfPointsAlone: " << this->NumberOfPointsAlone << "\n";
   os << indent << "Noise: " << this->Noise << "\n";
+  os << indent << "Contradiction: " << this->Contradiction << "\n";
 }
 
 VTK_ABI_NAMESPACE_END

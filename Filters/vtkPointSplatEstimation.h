@@ -93,7 +93,7 @@
  *    edges have, lies on the planes of two or three faces that meet there. Its disk's plane is that
  *    of the face whose normal is nearest, ends at the lines, and `SplatFold` has the others: drawn
  *    in all of them with the point's own normal it shades as a mesh does, from face to face over a
- *    triangle's width. Without given normals, or where IsNoisy(), creases are not looked for:
+ *    triangle's width. Without given normals, or where IsRough(), creases are not looked for:
  *    estimated normals turn over the width of their neighbourhood, as on a fillet.
  * 6. *Bound.* No disk is larger than two and a half times those of its neighbours, which keeps
  *    outliers small. A point with no neighbour of its own sheet is a body alone, and so are points
@@ -203,18 +203,32 @@ public:
   vtkGetMacro(NumberOfPointsAlone, vtkIdType);
 
   /**
-   * The share of points, of every 32nd, whose neighbours contradict one another: with their given
-   * normals they lie off one surface by more than 0.15 of their mean distance, and their positions off
-   * any plane. 0 where normals were estimated, and for meshes.
+   * The share of points, of every 32nd, whose neighbours do not lie on one surface: by their given
+   * normals they are off it by more than 0.15 of their mean distance, and their positions off any
+   * plane. 0 where normals were estimated, and for meshes.
    */
   vtkGetMacro(Noise, double);
 
   /**
-   * Whether that is more than 0.3: then the cloud is one for vtkPointSplatProjection. Meshes'
-   * vertices, isosurfaces and parts with normals averaged over their edges have at most 0.1, noise
-   * of a fifth of the spacing 0.7, overlapping range scans 0.86.
+   * The share of these points of which a neighbour lies above or below, by the normals of both,
+   * which agree: no surface goes through the two. 0 where Noise is.
    */
-  bool IsNoisy() const { return this->Noise > 0.3; }
+  vtkGetMacro(Contradiction, double);
+
+  /**
+   * Whether positions and normals are too rough for creases to be found in them: more than 0.3 of
+   * the points are off their neighbours' surface. Meshes' vertices, isosurfaces of measured volumes
+   * and parts with normals averaged over their edges have at most 0.1, one of a volume of whole
+   * numbers magnified four times 0.75.
+   */
+  bool IsRough() const { return this->Noise > 0.3; }
+
+  /**
+   * Whether the cloud is one for vtkPointSplatProjection: rough, and by contradictions rather than
+   * relief, which more than 0.04 of the points are in. Noise of a fifth of the spacing has 0.07 to
+   * 0.2, overlapping range scans 0.58; the magnified volume 0.01.
+   */
+  bool IsNoisy() const { return this->IsRough() && this->Contradiction > 0.04; }
 
 protected:
   vtkPointSplatEstimation();
@@ -233,7 +247,8 @@ private:
   double Viewpoint[3] = { 0, 0, 0 };
   double RadiusScale = 1;
   vtkIdType NumberOfPointsAlone = 0;
-  double Noise = 0; // that the last update found
+  double Noise = 0; // that the last update found, and
+  double Contradiction = 0;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -5,6 +5,7 @@
 #include "vtkMath.h"
 #include "vtkPointSplatRobustSurface.h"
 
+#include <algorithm>
 #include <cmath>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -61,9 +62,29 @@ bool IsRough(const vtkPointSplatNeighbors::Neighborhood& around)
   return vtkMath::Jacobi(a, values, v) &&
     values[2] > LeastFlatness * LeastFlatness * values[1]; // the greatest first
 }
+
+/// Whether a neighbour lies above or below the point, on a side that both normals agree on.
+bool HasContradiction(
+  const vtkPointSplatNeighbors::Neighborhood& around, const float* normals)
+{
+  const float* own = normals + std::size_t(3) * around.Center;
+  for (int i = 0; i < around.Count; ++i)
+  {
+    const float* other = normals + std::size_t(3) * around.Slots[i];
+    const float d[3] = { around.X[i], around.Y[i], around.Z[i] };
+    const float cosine = vtkMath::Dot(own, other);
+    // Along the sum of both normals, which is sqrt(2 + 2 cosine) long.
+    const float height = vtkMath::Dot(d, own) + vtkMath::Dot(d, other);
+    if (cosine > 0.5f && height * height > (1 + cosine) * around.SquaredDistance[i])
+    {
+      return true;
+    }
+  }
+  return false;
+}
 }
 
-double vtkPointSplatNoise::Measure(
+vtkPointSplatNoise::Shares vtkPointSplatNoise::Measure(
   vtkAlgorithm* self, const vtkPointSplatNeighbors& neighbors, const float* normals)
 {
   using Slot = vtkPointSplatNeighbors::Slot;
@@ -71,6 +92,7 @@ double vtkPointSplatNoise::Measure(
   {
     vtkIdType All = 0;
     vtkIdType Noisy = 0;
+    vtkIdType Contradicted = 0;
   };
   vtkSMPThreadLocal<Counts> counts;
   auto measure = [&](const vtkPointSplatNeighbors::Neighborhood& around, int) {
@@ -81,6 +103,7 @@ double vtkPointSplatNoise::Measure(
     Counts& own = counts.Local();
     ++own.All;
     own.Noisy += found && surface.Noise > Noisy && IsRough(around) ? 1 : 0;
+    own.Contradicted += HasContradiction(around, normals) ? 1 : 0;
     return true;
   };
   const double progress = self->GetProgress();
@@ -91,8 +114,10 @@ double vtkPointSplatNoise::Measure(
   {
     sum.All += own.All;
     sum.Noisy += own.Noisy;
+    sum.Contradicted += own.Contradicted;
   }
-  return sum.All > 0 ? static_cast<double>(sum.Noisy) / sum.All : 0;
+  const double all = static_cast<double>(std::max<vtkIdType>(sum.All, 1));
+  return { sum.Noisy / all, sum.Contradicted / all };
 }
 
 VTK_ABI_NAMESPACE_END

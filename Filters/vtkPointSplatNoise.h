@@ -21,11 +21,22 @@ namespace vtkPointSplatNoise
 /// noise: those of clean data that turn by half a radian within that distance deviate by less.
 inline constexpr float Noisy = 0.15f;
 
+/// Shares of a cloud's points.
+struct Shares
+{
+  /// Those whose neighbours do not lie on one surface by their normals, nor on a plane without these.
+  double Noisy = 0;
+  /// Those that have a neighbour above or below them: the normals of both agree within 60 degrees,
+  /// and the line from one to the other is nearer to these than to the surface. No surface goes
+  /// through both. Relief, however rough, has none such: where points come nearer to one another, so do
+  /// their heights.
+  double Contradicted = 0;
+};
+
 /**
- * The share of a sample of the slots, one leaf of the search tree in 32, whose neighbours do not
- * lie on one surface by their normals, nor on a plane without these. normals: 3 floats a slot.
+ * Looks at a sample of the slots, one leaf of the search tree in 32. normals: 3 floats a slot.
  */
-double Measure(vtkAlgorithm* self, const vtkPointSplatNeighbors& neighbors, const float* normals);
+Shares Measure(vtkAlgorithm* self, const vtkPointSplatNeighbors& neighbors, const float* normals);
 }
 
 VTK_ABI_NAMESPACE_END

@@ -12,6 +12,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSplatArrays.h"
+#include "vtkPointSplatEstimation.h"
 #include "vtkPointSplatProjection.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -487,9 +488,42 @@ void OfBadInput()
 }
 }
 
+/// Relief is no noise, however rough: the mapper draws it as it is.
+void OfRelief()
+{
+  vtkNew<vtkPointSplatEstimation> estimation;
+  auto estimate = [&](const Cloud& cloud) {
+    estimation->SetInputData(Data(cloud, true));
+    estimation->Update();
+  };
+  // Waves of three spacings, at random places.
+  Random random;
+  Cloud waves;
+  for (int i = 0; i < 8100; ++i)
+  {
+    const double x = random.Uniform(0, 90), y = random.Uniform(0, 90);
+    Vector n{ { -0.8 * std::cos(2 * x) * std::sin(2 * y), -0.8 * std::sin(2 * x) * std::cos(2 * y),
+      1 } };
+    vtkMath::Normalize(n.data());
+    waves.Points.push_back({ { x, y, 0.4 * std::sin(2 * x) * std::sin(2 * y) } });
+    waves.Normals.push_back(n);
+  }
+  estimate(waves);
+  Expect(estimation->IsRough() && !estimation->IsNoisy(), "rough relief is no noise");
+
+  // Deviations whose normals know nothing of them.
+  Cloud sphere = Sphere(random);
+  Shake(sphere, 0.2, 0, random);
+  estimate(sphere);
+  Expect(estimation->IsNoisy(), "noise is no relief");
+  estimate(Sphere(random));
+  Expect(!estimation->IsRough() && estimation->GetContradiction() == 0, "a sphere is smooth");
+}
+
 int TestSplatProjection(int, char*[])
 {
   OfSphere();
+  OfRelief();
   OfCurvature();
   OfCube();
   OfShell();
