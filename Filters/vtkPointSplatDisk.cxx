@@ -315,6 +315,36 @@ float vtkPointSplatDisk::Farthest(float most) const
   return std::sqrt(farthest);
 }
 
+float vtkPointSplatDisk::FindBorder(float most, int next[2]) const
+{
+  if (this->Sheet.Count == 0)
+  {
+    return 0; // no cell
+  }
+  const auto isFar = [&](int j) {
+    const Vertex& v = this->Cell[j < this->Size ? j : j - this->Size];
+    return v.X * v.X + v.Y * v.Y > most * most;
+  };
+  int runs = 0;
+  for (int j = 0; j < this->Size; ++j)
+  {
+    // An edge is that of its first vertex.
+    const int edge = this->Cell[j].Edge;
+    if (isFar(j) != isFar(j + 1))
+    {
+      if (edge == Frame)
+      {
+        return 0;
+      }
+      runs += isFar(j) ? 1 : 0;
+      next[isFar(j) ? 1 : 0] = this->Sheet.Members[edge];
+    }
+  }
+  return runs == 1 && next[0] != next[1]
+    ? this->Farthest(std::numeric_limits<float>::infinity())
+    : 0.0f;
+}
+
 bool vtkPointSplatDisk::InRow(int nearest) const
 {
   const int count = std::min(nearest, this->Sheet.Count);

@@ -53,6 +53,13 @@ public:
    */
   static float GetSquaredReach(float aa, float bb, float ab, float circumscribed2);
 
+  /**
+   * How far away the farthest vertex of the last estimate's cell is, if there is just one run of
+   * vertices farther away than that; 0 otherwise. next: the neighbours before and behind it,
+   * counterclockwise about Normal.
+   */
+  float FindBorder(float most, int next[2]) const;
+
   /// Whether so many nearest neighbours lie in a row rather than all around or to one side.
   bool InRow(int nearest) const;
 

@@ -107,7 +107,7 @@ float vtkPointSplatDisks::GetLargest(float curvature, float radius)
                        : std::numeric_limits<float>::max();
 }
 
-float vtkPointSplatDisks::FindHoleLimit() const
+void vtkPointSplatDisks::FindHoleLimit()
 {
   std::vector<float> sizes;
   sizes.reserve(this->Opening.size());
@@ -120,12 +120,13 @@ float vtkPointSplatDisks::FindHoleLimit() const
   }
   if (sizes.size() < 100)
   {
-    return std::numeric_limits<float>::max();
+    return;
   }
   const float usual = GetQuantile(sizes, 0.5), large = GetQuantile(sizes, 0.95);
   const float t = std::clamp(
     (large / usual - RegularSpread) / (IrregularSpread - RegularSpread), 0.0f, 1.0f);
-  return large * (HoleFactor + t * (GapFactor - HoleFactor));
+  this->HoleLimit = large * (HoleFactor + t * (GapFactor - HoleFactor));
+  this->Regular = t < 1;
 }
 
 void vtkPointSplatDisks::Close(Slot slot)

@@ -42,15 +42,23 @@ public:
   bool IsOutlier(Slot slot, float times) const;
   /// Whether the cell of some witness is closed.
   bool HasClosedWitness(Slot slot) const;
+  /// Whether the surface may end at a slot: its cell is open, or may reach into a hole by the spacing
+  /// that there is farther inside, two thirds of that at a border.
+  bool MayEnd(Slot slot) const
+  {
+    const float opening = this->Opening[slot];
+    return !this->IsAlone(slot) &&
+      (opening == 0 || opening > 0.667f * this->HoleLimit * this->Spacing[slot]);
+  }
   /// Makes of a closed cell an open one, of a disk of that length.
   void Open(Slot slot, float length);
   /// Whether at least half of the witnesses have a mark, or there are too few neighbours for any.
   bool AgreeWitnesses(Slot slot, const std::vector<unsigned char>& marks) const;
 
   /**
-   * The distance of a cell's vertex, in spacings, past which it lies in a hole of the surface.
+   * Finds HoleLimit, and whether the sampling is as regular as a mesh's vertices are.
    */
-  float FindHoleLimit() const;
+  void FindHoleLimit();
 
   /// Makes a disk as large as the gap that it is to close.
   void Close(Slot slot);
@@ -73,7 +81,9 @@ public:
   std::vector<float> Axes;    // both, unless circular
   std::vector<float> Planes;  // their normals
   std::vector<float> Curvatures; // tensors, if circular
+  /// The distance of a cell's vertex, in spacings, past which it lies in a hole of the surface.
   float HoleLimit = std::numeric_limits<float>::max();
+  bool Regular = false;
 
 private:
   /// The neighbours, by rank, that bound a disk.

@@ -12,6 +12,7 @@
 #include "vtkPointSet.h"
 #include "vtkPointSplatArrays.h"
 #include "vtkPointSplatBodies.h"
+#include "vtkPointSplatBorders.h"
 #include "vtkPointSplatCreases.h"
 #include "vtkPointSplatCurvature.h"
 #include "vtkPointSplatDisks.h"
@@ -354,7 +355,7 @@ int vtkPointSplatEstimation::RequestData(
       return 1;
     }
     // Again where that tells more: neighbours across holes and normals that are not the surface's.
-    disks.HoleLimit = disks.FindHoleLimit();
+    disks.FindHoleLimit();
     std::vector<float> sheetNormals = slotNormals;
     for (Slot s = 0; s < slots; ++s)
     {
@@ -382,11 +383,33 @@ int vtkPointSplatEstimation::RequestData(
       }
     }
 
-    // 5. Creases
+    // 5. Borders and creases
+    Twins twins = FindTwins(n, slotNormals, neighbors);
+    vtkPointSplatBorders borders(neighbors, directions, usual, disks);
+    if (disks.Regular && !this->IsRough())
+    {
+      std::vector<unsigned char> open(slots, 0);
+      for (vtkIdType id = 0; id < numberOfPoints; ++id)
+      {
+        const Slot s = slotOf[id];
+        if (s != vtkPointSplatNeighbors::None && !fans.Has(id))
+        {
+          open[s] = disks.MayEnd(s);
+        }
+      }
+      for (const vtkPointSplatCreases::Twin& twin : twins)
+      {
+        open[twin.At] = 0;
+      }
+      if (!borders.Find(this, elliptical, open))
+      {
+        return 1;
+      }
+    }
     vtkPointSplatCreases creases(neighbors, slotNormals.data(),
       elliptical ? nullptr : disks.Curvatures.data(), usual, elliptical);
     if (given && (fans.IsEmpty() || meshAlone) && !this->IsRough() &&
-      !creases.Find(this, 0.85, 0.9, creased, FindTwins(n, slotNormals, neighbors)))
+      !creases.Find(this, 0.85, 0.9, creased, std::move(twins)))
     {
       return 1;
     }
@@ -505,6 +528,7 @@ int vtkPointSplatEstimation::RequestData(
         }
       }
     }
+    borders.Write(slotOf, clips);
   }
 
   output->SetPoints(input->GetPoints());

@@ -44,6 +44,10 @@ class TestStandIns(unittest.TestCase):
     def test_thin_shell(self):
         self.check("shell_03", 3.5, 0.005, 45)
 
+    def test_borders(self):
+        # 32.6 dB where disks reach past the holes' borders.
+        self.check("holed_ball", 4, 0.01, 34, views=1)
+
     def test_grid_lines(self):
         # Within rows the points are twenty times as dense as across them.
         standin = standins.along_grid_lines(20)

@@ -379,6 +379,33 @@ def thin_shell(gap=0.3, count=40000):
     return StandIn("thin shell, %g spacings" % gap, cloud, distance, spacing, both)
 
 
+def holed_ball(size=72):
+    """A ball's mesh as an extraction of isosurfaces leaves it, triangles taken out: holes with ragged
+    borders, of a few spacings and more."""
+    body = Capsules()
+    centre = np.full(3, 0.5 * size - 0.3)
+    body.add([centre, centre], np.full(2, 0.42 * size))
+    mesh = isosurface(body.sampled(size), "edges")
+    p = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
+    triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+
+    def is_cut(q):
+        x, y, z = (0.22 * (q - centre)).T
+        return np.sin(x + 0.4) * np.sin(y + 1) * np.sin(z + 2) > 0.45
+    triangles = triangles[~is_cut(p[triangles].mean(1))]
+    used, triangles = np.unique(triangles, return_inverse=True)
+    normals = vtk_to_numpy(mesh.GetPointData().GetNormals())
+    mesh = polydata(p[used], normals[used], triangles.reshape(-1, 3))
+
+    find = nearest(p[used], normals[used])
+
+    def distance(q):
+        # Past the border, as far as the nearest vertex.
+        far = np.linalg.norm(q - find(q)[0], axis=1)
+        return np.where(far < 1, np.abs(body(q)), far)
+    return StandIn("holed ball", vertices(mesh), distance, 0.7, mesh)
+
+
 # Particles -----------------------------------------------------------------------------------
 
 def spray(spacing=0.02, droplets=300):
@@ -464,6 +491,7 @@ ALL = {
     "shell_01": lambda: thin_shell(0.1),
     "shell_03": lambda: thin_shell(0.3),
     "shell_1": lambda: thin_shell(1.0),
+    "holed_ball": holed_ball,
     "drapery": drapery,
     "drapery_vertices": drapery_vertices,
     "grid_lines": along_grid_lines,

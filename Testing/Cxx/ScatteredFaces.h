@@ -114,7 +114,8 @@ public:
 
   /**
    * The vertices of a mesh of two half planes that meet at a right angle in a row of them: with the
-   * average of both normals, or split, with one of both each.
+   * average of both normals, or split, with one of both each. Of their edges that one is the first,
+   * and those at the mesh's border follow.
    */
   void AddGridFold(bool split)
   {
@@ -123,20 +124,28 @@ public:
     {
       for (int k = -12; k <= 12; ++k)
       {
-        // A little off the grid but on the edge, as meshers do it.
-        const double s = k + (k ? this->Next(-0.2, 0.2) : 0.0), z = row + this->Next(-0.2, 0.2);
+        // A little off the grid but on the edge and at the borders, as meshers do it.
+        const bool end = std::abs(k) == 12, first = row == 0, last = row == 39;
+        const double s = k + (k && !end ? this->Next(-0.2, 0.2) : 0.0);
+        const double z = row + (first || last ? 0.0 : this->Next(-0.2, 0.2));
         const double x[3] = { std::min(s, 0.0), -std::max(s, 0.0), z };
         const double n[3] = { k < 0 ? 0.0 : k > 0 ? 1.0 : half, k < 0 ? 1.0 : k > 0 ? 0.0 : half, 0 };
         const double top[3] = { 0, 1, 0 }, wall[3] = { 1, 0, 0 };
         const Edge onTop = { std::abs(s), { 1, 0, 0 } }, onWall = { std::abs(s), { 0, 1, 0 } };
+        std::vector<Edge> edges = { k > 0 ? onWall : onTop };
+        if (first || last)
+        {
+          edges.push_back({ 0, { 0, 0, first ? -1.0 : 1.0 } });
+        }
+        if (end)
+        {
+          edges.push_back({ 0, { k < 0 ? -1.0 : 0.0, k > 0 ? -1.0 : 0.0, 0 } });
+        }
+        this->Add(x, k == 0 && split ? top : n, edges);
         if (k == 0 && split)
         {
-          this->Add(x, top, { onTop });
-          this->Add(x, wall, { onWall });
-        }
-        else
-        {
-          this->Add(x, n, { k > 0 ? onWall : onTop });
+          edges.front() = onWall;
+          this->Add(x, wall, edges);
         }
       }
     }

@@ -180,6 +180,10 @@ void Vertices(bool split)
   int wrong = 0, missed = 0, folded = 0, edge = 0;
   for (vtkIdType id = 0; id < mesh.GetNumberOfPoints(); ++id)
   {
+    if (mesh.EdgesOf[id].size() > 1)
+    {
+      continue; // at the border
+    }
     const ScatteredFaces::Edge& truth = mesh.EdgesOf[id][0];
     double c[3], f[3];
     const double length = splats.GetLine(id, 0, c);

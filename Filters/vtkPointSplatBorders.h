@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPointSplatBorders
+ * @brief   the clip lines of the splats at the borders of a cloud's surface
+ *
+ * An internal helper of vtkPointSplatEstimation; see the stages there. The border is that of the
+ * alpha shape (Edelsbrunner, Kirkpatrick, Seidel 1983, On the Shape of a Set of Points in the
+ * Plane), alpha being the distance from which on a vertex of a Voronoi cell lies in a hole
+ * (vtkPointSplatDisks::HoleLimit, in the upper quartile of the spacings around).
+ *
+ * 1. A candidate is looked at with its 32 nearest neighbours. Where just one run of its cell's
+ *    vertices is farther than alpha, the surface ends between the two neighbours whose bisectors
+ *    lead into that run and out of it: they are the next points along the border.
+ * 2. Points of other sheets that lie in that sector, within two spacings, say that the surface goes
+ *    on there, at a crease, around a tube or past a seam: then it is no border.
+ * 3. Points are linked where one is the next of the other. A chain is a border if a vertex is
+ *    farther than twice alpha in at least eight of its points' cells: others are gaps in the sampling.
+ * 4. The splat is clipped by the lines through the point and each of the next ones where the face
+ *    between them has a convex corner. Where the corner is reflex, one line cuts across it, as far
+ *    off as the nearer of the next points reaches: a splat keeps what all of its lines do.
+ *
+ * Memory is 44 bytes a point at a border and a byte a slot; candidates are points whose cells are
+ * open or reach into holes, which smooth closed surfaces have hardly any of.
+ */
+#ifndef vtkPointSplatBorders_h
+#define vtkPointSplatBorders_h
+
+#include "vtkPointSplatDisks.h"
+
+#include <vector>
+
+class vtkAlgorithm;
+class vtkFloatArray;
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkPointSplatBorders
+{
+public:
+  using Slot = vtkPointSplatNeighbors::Slot;
+
+  /// normals: 3 floats a slot, of the disks' planes; usual: as in vtkPointSplatSheet.
+  vtkPointSplatBorders(const vtkPointSplatNeighbors& neighbors, const float* normals,
+    float usual, const vtkPointSplatDisks& disks);
+
+  /// candidates: of each slot, whether it is one. Returns false if self was aborted.
+  bool Find(vtkAlgorithm* self, bool elliptical, const std::vector<unsigned char>& candidates);
+
+  /// Adds the lines, if any, of points that have none to the array of clip lines, of 6 components,
+  /// which is made if it has no tuples. slotOf: of each point.
+  void Write(const std::vector<Slot>& slotOf, vtkFloatArray* clips) const;
+
+private:
+  using Neighborhood = vtkPointSplatNeighbors::Neighborhood;
+
+  /// Where the surface ends at a slot.
+  struct End
+  {
+    Slot At;
+    Slot Next[2];
+    bool Sure; // that this is no gap of the sampling
+    float Clip[6]; // as in the array
+  };
+
+  bool FindEnd(const Neighborhood& around, bool elliptical, End& end) const;
+  const End* GetEnd(Slot slot) const;
+  void Confirm();
+
+  const vtkPointSplatNeighbors& Neighbors;
+  const float* Normals;
+  float Usual;
+  float HoleLimit;
+  const std::vector<float>& Spacings; // of the disks
+  std::vector<End> Ends; // in order of slots
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// That vtkPointSplatEstimation clips the splats of a regular sampling where its surface ends, and
+// nothing else. Lengths are in spacings.
+#include "Expect.h"
+#include "ScatteredFaces.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+namespace
+{
+/// A sheet of 41 x 31 points with a rectangular hole in it, whose corners lie on points.
+constexpr int Columns = 40, Rows = 30;
+constexpr int Left = 12, Right = 24, Low = 9, High = 19;
+
+/// By how much a place lies off the sheet, in its hole or outside.
+double Outside(double x, double y)
+{
+  const double hole =
+    std::min({ x - Left, Right - x, y - Low, High - y });
+  return std::max({ -x, x - Columns, -y, y - Rows, hole });
+}
+
+/// The points of the sheet, bent about y; those inside are a little off the grid, as meshers do it.
+ScatteredFaces Sheet(double bend)
+{
+  ScatteredFaces scene;
+  for (int j = 0; j <= Rows; ++j)
+  {
+    for (int i = 0; i <= Columns; ++i)
+    {
+      const double to = Outside(i, j);
+      if (to > 0)
+      {
+        continue;
+      }
+      const double x = i + (to < 0 ? 0.15 * std::sin(7.0 * i + 3.0 * j) : 0);
+      const double y = j + (to < 0 ? 0.15 * std::sin(5.0 * i - 8.0 * j) : 0);
+      const double turn = bend * x;
+      const double p[3] = { bend > 0 ? std::sin(turn) / bend : x, y,
+        bend > 0 ? (std::cos(turn) - 1) / bend : 0 };
+      const double n[3] = { std::sin(turn), 0, std::cos(turn) };
+      scene.Add(p, n, std::vector<ScatteredFaces::Edge>(to == 0 ? 1 : 0));
+    }
+  }
+  return scene;
+}
+
+int CountLines(const Estimated& splats, vtkIdType id)
+{
+  double c[3];
+  return (splats.GetLine(id, 0, c) > 0) + (splats.GetLine(id, 1, c) > 0);
+}
+
+void OfFlatSheet()
+{
+  const ScatteredFaces scene = Sheet(0);
+  const Estimated splats(scene);
+  double farthest = 0, atReflexCorner = 0;
+  int missed = 0, wrong = 0;
+  for (vtkIdType id = 0; id < scene.GetNumberOfPoints(); ++id)
+  {
+    const double* p = scene.Points->GetPoint(id);
+    const double at[2] = { p[0], p[1] };
+    const bool border = !scene.EdgesOf[id].empty();
+    const double aside = std::min(std::abs(at[0] - Left), std::abs(at[0] - Right));
+    const double below = std::min(std::abs(at[1] - Low), std::abs(at[1] - High));
+    // A hole's corner may as well be one that a triangle cuts.
+    const bool reflex = border && aside + below <= 1;
+    const bool corner =
+      (at[0] == 0 || at[0] == Columns) && (at[1] == 0 || at[1] == Rows);
+    missed += border && !reflex && CountLines(splats, id) < (corner ? 2 : 1);
+    wrong += !border && CountLines(splats, id) > 0;
+    // Where the disk reaches.
+    double lines[2][3];
+    splats.GetLine(id, 0, lines[0]);
+    splats.GetLine(id, 1, lines[1]);
+    for (int k = 0; k < 720; ++k)
+    {
+      const double angle = vtkMath::Pi() * k / 36, r = splats.GetRadius(id) * (k / 72 + 1) / 10;
+      const double d[3] = { r * std::cos(angle), r * std::sin(angle), 0 };
+      if (vtkMath::Dot(lines[0], d) <= 1 && vtkMath::Dot(lines[1], d) <= 1)
+      {
+        double& most = reflex ? atReflexCorner : farthest;
+        most = std::max(most, Outside(at[0] + d[0], at[1] + d[1]));
+      }
+    }
+  }
+  Expect(missed == 0, std::to_string(missed) + " points at the border without a line");
+  Expect(wrong == 0, std::to_string(wrong) + " points inside with a line");
+  AtMost(farthest, 0.03, "past the border");
+  AtMost(atReflexCorner, 0.75, "past a hole's corner");
+}
+
+void OfBentSheet()
+{
+  const ScatteredFaces scene = Sheet(0.05);
+  const Estimated splats(scene);
+  int missed = 0, wrong = 0;
+  for (vtkIdType id = 0; id < scene.GetNumberOfPoints(); ++id)
+  {
+    const bool border = !scene.EdgesOf[id].empty();
+    missed += border && CountLines(splats, id) == 0;
+    wrong += !border && CountLines(splats, id) > 0;
+  }
+  AtMost(missed, 4, "bent: points without a line, and the hole has four corners");
+  Expect(wrong == 0, "bent: " + std::to_string(wrong) + " points inside with a line");
+}
+
+void HasNone(const ScatteredFaces& scene, const std::string& name)
+{
+  const Estimated splats(scene);
+  int lines = 0;
+  for (vtkIdType id = 0; id < scene.GetNumberOfPoints(); ++id)
+  {
+    lines += CountLines(splats, id);
+  }
+  Expect(lines == 0, name + ": " + std::to_string(lines) + " lines");
+}
+
+/// Even points all around.
+void OfClosedSurfaces()
+{
+  for (const double radius : { 1.0, 2.0, 20.0 })
+  {
+    // A tube with round ends.
+    ScatteredFaces scene;
+    const double length = 60;
+    const int rings = static_cast<int>((length + vtkMath::Pi() * radius));
+    for (int ring = 0; ring <= rings; ++ring)
+    {
+      const double s = ring * (length + vtkMath::Pi() * radius) / rings;
+      const double cap = std::max(0.5 * vtkMath::Pi() - s / radius, 0.0) -
+        std::max((s - length) / radius - 0.5 * vtkMath::Pi(), 0.0);
+      const double z =
+        radius * std::sin(cap) + std::clamp(s - 0.5 * vtkMath::Pi() * radius, 0.0, length) * -1;
+      const double around = radius * std::cos(cap);
+      const int count = std::max(static_cast<int>(2 * vtkMath::Pi() * around), 1);
+      for (int k = 0; k < count; ++k)
+      {
+        const double turn = 2 * vtkMath::Pi() * (k + 0.5 * (ring % 2)) / count;
+        const double n[3] = { std::cos(cap) * std::cos(turn), std::cos(cap) * std::sin(turn),
+          std::sin(cap) };
+        const double x[3] = { around * std::cos(turn), around * std::sin(turn), z };
+        scene.Add(x, n, {});
+      }
+    }
+    HasNone(scene, "tube of radius " + std::to_string(radius));
+  }
+  // Random points end somewhere before their surface does.
+  ScatteredFaces sheets;
+  sheets.AddSheets(20);
+  HasNone(sheets, "random sheets");
+}
+}
+
+int TestSplatBorders(int, char*[])
+{
+  OfFlatSheet();
+  OfBentSheet();
+  OfClosedSurfaces();
+  return failures ? EXIT_FAILURE : EXIT_SUCCESS;
+}
