@@ -15,6 +15,9 @@ namespace
 /// squared distances, and another one much less.
 constexpr float LargestResidual = 0.25f;
 constexpr float ResidualRatio = 0.3f;
+/// Nor is a plane the surface's that the neighbours' normals are not across, of either sign, by this
+/// mean cosine: around a body of a few points they point everywhere.
+constexpr float LeastAgreement = 0.7f;
 /// The radius at borders, of the mean distance of the neighbours next to the point: no farther over
 /// them than a triangle of equal sides needs, and a little for rounding.
 constexpr float BorderPerDistance = 0.6f;
@@ -52,8 +55,15 @@ void vtkPointSplatDisk::ChoosePlane(
   {
     f *= side;
   }
+  float agreement = 0;
+  for (int i = 0; i < countNear; ++i)
+  {
+    const float* m = normals + std::size_t(3) * around.Slots[i];
+    agreement += std::abs(m[0] * fitted[0] + m[1] * fitted[1] + m[2] * fitted[2]) / countNear;
+  }
   this->Sheet.Compare(around, normals, fitted);
-  if (this->Sheet.GetResidual(around, countNear) < ResidualRatio * residual)
+  if (agreement > LeastAgreement &&
+    this->Sheet.GetResidual(around, countNear) < ResidualRatio * residual)
   {
     std::copy(fitted, fitted + 3, this->Normal);
   }
