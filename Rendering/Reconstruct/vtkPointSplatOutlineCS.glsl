@@ -40,6 +40,14 @@ float depths[Looked];
 uint slots[Looked];
 bool ends[Looked]; // the light ends with this layer
 
+void startPixels()
+{
+  for (int k = 0; k < Looked; ++k)
+  {
+    slots[k] = 0u;
+  }
+}
+
 bool differs(uint a, uint b)
 {
   return a != b && a != AnySlot && b != AnySlot;
@@ -56,6 +64,7 @@ bool steps(int before, int at, int after, float leastStep)
 void find(ivec2 first, ivec2 low, ivec2 high)
 {
   uint found = 0u;
+  startPixels();
   for (int layer = 0; layer < LayerCount; ++layer)
   {
     for (int k = 0; k < Looked; ++k)
@@ -64,7 +73,7 @@ void find(ivec2 first, ivec2 low, ivec2 high)
       ivec2 pixel = clamp(first + ivec2(k % Across - 1, k / Across - 1), low, high);
       uvec4 texel = texelFetch(
         LayerTexels, (pixel.y * LayerCapacity + layer) * LayerSize.x + pixel.x);
-      bool ended = layer > 0 && slots[k] >= AnySlot;
+      bool ended = slots[k] >= AnySlot;
       slots[k] = ended ? slots[k] : isEmpty(texel) ? NoSlot : tagOfTexel(texel) >> 1;
       depths[k] = uintBitsToFloat(texel.x);
       ends[k] = isLast(texel);

@@ -99,7 +99,6 @@ void main()
       : max(farthest, depthsAbout[i] + 5.0 * itemLayer(tagsAbout[i]));
   }
 #ifdef LAYERS
-  peeledTo = -1.0;
   vec3 own = vec3(-1.0);
   uvec3 ownTags = uvec3(NoTag);
   for (int l = 0; l < layer; ++l)
@@ -113,8 +112,7 @@ void main()
 #endif
   for (int k = 0; k < Pixels; ++k)
   {
-    nearest[k] = farthest;
-    tags[k] = NoTag;
+    startPixel(k, farthest);
 #ifdef LAYERS
     before[k] = own;
     beforeTags[k] = ownTags;

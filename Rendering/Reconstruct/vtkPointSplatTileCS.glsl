@@ -172,7 +172,6 @@ void main()
     beforeTags[k] = uvec3(NoTag);
     light[k] = 1.0;
   }
-  peeledTo = -1.0;
   int layer = 0;
   int made = 0;
   bool any;
@@ -190,8 +189,7 @@ void main()
       hidden[k] = farthest;
 #endif
       // Of a pixel that is done nothing is seen.
-      nearest[k] = light[k] < LeastContribution ? -1.0 : farthest;
-      tags[k] = NoTag;
+      startPixel(k, light[k] < LeastContribution ? -1.0 : farthest);
     }
     see(left, all);
     clearLayer();
@@ -221,8 +219,7 @@ void main()
 #else
   for (int k = 0; k < Pixels; ++k)
   {
-    nearest[k] = NoHit;
-    tags[k] = NoTag;
+    startPixel(k, NoHit);
   }
   see(left, all);
   clearLayer();

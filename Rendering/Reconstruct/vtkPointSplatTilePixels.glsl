@@ -50,8 +50,8 @@ const uint NoTag = 0xffffu;
 const float WeightScale = 4096.0;
 const float DepthScale = 512.0;
 
-vec2 corner;          // the middle of the tile's first pixel
-float nearest[Pixels]; // depth of the nearest hit; at first what hides it
+vec2 corner = vec2(0.0); // the middle of the tile's first pixel
+float nearest[Pixels];   // depth of the nearest hit; at first what hides it
 uint tags[Pixels];
 float weights[Pixels];
 vec3 normals[Pixels];
@@ -83,12 +83,19 @@ uint ids[Pixels];
 vec3 before[Pixels];
 uvec3 beforeTags[Pixels];
 float light[Pixels]; // what of the light behind comes through them
-bool gathering;      // this layer takes all that is left ...
+bool gathering = false; // this layer takes all that is left ...
 #ifdef GATHER
-float hidden[Pixels]; // ... before the opaque scene
+float hidden[Pixels];   // ... before the opaque scene
 #endif
-float peeledTo;      // all that lies before this depth is
+float peeledTo = -1.0;  // all that lies before this depth is
 #endif
+
+// Before a pixel is looked at; farthest: what hides it.
+void startPixel(int k, float farthest)
+{
+  nearest[k] = farthest;
+  tags[k] = NoTag;
+}
 
 ivec2 placeOf(int k)
 {
