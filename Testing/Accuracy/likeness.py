@@ -85,12 +85,18 @@ def compare(standin, size=512, views=4, opacity=1.0, pictures=None):
     fine = View(of_mesh(standin.mesh), SAMPLES * size, opacity)
     plain = View(of_mesh(standin.mesh), size, opacity)
     splats = View(of_cloud(standin.cloud), size, opacity)
+    field = View(of_mesh(standin.fine()), SAMPLES * size, opacity) if standin.fine else None
     background = np.round(255 * np.array(BACKGROUND))
     found = {"psnr": [], "gap": [], "holes": 0, "spill": 0.0}
+    if field:
+        found["gap of field"] = []
+
+    def averaged(picture):
+        return picture.reshape(size, SAMPLES, size, SAMPLES, 3).mean((1, 3))
     for k in range(views):
         close = k == views - 1 and views > 1
         drawn = [view.draw(k, close, standin.mesh.GetBounds()) for view in (fine, plain, splats)]
-        truth = drawn[0].reshape(size, SAMPLES, size, SAMPLES, 3).mean((1, 3))
+        truth = averaged(drawn[0])
         covered = np.abs(truth - background).max(2) > 2
         is_drawn = np.abs(drawn[2] - background).max(2) > 2
         inside = inner(covered, 3)
@@ -101,11 +107,15 @@ def compare(standin, size=512, views=4, opacity=1.0, pictures=None):
         both = [psnr(picture, truth, judged) or 0.0 for picture in drawn[1:]]
         found["psnr"].append(round(both[1], 1))
         found["gap"].append(round(both[0] - both[1], 1))
+        if field:
+            surface = averaged(field.draw(k, close, standin.mesh.GetBounds()))
+            both = [psnr(picture, surface, judged) or 0.0 for picture in drawn[1:]]
+            found["gap of field"].append(round(both[0] - both[1], 1))
         if pictures:
             os.makedirs(pictures, exist_ok=True)
             save(os.path.join(pictures, "%s-%d.png" % (standin.name.replace(" ", "_"), k)),
                  np.concatenate([truth, drawn[2], 4 * np.abs(truth - drawn[2])], 1))
-    for view in (fine, plain, splats):
+    for view in filter(None, (fine, plain, splats, field)):
         view.window.Finalize()
     return found
 
@@ -159,8 +169,10 @@ def main():
             name, standin.cloud.GetNumberOfPoints(),
             " ".join("%.2f" % r for r in fit["radii"]), fit["off"])
         if standin.mesh:
-            line += ", psnr {psnr}, gap {gap}, holes {holes}, spill {spill:.4f}".format(
-                **compare(standin, options.size, 4, options.opacity, options.pictures))
+            found = compare(standin, options.size, 4, options.opacity, options.pictures)
+            line += ", psnr {psnr}, gap {gap}, holes {holes}, spill {spill:.4f}".format(**found)
+            if standin.fine:
+                line += ", gap of field {gap of field}".format(**found)
         print(line, flush=True)
 
 

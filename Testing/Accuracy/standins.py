@@ -17,6 +17,7 @@ from vtkmodules.vtkFiltersCore import (
     vtkCleanPolyData, vtkContourFilter, vtkFlyingEdges3D, vtkPolyDataNormals, vtkTriangleFilter)
 from vtkmodules.vtkFiltersModeling import vtkAdaptiveSubdivisionFilter, vtkLinearExtrusionFilter
 from vtkmodules.vtkFiltersPoints import vtkPointInterpolator, vtkVoronoiKernel
+from vtkmodules.vtkImagingCore import vtkImageResample
 import pointsplatting
 
 from reference.surfaces import unit
@@ -24,11 +25,12 @@ from scenes import grid_triangles, polydata
 
 
 class StandIn:
-    """spacing: the distance from a point to the next ones that it was made with."""
+    """spacing: the distance from a point to the next ones that it was made with; fine: where the
+    mesh's facets are coarse, what makes a mesh of the same surface whose facets are not."""
 
-    def __init__(self, name, cloud, distance, spacing, mesh=None):
+    def __init__(self, name, cloud, distance, spacing, mesh=None, fine=None):
         self.name, self.cloud, self.distance = name, cloud, distance
-        self.spacing, self.mesh = spacing, mesh
+        self.spacing, self.mesh, self.fine = spacing, mesh, fine
 
 
 def vertices(mesh):
@@ -120,12 +122,15 @@ def image_of(field):
     return image
 
 
-def isosurface(field, extraction):
-    """extraction: "points", "edges" or "contour"."""
+def isosurface(field, extraction, finer=1):
+    """extraction: "points", "edges" or "contour"; finer: so many times, between linearly."""
     filters = {"points": pointsplatting.vtkIsosurfacePoints, "edges": vtkFlyingEdges3D,
                "contour": vtkContourFilter}
     contour = filters[extraction]()
-    contour.SetInputData(image_of(-field))  # denser inside, as an angiogram is
+    resample = vtkImageResample()
+    resample.SetInputData(image_of(-field))  # denser inside, as an angiogram is
+    resample.SetMagnificationFactors(finer, finer, finer)
+    contour.SetInputConnection(resample.GetOutputPort())
     contour.SetValue(0, 0.0)
     if extraction != "points":
         contour.ComputeNormalsOn()
@@ -139,7 +144,8 @@ def tubes_and_specks(extraction="edges", size=80, tubes=10, specks=250):
     field = body.sampled(size)
     mesh = isosurface(field, "edges" if extraction == "points" else extraction)
     cloud = isosurface(field, extraction) if extraction == "points" else vertices(mesh)
-    return StandIn("tubes and specks, " + extraction, cloud, lambda p: np.abs(body(p)), 0.7, mesh)
+    return StandIn("tubes and specks, " + extraction, cloud, lambda p: np.abs(body(p)), 0.7, mesh,
+                   lambda: isosurface(field, "edges", 4))
 
 
 # Machined part -------------------------------------------------------------------------------
