@@ -14,6 +14,7 @@
 #define vtkPointSplatSensors_h
 
 #include "vtkDataArray.h"
+#include "vtkFiltersPointSplattingModule.h" // For export macro
 #include "vtkPointSplattingABI.h"
 #include "vtkSmartPointer.h"
 
@@ -23,7 +24,7 @@ VTK_ABI_NAMESPACE_BEGIN
 
 class vtkPointSet;
 
-class vtkPointSplatSensors
+class VTKFILTERSPOINTSPLATTING_EXPORT vtkPointSplatSensors
 {
 public:
   /**
