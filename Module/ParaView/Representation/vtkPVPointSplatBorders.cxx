@@ -371,22 +371,25 @@ vtkSmartPointer<vtkPolyData> vtkPVPointSplatBorders::Exchange(
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> vtkPVPointSplatBorders::ExchangeNeighbors(
-  vtkMultiProcessController* controller, vtkPolyData* own, int k)
+vtkBoundingBox vtkPVPointSplatBorders::FindBox(vtkPolyData* points)
 {
-  auto ghosts = vtkUnsignedCharArray::SafeDownCast(
-    own->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
   vtkBoundingBox box;
-  for (vtkIdType i = 0; i < own->GetNumberOfPoints(); ++i)
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
     double position[3];
-    own->GetPoint(i, position);
-    // A box with a place in it that is none would be one of all space.
+    points->GetPoint(i, position);
     if (std::isfinite(position[0] + position[1] + position[2]))
     {
       box.AddPoint(position);
     }
   }
+  return box;
+}
+
+//------------------------------------------------------------------------------
+vtkPVPointSplatBorders::Reach vtkPVPointSplatBorders::FindReach(
+  vtkMultiProcessController* controller, vtkPolyData* own, int k)
+{
   const double ownReach = HowFarNeighboursAre(own, k);
   double reach = 0.0;
   controller->AllReduce(&ownReach, &reach, 1, vtkCommunicator::MAX_OP);
@@ -394,9 +397,11 @@ vtkSmartPointer<vtkPolyData> vtkPVPointSplatBorders::ExchangeNeighbors(
   {
     reach = VTK_DOUBLE_MAX; // so few points everywhere that each is of concern
   }
-  constexpr int notOwn = vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
-  return vtkPVPointSplatBorders::Exchange(controller, own,
-    vtkPVPointSplatBorders::Gather(controller, box), [ghosts, reach](vtkIdType point) {
-      return ghosts && (ghosts->GetValue(point) & notOwn) ? -1.0 : reach;
-    });
+  const vtkSmartPointer<vtkUnsignedCharArray> ghosts = vtkUnsignedCharArray::SafeDownCast(
+    own->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  return [ghosts, reach](vtkIdType point) {
+    constexpr int notOwn =
+      vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
+    return ghosts && (ghosts->GetValue(point) & notOwn) ? -1.0 : reach;
+  };
 }

@@ -54,13 +54,15 @@ public:
   static vtkSmartPointer<vtkPolyData> Exchange(vtkMultiProcessController* controller,
     vtkPolyData* own, const std::vector<vtkBoundingBox>& boxes, const Reach& reach);
 
+  /// The box of points, without those that are nowhere.
+  static vtkBoundingBox FindBox(vtkPolyData* points);
+
   /**
-   * The points of this process, then those of others that say how the surface runs near its own:
-   * of a data set of vertices, all within four times the distance of the k-th neighbour. Hidden
-   * points and copies of others' (vtkGhostType) stay where they are. All processes must call.
+   * How far off points say how a surface runs, to exchange them by: four times the distance of the
+   * k-th neighbour, the same on all processes, which must all call. Hidden points and copies
+   * of others' (vtkGhostType) are of no use anywhere else.
    */
-  static vtkSmartPointer<vtkPolyData> ExchangeNeighbors(
-    vtkMultiProcessController* controller, vtkPolyData* own, int k);
+  static Reach FindReach(vtkMultiProcessController* controller, vtkPolyData* own, int k);
 
   /// The points of a data set of vertices that are within reach of a box.
   static vtkSmartPointer<vtkPolyData> Within(

@@ -16,6 +16,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVPointSplatBorders.h"
+#include "vtkPVPointSplatOrientation.h"
 #include "vtkPointData.h"
 #include "vtkPointSplatArrays.h"
 #include "vtkPointSplatSensors.h"
@@ -106,6 +107,40 @@ vtkSmartPointer<vtkDataArray> MakeGhosts(vtkPointSet* input)
   }
   ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
   return ghosts;
+}
+
+void Negate(vtkIdType point, vtkDataArray* array)
+{
+  for (int c = 0; array && c < array->GetNumberOfComponents(); ++c)
+  {
+    array->SetComponent(point, c, -array->GetComponent(point, c));
+  }
+}
+
+/// Turns the normals of points, and what has its sign by them.
+void Turn(const std::vector<bool>& turned, vtkPointData* found)
+{
+  vtkDataArray* planes = found->GetArray(vtkPointSplatArrays::PlaneNormal);
+  for (vtkIdType i = 0; i < static_cast<vtkIdType>(turned.size()); ++i)
+  {
+    if (!turned[static_cast<size_t>(i)])
+    {
+      continue;
+    }
+    Negate(i, found->GetNormals());
+    const double none[3] = { 0.0, 0.0, 0.0 };
+    double plane[3];
+    if (planes)
+    {
+      planes->GetTuple(i, plane);
+    }
+    // A body alone has no plane, and is curved like a ball from all sides.
+    if (planes && !std::equal(plane, plane + 3, none))
+    {
+      Negate(i, planes);
+      Negate(i, found->GetArray(vtkPointSplatArrays::Curvature));
+    }
+  }
 }
 
 /// Arrays that one process has and another has not would be lost where they meet.
@@ -270,18 +305,34 @@ void vtkPVPointSplatEstimation::EstimateTogether(vtkPointSet* input, vtkPolyData
   {
     points->GetPointData()->AddArray(MakeSensors(sensors, count));
   }
+  const std::vector<vtkBoundingBox> boxes =
+    vtkPVPointSplatBorders::Gather(controller, vtkPVPointSplatBorders::FindBox(points));
+  const vtkPVPointSplatBorders::Reach reach =
+    vtkPVPointSplatBorders::FindReach(controller, points, this->GetNumberOfNeighbors());
+  const auto exchange = [&]() {
+    return vtkPVPointSplatBorders::Exchange(controller, points, boxes, reach);
+  };
+  const vtkSmartPointer<vtkPolyData> all = exchange();
   vtkNew<vtkPolyData> estimated;
-  this->EstimateAlone(vtkPVPointSplatBorders::ExchangeNeighbors(
-                        controller, points, this->GetNumberOfNeighbors()),
-    estimated);
+  this->EstimateAlone(all, estimated);
   vtkPointData* found = estimated->GetPointData();
   for (const char* name : { vtkPointSplatArrays::Clip, vtkPointSplatArrays::Fold })
   {
     AddWhereAnyHas(controller, name, estimated->GetNumberOfPoints(), found);
   }
-  if (estimated->GetNumberOfPoints() < count)
+  // If any was aborted all leave orientation as it is.
+  int finished = estimated->GetNumberOfPoints() >= count ? 1 : 0;
+  int allFinished = 0;
+  controller->AllReduce(&finished, &allFinished, 1, vtkCommunicator::MIN_OP);
+  if (allFinished && this->GetOrientation() == Consistent && !any[1] && !any[2])
   {
-    return; // it was aborted
+    const vtkPVPointSplatOrientation orientation(all, found->GetNormals(), count);
+    orientation.AddTo(points, controller->GetLocalProcessId());
+    Turn(orientation.FindTurned(controller, exchange()), found);
+  }
+  if (!finished)
+  {
+    return;
   }
 
   output->SetPoints(input->GetPoints());

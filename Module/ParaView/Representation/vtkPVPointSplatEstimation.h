@@ -12,9 +12,13 @@
  *    (DUPLICATEPOINT) and hidden points do not.
  * 2. *Estimation* of a process' own points and those that came.
  * 3. Those that came are dropped: the output has the points of the input, in their order.
+ * 4. *Orientation*, where normals are to be consistent and no process has any, or sensors: pieces of
+ *    surface that go on on other processes are turned the way that one process would turn the whole
+ *    (vtkPVPointSplatOrientation).
  * So sizes, normals, curvature and clip lines are those that one process finds, but for what
  * depends on a statistic of the whole cloud, as its median spacing, which is that of the points at
- * hand. `SplatClip` and `SplatFold` are on all processes if they are on any.
+ * hand; and of pieces that stage 4 turns some points at the ends of surfaces have other sizes (of
+ * 14400 points of a sheet 11). `SplatClip` and `SplatFold` are on all processes if they are on any.
  *
  * Meshes (a vtkPolyData with polygons or strips, on any process) have their sizes from their
  * triangles, and are estimated by each process alone. ParaView's filter Ghost Cells before this one
