@@ -4,7 +4,7 @@
  * @class   vtkPointSplatSensors
  * @brief   where the scanner stood that saw a point
  *
- * An internal helper of the filters. The input says it in one of two ways:
+ * An internal helper of the filters, and of ParaView's. The input says it in one of two ways:
  * - the point array `SensorPosition`, 3 components, world units: a position for each point; or
  * - the field array `SensorPosition`, 3 components, world units: a position for each scan; with
  *   the point array `ScanId`, 1 component: a point's scan, counted from 0.

@@ -326,7 +326,7 @@ void vtkPVPointSplatEstimation::EstimateTogether(vtkPointSet* input, vtkPolyData
   controller->AllReduce(&finished, &allFinished, 1, vtkCommunicator::MIN_OP);
   if (allFinished && this->GetOrientation() == Consistent && !any[1] && !any[2])
   {
-    const vtkPVPointSplatOrientation orientation(all, found->GetNormals(), count);
+    const vtkPVPointSplatOrientation orientation(this, all, found->GetNormals(), count);
     orientation.AddTo(points, controller->GetLocalProcessId());
     Turn(orientation.FindTurned(controller, exchange()), found);
   }

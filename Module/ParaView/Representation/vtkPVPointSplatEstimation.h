@@ -12,9 +12,9 @@
  *    (DUPLICATEPOINT) and hidden points do not.
  * 2. *Estimation* of a process' own points and those that came.
  * 3. Those that came are dropped: the output has the points of the input, in their order.
- * 4. *Orientation*, where normals are to be consistent and no process has any, or sensors: pieces of
- *    surface that go on on other processes are turned the way that one process would turn the whole
- *    (vtkPVPointSplatOrientation).
+ * 4. *Orientation*, where normals are to be consistent and no process has any, or sensors: pieces
+ *    of surface that go on on other processes are turned the way that one process would turn the
+ *    whole (vtkPVPointSplatOrientation).
  * So sizes, normals, curvature and clip lines are those that one process finds, but for what
  * depends on a statistic of the whole cloud, as its median spacing, which is that of the points at
  * hand; and of pieces that stage 4 turns some points at the ends of surfaces have other sizes (of

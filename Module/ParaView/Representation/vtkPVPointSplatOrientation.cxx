@@ -4,22 +4,21 @@
 
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
-#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMath.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPointSplatInput.h"
+#include "vtkPointSplatNeighbors.h"
 #include "vtkPolyData.h"
-#include "vtkSMPThreadLocalObject.h"
-#include "vtkSMPTools.h"
-#include "vtkStaticPointLocator.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace
 {
+constexpr vtkIdType NoPiece = -1; // of points that take no part
 constexpr const char* NormalName = "EstimatedNormal";
 constexpr const char* PieceName = "PieceOfSurface";
 
@@ -29,6 +28,7 @@ class Sets
 public:
   explicit Sets(size_t count)
     : Parent(count)
+    , Sizes(count, 1)
     , Against(count, false)
   {
     for (size_t i = 0; i < count; ++i)
@@ -55,57 +55,21 @@ public:
     if (a != b)
     {
       // The larger stays, so that ways are short.
-      if (this->Size(a) < this->Size(b))
+      if (this->Sizes[a] < this->Sizes[b])
       {
         std::swap(a, b);
       }
-      this->Sizes[a] = this->Size(a) + this->Size(b);
+      this->Sizes[a] += this->Sizes[b];
       this->Parent[b] = a;
       this->Against[b] = turned != (againstA != againstB);
     }
   }
 
 private:
-  size_t Size(size_t i) const
-  {
-    const auto at = this->Sizes.find(i);
-    return at == this->Sizes.end() ? 1 : at->second;
-  }
-
   std::vector<size_t> Parent;
+  std::vector<size_t> Sizes; // of representatives
   std::vector<bool> Against;
-  std::map<size_t, size_t> Sizes; // of representatives of more than one
 };
-
-/// The ten nearest neighbours of each point, and -1 where there are less.
-std::vector<vtkIdType> FindNeighbors(vtkPolyData* points, int count)
-{
-  const vtkIdType number = points->GetNumberOfPoints();
-  std::vector<vtkIdType> neighbors(static_cast<size_t>(number * count), -1);
-  if (number == 0)
-  {
-    return neighbors;
-  }
-  vtkNew<vtkStaticPointLocator> locator;
-  locator->SetDataSet(points);
-  locator->BuildLocator();
-  vtkSMPThreadLocalObject<vtkIdList> found;
-  vtkSMPTools::For(0, number, [&](vtkIdType begin, vtkIdType end) {
-    vtkIdList* ids = found.Local();
-    for (vtkIdType i = begin; i < end; ++i)
-    {
-      double x[3];
-      points->GetPoint(i, x);
-      if (std::isfinite(x[0] + x[1] + x[2]))
-      {
-        locator->FindClosestNPoints(count + 1, x, ids); // itself, too
-        const auto own = neighbors.begin() + static_cast<std::ptrdiff_t>(i * count);
-        std::copy_n(ids->GetPointer(0), std::min<vtkIdType>(ids->GetNumberOfIds(), count), own);
-      }
-    }
-  });
-  return neighbors;
-}
 
 /// What all processes have, in the order of their ranks.
 std::vector<double> GatherAll(vtkMultiProcessController* controller, const std::vector<double>& own)
@@ -130,25 +94,43 @@ std::vector<double> GatherAll(vtkMultiProcessController* controller, const std::
 
 //------------------------------------------------------------------------------
 vtkPVPointSplatOrientation::vtkPVPointSplatOrientation(
-  vtkPolyData* points, vtkDataArray* normals, vtkIdType own)
+  vtkAlgorithm* self, vtkPolyData* points, vtkDataArray* normals, vtkIdType own)
   : Points(points)
   , Normals(normals)
   , Own(own)
 {
-  constexpr int neighbors = 10;
-  const std::vector<vtkIdType> graph = FindNeighbors(points, neighbors);
-  Sets sets(graph.size() / neighbors);
+  this->PieceOf.assign(static_cast<size_t>(points->GetNumberOfPoints()), NoPiece);
+  if (this->PieceOf.empty())
+  {
+    return;
+  }
+  std::vector<unsigned char> used;
+  vtkPointSplatInput::MarkUsable(points, used);
+  vtkPointSplatNeighbors neighbors;
+  neighbors.Build(points->GetPoints()->GetData(), used.data());
+  constexpr int edges = 10;
+  using Slot = vtkPointSplatNeighbors::Slot;
+  std::vector<Slot> graph(edges * size_t(neighbors.GetNumberOfSlots()), vtkPointSplatNeighbors::None);
+  neighbors.Visit(self, 1.0, 1.0, edges,
+    [&graph](const vtkPointSplatNeighbors::Neighborhood& around, int) {
+      std::copy_n(around.Slots, around.Count, graph.data() + edges * size_t(around.Center));
+      return true;
+    });
+  Sets sets(neighbors.GetNumberOfSlots());
   for (size_t e = 0; e < graph.size(); ++e)
   {
-    if (graph[e] >= 0)
+    if (graph[e] != vtkPointSplatNeighbors::None)
     {
-      sets.Join(e / neighbors, static_cast<size_t>(graph[e]), false);
+      sets.Join(e / edges, graph[e], false);
     }
   }
-  for (size_t i = 0; i < graph.size() / neighbors; ++i)
+  for (size_t i = 0; i < this->PieceOf.size(); ++i)
   {
     bool unused = false;
-    this->PieceOf.push_back(static_cast<vtkIdType>(sets.Find(i, unused)));
+    const Slot slot = neighbors.GetSlots()[i];
+    this->PieceOf[i] = slot == vtkPointSplatNeighbors::None
+      ? NoPiece
+      : static_cast<vtkIdType>(sets.Find(slot, unused));
   }
 }
 
@@ -191,7 +173,10 @@ vtkPVPointSplatOrientation::Votes vtkPVPointSplatOrientation::Vote(
                                       this->PieceOf[static_cast<size_t>(i)] } },
       { { static_cast<vtkIdType>(piece[0]), static_cast<vtkIdType>(piece[1]) } } } };
     std::sort(pair.begin(), pair.end());
-    own[pair] += vtkMath::Dot(here, there);
+    if (pair[0][1] != NoPiece && pair[1][1] != NoPiece)
+    {
+      own[pair] += vtkMath::Dot(here, there);
+    }
   }
   std::vector<double> told;
   for (const auto& vote : own)
@@ -261,7 +246,8 @@ vtkPVPointSplatOrientation::FindOutsides(
   const std::vector<double> all = GatherAll(controller, told);
   for (auto at = all.begin(); at != all.end(); at += 14)
   {
-    Outside& outside = outsides[{ { static_cast<vtkIdType>(at[0]), static_cast<vtkIdType>(at[1]) } }];
+    const Piece piece = { { static_cast<vtkIdType>(at[0]), static_cast<vtkIdType>(at[1]) } };
+    Outside& outside = outsides[piece];
     std::copy_n(at + 2, 6, outside.Far.begin());
     std::copy_n(at + 8, 6, outside.Along.begin());
   }

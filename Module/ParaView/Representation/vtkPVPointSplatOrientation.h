@@ -4,8 +4,9 @@
 // of surface that it has consistently, and turned each piece outward by itself, which need not be
 // the way of the piece that goes on behind the border.
 //
-// 1. *Pieces.* A process' points, and those of others that it has for neighbours, make one piece where
-//    they are joined by the ten nearest neighbours, as vtkPointSplatNormals carries orientation on.
+// 1. *Pieces.* A process' points, and those of others that it has for neighbours, make one piece
+//    where they are joined by the ten nearest neighbours, as vtkPointSplatNormals carries orientation
+//    on (vtkPointSplatNeighbors).
 // 2. *Votes.* Where two processes have estimated the same point its two normals say whether their
 //    two pieces are turned the same way.
 // 3. *Turn.* All processes have all votes, and join pieces, those first that most votes join, as a
@@ -25,6 +26,7 @@
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkAlgorithm;
 class vtkDataArray;
 class vtkMultiProcessController;
 class vtkPolyData;
@@ -33,10 +35,11 @@ VTK_ABI_NAMESPACE_END
 class vtkPVPointSplatOrientation
 {
 public:
-  /// Of points with estimated normals, of which the first `own` are this process'.
-  vtkPVPointSplatOrientation(vtkPolyData* points, vtkDataArray* normals, vtkIdType own);
+  /// Of points with normals that `self` estimated; the first `own` of them are this process'.
+  vtkPVPointSplatOrientation(
+    vtkAlgorithm* self, vtkPolyData* points, vtkDataArray* normals, vtkIdType own);
 
-  /// Adds the normals and the numbers of pieces to this process' own points, to vote with elsewhere.
+  /// Adds normals and the numbers of pieces to this process' own points, to vote with elsewhere.
   void AddTo(vtkPolyData* own, int rank) const;
 
   /**
