@@ -4,7 +4,7 @@
  * @class   vtkPointSplatNeighbors
  * @brief   the nearest neighbours of every point of a cloud
  *
- * An internal helper of the filters: it answers the query "k nearest neighbours" for all
+ * An internal helper of the filters, and of ParaView's: it answers the query "k nearest neighbours" for all
  * points at once, which is faster than one query after the other.
  *
  * 1. Points are split at the median of the longest side of their bounding box until at
@@ -24,6 +24,7 @@
 #define vtkPointSplatNeighbors_h
 
 #include "vtkDataArray.h"
+#include "vtkFiltersPointSplattingModule.h" // For export macro
 #include "vtkPointSplatBatches.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkType.h"
@@ -34,7 +35,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
-class vtkPointSplatNeighbors
+class VTKFILTERSPOINTSPLATTING_EXPORT vtkPointSplatNeighbors
 {
 public:
   using Slot = std::uint32_t;

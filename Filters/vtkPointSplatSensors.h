@@ -4,7 +4,7 @@
  * @class   vtkPointSplatSensors
  * @brief   where the scanner stood that saw a point
  *
- * An internal helper of the filters. The input says it in one of two ways:
+ * An internal helper of the filters, and of ParaView's. The input says it in one of two ways:
  * - the point array `SensorPosition`, 3 components, world units: a position for each point; or
  * - the field array `SensorPosition`, 3 components, world units: a position for each scan; with
  *   the point array `ScanId`, 1 component: a point's scan, counted from 0.
@@ -14,6 +14,7 @@
 #define vtkPointSplatSensors_h
 
 #include "vtkDataArray.h"
+#include "vtkFiltersPointSplattingModule.h" // For export macro
 #include "vtkPointSplattingABI.h"
 #include "vtkSmartPointer.h"
 
@@ -23,7 +24,7 @@ VTK_ABI_NAMESPACE_BEGIN
 
 class vtkPointSet;
 
-class vtkPointSplatSensors
+class VTKFILTERSPOINTSPLATTING_EXPORT vtkPointSplatSensors
 {
 public:
   /**

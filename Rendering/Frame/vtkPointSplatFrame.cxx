@@ -348,7 +348,8 @@ bool vtkPointSplatFrame::PresentLayers(Pass& pass, vtkActor* actor, size_t own)
   const vtkPointSplatResolve::Target target{ this->Renderer, actor,
     pass.Entries[own].Source->GetMapper(), window,
     pass.Translucent || pass.Surfaces->GetOutlines().GetCount() == 0 ||
-      !vtkPointSplatCollection::HasOpaqueAfter(this->Renderer, pass.Entries[own].Actor) };
+      !vtkPointSplatCollection::HasOpaqueAfter(this->Renderer, pass.Entries[own].Actor),
+    !pass.Translucent };
   const int slot = pass.Batched ? -1 : static_cast<int>(own);
   if (pass.Translucent && !this->Flatten(pass, shading))
   {
@@ -413,7 +414,7 @@ bool vtkPointSplatFrame::PresentSelection(Pass& pass, vtkActor* actor, size_t ow
       ? 24
       : 0 };
   const vtkPointSplatResolve::Target target{ this->Renderer, actor,
-    pass.Entries[own].Source->GetMapper(), vtkPointSplatFrame::ShownWindow(pass), false };
+    pass.Entries[own].Source->GetMapper(), vtkPointSplatFrame::ShownWindow(pass), false, false };
   vtkHardwareSelector* selector = this->Renderer->GetSelector();
   selector->BeginRenderProp(); // sets the prop's colour
   if (pass.SelectionPass == vtkHardwareSelector::COMPOSITE_INDEX_PASS && !request.HasIds)

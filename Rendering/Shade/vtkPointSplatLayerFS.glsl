@@ -13,7 +13,9 @@
 // reflect the environment. OUTLINES (vtkPointSplatOutline): a pixel that an outline runs through
 // gets the mean of the shaded pixels that its samples take after, and the share that these cover as
 // opacity, at the depth of the nearest; in multisampled framebuffers each sample has its own colour
-// and depth, so that splats and meshes meet within pixels. 0: there are none.
+// and depth, so that splats and meshes meet within pixels. 0: there are none. Where depth is kept it
+// is the pixel's own, if it shows anything itself: a selection draws over it, and would find nothing
+// behind the nearest.
 // PASS_FACTORS: a shadow map pass of VTK's tells how much of each light arrives, by code that finds
 // the point as vertexVC. SHADOW_MAP: such a pass's map is drawn, by code that finds the pixel as
 // coordinate, since here gl_FragCoord is a full-screen triangle's.
@@ -43,6 +45,7 @@ uniform ivec2 ImageOrigin;   // the images' first pixel in the framebuffer
 uniform int Layer;
 uniform vec4 SelectionColour;
 uniform int SelectionShift;
+uniform bool KeepsDepth;
 
 void main()
 {
@@ -66,7 +69,8 @@ void main()
   {
     mean = meanAt(at);
   }
-  depth = mean.depth;
+  bool own = KeepsDepth && isShown(texel);
+  depth = own ? depth : mean.depth;
   if (sampled ? mean.colour.a <= 0.0 : !isShown(texel))
 #else
   if (sampled || !isShown(texel))
@@ -100,7 +104,7 @@ void main()
   vec4 shaded = s.colour;
 #if OUTLINES == 1
   positionVC = sampled ? pointOfPixel(at, -(NearDistance + depth)) : positionVC;
-  normalVC = sampled ? decodeNormal(mean.normal) : normalVC;
+  normalVC = sampled && !own ? decodeNormal(mean.normal) : normalVC;
   shaded = sampled ? vec4(mean.colour.rgb / max(mean.colour.a, 1e-6), mean.colour.a) : shaded;
 #endif
 #ifdef REFLECTION

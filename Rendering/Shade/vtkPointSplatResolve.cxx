@@ -219,6 +219,7 @@ bool vtkPointSplatResolve::Present(const Target& target, const vtkPointSplatShad
     program.Set("ImageOrigin", shading.View.Origin);
     program.Set("Layer", layer);
     program.Set("OnlySlot", slot);
+    program.Set("KeepsDepth", target.KeepsDepth);
     this->Draw(target, shading.View, outlines == OutlinesAlone ? source.Outlines.GetCount() : 0);
     shading.Unbind();
   }

@@ -36,6 +36,7 @@ public:
     vtkMapper* Mapper;
     glm::ivec4 Window; // pixels that there may be something at: first x, y, last x, y
     bool Blends;       // outlines, with what the framebuffer has: nothing is to come behind them
+    bool KeepsDepth;   // in the framebuffer, as what is opaque does
   };
 
   /**

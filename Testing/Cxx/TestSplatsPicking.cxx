@@ -13,6 +13,8 @@
 
 #include <map>
 #include <set>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -179,6 +181,48 @@ void PickBlocks(Checks& checks)
         (hit.Ids.empty() ? std::string("none") : std::to_string(*hit.Ids.begin())));
   }
 }
+
+/// At how many pixels points or cells are found.
+int CountFound(Window& window, int association)
+{
+  const int* size = window.Renderer->GetSize();
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(window.Renderer);
+  selector->SetArea(0, 0, size[0] - 1, size[1] - 1);
+  selector->SetFieldAssociation(association);
+  selector->CaptureBuffers();
+  int found = 0;
+  for (unsigned int i = 0; i < static_cast<unsigned int>(size[0] * size[1]); ++i)
+  {
+    const unsigned int pixel[2] = { i % size[0], i / size[0] };
+    found += selector->GetPixelInformation(pixel).Valid ? 1 : 0;
+  }
+  return found;
+}
+
+/// Before points are selected VTK draws a frame and keeps its depth: what it has at outlines is not
+/// to hide what is selected there. Cells are selected without one.
+void PickOutline(Checks& checks, int balls)
+{
+  Window window;
+  window.SmoothOutlines = true;
+  std::vector<vtkSmartPointer<vtkPointSplatMapper>> mappers;
+  for (int ball = 0; ball < balls; ++ball)
+  {
+    mappers.emplace_back(vtkSmartPointer<vtkPointSplatMapper>::New());
+    mappers[ball]->SetInputData(RandomSphere(20000));
+    vtkActor* actor = window.Add(mappers[ball]);
+    actor->SetScale(1.0 - 0.3 * ball);
+    actor->SetPosition(0.4 * ball, 0.1 * ball, 1.5 * ball);
+  }
+  window.Renderer->ResetCamera();
+  window.Draw();
+  const int points = CountFound(window, vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  const int cells = CountFound(window, vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  checks.Expect(points > 1000 && points == cells,
+    "of " + std::to_string(balls) + " balls points are found at " + std::to_string(points) +
+      " pixels, cells at " + std::to_string(cells));
+}
 }
 
 int TestSplatsPicking(int, char*[])
@@ -189,5 +233,7 @@ int TestSplatsPicking(int, char*[])
   PickOne(checks, false);
   PickOne(checks, true);
   PickBlocks(checks);
+  PickOutline(checks, 1);
+  PickOutline(checks, 2);
   return checks.Result();
 }

@@ -12,7 +12,9 @@ import time
 
 import numpy as np
 from paraview import servermanager
-from paraview.simple import Connect, Delete, ExtractSelection, Render, SelectSurfacePoints
+from paraview.simple import (
+    ClearSelection, Connect, Delete, ExtractSelection, Render, SelectSurfacePoints,
+)  # fmt: skip
 
 import splat_scenes as scenes
 
@@ -32,14 +34,23 @@ start = time.time()
 for frame in range(5):
     Render(view)
 seconds = (time.time() - start) / 5
-SelectSurfacePoints(Rectangle=[120, 60, 280, 240], View=view)
-extracted = ExtractSelection(Input=sphere)
-extracted.UpdatePipeline()
-ids = []
-for rank in range(processes):
-    picked = servermanager.Fetch(extracted, rank).GetPointData().GetArray("Id")
-    ids += np.asarray(picked).tolist() if picked else []
-Delete(extracted)
+
+
+def pick(rectangle):
+    """The ids of the points in a rectangle, of all processes."""
+    SelectSurfacePoints(Rectangle=rectangle, View=view)
+    extracted = ExtractSelection(Input=sphere)
+    extracted.UpdatePipeline()
+    ids = []
+    for rank in range(processes):
+        picked = servermanager.Fetch(extracted, rank).GetPointData().GetArray("Id")
+        ids += np.asarray(picked).tolist() if picked else []
+    Delete(extracted)
+    ClearSelection(sphere)  # what shows it would hide points from the next
+    return ids
+
+
+ids, whole = pick([120, 60, 280, 240]), pick([0, 0, 399, 299])
 Delete(sphere)
 bare = scenes.cloud(shares=shares, normals=False, count=5000)
 scenes.show(bare, view)
@@ -50,5 +61,8 @@ nested = scenes.show(blocks, view)
 nested.BlockOpacities = ["/Root/Block0", "0.3", "/Root/Block1", "0.5"]
 scenes.picture(view, os.path.join(folder, "translucent.png"))
 with open(os.path.join(folder, "facts.json"), "w") as file:
-    facts = {"ids": ids, "seconds": seconds, "choices": choices, "remote": bool(drawn_by_server)}
+    facts = {
+        "ids": ids, "whole": whole, "seconds": seconds, "choices": choices,
+        "remote": bool(drawn_by_server),
+    }  # fmt: skip
     json.dump(facts, file)

@@ -5,20 +5,66 @@
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkMath.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStaticPointLocator.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 
 namespace
 {
 constexpr int MessageTag = 78651;
+
+/// Four times the distance of the k-th neighbour: of a sample of points, at the upper decile.
+double HowFarNeighboursAre(vtkPolyData* points, int k)
+{
+  const vtkIdType count = points->GetNumberOfPoints();
+  if (count <= k)
+  {
+    return 0.0;
+  }
+  vtkNew<vtkStaticPointLocator> locator;
+  locator->SetDataSet(points);
+  locator->BuildLocator();
+  std::vector<double> distances;
+  vtkNew<vtkIdList> found;
+  for (vtkIdType i = 0; i < count; i += 1 + count / 1000)
+  {
+    double position[3];
+    points->GetPoint(i, position);
+    if (!std::isfinite(position[0] + position[1] + position[2]))
+    {
+      continue;
+    }
+    locator->FindClosestNPoints(k + 1, position, found);
+    double farthest = 0.0;
+    for (vtkIdType n = 0; n < found->GetNumberOfIds(); ++n)
+    {
+      double other[3];
+      points->GetPoint(found->GetId(n), other);
+      farthest = std::max(farthest, vtkMath::Distance2BetweenPoints(position, other));
+    }
+    distances.push_back(std::sqrt(farthest));
+  }
+  if (distances.empty())
+  {
+    return 0.0;
+  }
+  const auto decile = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() * 9 / 10);
+  std::nth_element(distances.begin(), decile, distances.end());
+  return 4.0 * *decile;
+}
 
 /// Where ranks are divided: those of the order's first part lie below the plane.
 struct Cut
@@ -155,6 +201,41 @@ vtkSmartPointer<vtkPolyData> Receive(vtkMultiProcessController* controller, int 
 }
 
 //------------------------------------------------------------------------------
+vtkMultiProcessController* vtkPVPointSplatBorders::GetProcesses()
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  return controller && controller->GetNumberOfProcesses() > 1 ? controller : nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::vector<unsigned char> vtkPVPointSplatBorders::FindLeaves(
+  vtkMultiProcessController* controller, vtkDataObjectTree* tree)
+{
+  std::vector<unsigned char> own;
+  vtkSmartPointer<vtkDataObjectTreeIterator> it;
+  it.TakeReference(tree->NewTreeIterator());
+  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    own.resize(std::max<size_t>(own.size(), it->GetCurrentFlatIndex() + 1));
+    own[it->GetCurrentFlatIndex()] = 1;
+  }
+  if (!controller)
+  {
+    return own;
+  }
+  int count = static_cast<int>(own.size());
+  int most = 0;
+  controller->AllReduce(&count, &most, 1, vtkCommunicator::MAX_OP);
+  own.resize(static_cast<size_t>(most));
+  std::vector<unsigned char> any(own.size());
+  if (most > 0)
+  {
+    controller->AllReduce(own.data(), any.data(), most, vtkCommunicator::MAX_OP);
+  }
+  return any;
+}
+
+//------------------------------------------------------------------------------
 std::vector<vtkBoundingBox> vtkPVPointSplatBorders::Gather(
   vtkMultiProcessController* controller, const vtkBoundingBox& own)
 {
@@ -287,4 +368,40 @@ vtkSmartPointer<vtkPolyData> vtkPVPointSplatBorders::Exchange(
   vtkSmartPointer<vtkPolyData> all = append->GetOutput();
   all->GetFieldData()->ShallowCopy(own->GetFieldData());
   return all;
+}
+
+//------------------------------------------------------------------------------
+vtkBoundingBox vtkPVPointSplatBorders::FindBox(vtkPolyData* points)
+{
+  vtkBoundingBox box;
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double position[3];
+    points->GetPoint(i, position);
+    if (std::isfinite(position[0] + position[1] + position[2]))
+    {
+      box.AddPoint(position);
+    }
+  }
+  return box;
+}
+
+//------------------------------------------------------------------------------
+vtkPVPointSplatBorders::Reach vtkPVPointSplatBorders::FindReach(
+  vtkMultiProcessController* controller, vtkPolyData* own, int k)
+{
+  const double ownReach = HowFarNeighboursAre(own, k);
+  double reach = 0.0;
+  controller->AllReduce(&ownReach, &reach, 1, vtkCommunicator::MAX_OP);
+  if (reach <= 0.0)
+  {
+    reach = VTK_DOUBLE_MAX; // so few points everywhere that each is of concern
+  }
+  const vtkSmartPointer<vtkUnsignedCharArray> ghosts = vtkUnsignedCharArray::SafeDownCast(
+    own->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  return [ghosts, reach](vtkIdType point) {
+    constexpr int notOwn =
+      vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
+    return ghosts && (ghosts->GetValue(point) & notOwn) ? -1.0 : reach;
+  };
 }

@@ -16,7 +16,7 @@
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkDataSet;
+class vtkDataObjectTree;
 class vtkMultiProcessController;
 class vtkPolyData;
 VTK_ABI_NAMESPACE_END
@@ -26,6 +26,13 @@ class vtkPVPointSplatBorders
 public:
   /// How far off a point matters, world units; less than 0: nowhere.
   using Reach = std::function<double(vtkIdType point)>;
+
+  /// The processes that share the data, or null: one has them all.
+  static vtkMultiProcessController* GetProcesses();
+
+  /// By flat index, whether any process has data at that place of a tree. All processes must call.
+  static std::vector<unsigned char> FindLeaves(
+    vtkMultiProcessController* controller, vtkDataObjectTree* tree);
 
   /// The boxes of all processes, by rank; a process without points has one that is not valid.
   static std::vector<vtkBoundingBox> Gather(
@@ -46,6 +53,16 @@ public:
    */
   static vtkSmartPointer<vtkPolyData> Exchange(vtkMultiProcessController* controller,
     vtkPolyData* own, const std::vector<vtkBoundingBox>& boxes, const Reach& reach);
+
+  /// The box of points, without those that are nowhere.
+  static vtkBoundingBox FindBox(vtkPolyData* points);
+
+  /**
+   * How far off points say how a surface runs, to exchange them by: four times the distance of the
+   * k-th neighbour, the same on all processes, which must all call. Hidden points and copies
+   * of others' (vtkGhostType) are of no use anywhere else.
+   */
+  static Reach FindReach(vtkMultiProcessController* controller, vtkPolyData* own, int k);
 
   /// The points of a data set of vertices that are within reach of a box.
   static vtkSmartPointer<vtkPolyData> Within(

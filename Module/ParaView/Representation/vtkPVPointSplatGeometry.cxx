@@ -19,15 +19,14 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVPointSplatBorders.h"
+#include "vtkPVPointSplatEstimation.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPointSplatArrays.h"
-#include "vtkPointSplatEstimation.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkStaticPointLocator.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnsignedIntArray.h"
 
@@ -37,14 +36,9 @@
 
 namespace
 {
-vtkMultiProcessController* Processes()
-{
-  return vtkMultiProcessController::GetGlobalController();
-}
-
 bool AreMany()
 {
-  return Processes() && Processes()->GetNumberOfProcesses() > 1;
+  return vtkPVPointSplatBorders::GetProcesses() != nullptr;
 }
 
 template <typename Array, typename Value>
@@ -153,47 +147,6 @@ void MakeVertices(vtkDataSet* input, bool withoutCopies, vtkPolyData* output)
   cells->RemoveArray(vtkDataSetAttributes::GhostArrayName());
   output->GetPointData()->AddArray(pointIds);
   cells->AddArray(cellIds);
-}
-
-/// Four times the distance of the twelfth neighbour: of a sample of points, at the upper decile.
-double HowFarNeighboursAre(vtkPolyData* points)
-{
-  const vtkIdType count = points->GetNumberOfPoints();
-  constexpr int neighbours = 12;
-  if (count <= neighbours)
-  {
-    return 0.0;
-  }
-  vtkNew<vtkStaticPointLocator> locator;
-  locator->SetDataSet(points);
-  locator->BuildLocator();
-  std::vector<double> distances;
-  vtkNew<vtkIdList> found;
-  for (vtkIdType i = 0; i < count; i += 1 + count / 1000)
-  {
-    double position[3];
-    points->GetPoint(i, position);
-    if (!std::isfinite(position[0] + position[1] + position[2]))
-    {
-      continue;
-    }
-    locator->FindClosestNPoints(neighbours + 1, position, found);
-    double farthest = 0.0;
-    for (vtkIdType n = 0; n < found->GetNumberOfIds(); ++n)
-    {
-      double other[3];
-      points->GetPoint(found->GetId(n), other);
-      farthest = std::max(farthest, vtkMath::Distance2BetweenPoints(position, other));
-    }
-    distances.push_back(std::sqrt(farthest));
-  }
-  if (distances.empty())
-  {
-    return 0.0;
-  }
-  const auto decile = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() * 9 / 10);
-  std::nth_element(distances.begin(), decile, distances.end());
-  return 4.0 * *decile;
 }
 
 template <typename Array>
@@ -344,8 +297,8 @@ void vtkPVPointSplatGeometry::MakePoints(vtkDataSet* input, unsigned int index, 
   const vtkIdType count = output->GetNumberOfPoints();
   if (AreMany())
   {
-    AddConstant<vtkUnsignedIntArray>(
-      data, "vtkProcessId", Processes()->GetLocalProcessId(), count);
+    AddConstant<vtkUnsignedIntArray>(data, "vtkProcessId",
+      vtkPVPointSplatBorders::GetProcesses()->GetLocalProcessId(), count);
   }
   if (index > 0)
   {
@@ -379,7 +332,6 @@ void vtkPVPointSplatGeometry::MakeTree(vtkDataObjectTree* input, vtkDataObjectTr
   output->CopyStructure(input);
   vtkSmartPointer<vtkDataObjectTreeIterator> it;
   it.TakeReference(input->NewTreeIterator());
-  std::vector<unsigned char> filled;
   for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
   {
     auto block = vtkDataSet::SafeDownCast(it->GetCurrentDataObject());
@@ -395,25 +347,8 @@ void vtkPVPointSplatGeometry::MakeTree(vtkDataObjectTree* input, vtkDataObjectTr
     }
   }
   MergePieces(vtkPartitionedDataSet::SafeDownCast(input) != nullptr, output);
-  it.TakeReference(output->NewTreeIterator());
-  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-  {
-    filled.resize(std::max<size_t>(filled.size(), it->GetCurrentFlatIndex() + 1));
-    filled[it->GetCurrentFlatIndex()] = 1;
-  }
-  if (AreMany())
-  {
-    int own = static_cast<int>(filled.size());
-    int most = 0;
-    Processes()->AllReduce(&own, &most, 1, vtkCommunicator::MAX_OP);
-    filled.resize(static_cast<size_t>(most));
-    std::vector<unsigned char> any(filled.size());
-    if (most > 0)
-    {
-      Processes()->AllReduce(filled.data(), any.data(), most, vtkCommunicator::MAX_OP);
-    }
-    filled = any;
-  }
+  const std::vector<unsigned char> filled =
+    vtkPVPointSplatBorders::FindLeaves(vtkPVPointSplatBorders::GetProcesses(), output);
   it.TakeReference(output->NewTreeIterator());
   it->SkipEmptyNodesOff();
   unsigned int block = 0;
@@ -449,52 +384,19 @@ void vtkPVPointSplatGeometry::Estimate(vtkPolyData* points)
   {
     return;
   }
-  const vtkIdType own = points->GetNumberOfPoints();
-  int wanted = own > 0 && !HasSizes(points) ? 1 : 0;
+  int wanted = points->GetNumberOfPoints() > 0 && !HasSizes(points) ? 1 : 0;
   int any = 0;
-  Processes()->AllReduce(&wanted, &any, 1, vtkCommunicator::MAX_OP);
+  vtkPVPointSplatBorders::GetProcesses()->AllReduce(&wanted, &any, 1, vtkCommunicator::MAX_OP);
   if (!any)
   {
     return;
   }
-  double bounds[6];
-  points->GetBounds(bounds);
-  const vtkBoundingBox box = own > 0 ? vtkBoundingBox(bounds) : vtkBoundingBox();
-  const double ownReach = HowFarNeighboursAre(points);
-  double reach = 0.0;
-  Processes()->AllReduce(&ownReach, &reach, 1, vtkCommunicator::MAX_OP);
-  const vtkSmartPointer<vtkPolyData> all = vtkPVPointSplatBorders::Exchange(Processes(), points,
-    vtkPVPointSplatBorders::Gather(Processes(), box), [reach](vtkIdType) { return reach; });
-  if (own == 0)
-  {
-    return;
-  }
-  vtkNew<vtkPointSplatEstimation> estimation;
-  estimation->SetInputData(all);
+  vtkNew<vtkPVPointSplatEstimation> estimation;
+  estimation->SetInputData(points);
   estimation->Update();
-  vtkPointData* estimated = estimation->GetOutput()->GetPointData();
-  vtkPointData* data = points->GetPointData();
-  const auto take = [own, estimated, data](vtkDataArray* array, bool normals) {
-    if (!array)
-    {
-      return;
-    }
-    vtkSmartPointer<vtkDataArray> part;
-    part.TakeReference(array->NewInstance());
-    part->SetName(array->GetName());
-    part->SetNumberOfComponents(array->GetNumberOfComponents());
-    part->InsertTuples(0, own, 0, array);
-    data->AddArray(part);
-    if (normals)
-    {
-      data->SetActiveNormals(part->GetName());
-    }
-  };
-  take(estimated->GetNormals(), true);
-  for (const char* name : { vtkPointSplatArrays::Radius, vtkPointSplatArrays::PlaneNormal,
-         vtkPointSplatArrays::Curvature, vtkPointSplatArrays::Clip, vtkPointSplatArrays::Fold })
+  if (points->GetNumberOfPoints() > 0)
   {
-    take(estimated->GetArray(name), false);
+    points->GetPointData()->ShallowCopy(estimation->GetOutput()->GetPointData());
   }
 }
 

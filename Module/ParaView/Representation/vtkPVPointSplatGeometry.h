@@ -18,10 +18,9 @@
  * With many processes the stages are
  * 1. Points that are copies of other processes' (DUPLICATEPOINT) are left out, polygons become
  *    vertices, and pieces of one partitioned data set one data set.
- * 2. Of each process the points near another one's bounding box go there, within four times the
- *    distance of the twelfth neighbour: sizes, curvature and normals are estimated with them
- *    (vtkPointSplatEstimation), and they are dropped again. The arrays travel with the points from
- *    then on. With one process the mapper does that.
+ * 2. Sizes, curvature and normals are estimated with the points of other processes
+ *    (vtkPVPointSplatEstimation), where any process misses them. The arrays travel with the points
+ *    from then on. With one process the mapper does that.
  * Leaves are the same on all processes: where any has points, the others have empty data.
  *
  * Bad input: data sets without points give empty blocks. A SizeArray that is missing has no effect.
