@@ -27,7 +27,7 @@ constexpr float LargestBend = 0.7f;
 /// 30 degrees averaged ones part by 15 from those of its faces) ...
 constexpr float TurnedCosine = 0.974f;
 /// ... and of those that have, unit vectors, the mean is at least that long where they agree.
-constexpr float Agreement = 0.9f;
+constexpr float Agreement = 0.85f;
 /// The fewest neighbours whose normals have not turned.
 constexpr int FewestLevel = 2;
 /// Votes for the same line: their directions' cosine (15 degrees) and, in spacings, distances.
