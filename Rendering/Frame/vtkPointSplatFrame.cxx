@@ -31,6 +31,12 @@ GLint BoundFramebuffer()
   return framebuffer;
 }
 
+/// Windows that borrow another's context, as ParaView 6 has them, were not there when it was made.
+bool HasContext(vtkOpenGLRenderWindow* window)
+{
+  return window->GetContextCreationTime() != 0 || window->IsCurrent();
+}
+
 int SelectionPassOf(vtkRenderer* renderer)
 {
   return renderer->GetSelector() ? renderer->GetSelector()->GetCurrentPass() : -1;
@@ -166,7 +172,7 @@ bool vtkPointSplatFrame::Present(
     this->Error = "The renderer has no OpenGL window.";
     return false;
   }
-  if (window->GetContextCreationTime() == 0)
+  if (!HasContext(window))
   {
     this->Error = "The window has no OpenGL context.";
     return false;
@@ -458,7 +464,7 @@ void vtkPointSplatFrame::Report(
 vtkPointSplatLightMaps* vtkPointSplatFrame::PrepareLightMaps()
 {
   auto window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
-  if (!window || window->GetContextCreationTime() == 0)
+  if (!window || !HasContext(window))
   {
     return nullptr;
   }

@@ -110,7 +110,8 @@ vtkPVPointSplatOrientation::vtkPVPointSplatOrientation(
   neighbors.Build(points->GetPoints()->GetData(), used.data());
   constexpr int edges = 10;
   using Slot = vtkPointSplatNeighbors::Slot;
-  std::vector<Slot> graph(edges * size_t(neighbors.GetNumberOfSlots()), vtkPointSplatNeighbors::None);
+  std::vector<Slot> graph(
+    edges * size_t(neighbors.GetNumberOfSlots()), vtkPointSplatNeighbors::None);
   neighbors.Visit(self, 1.0, 1.0, edges,
     [&graph](const vtkPointSplatNeighbors::Neighborhood& around, int) {
       std::copy_n(around.Slots, around.Count, graph.data() + edges * size_t(around.Center));

@@ -5,8 +5,8 @@
 // the way of the piece that goes on behind the border.
 //
 // 1. *Pieces.* A process' points, and those of others that it has for neighbours, make one piece
-//    where they are joined by the ten nearest neighbours, as vtkPointSplatNormals carries orientation
-//    on (vtkPointSplatNeighbors).
+//    where they are joined by the ten nearest neighbours (vtkPointSplatNeighbors), as
+//    vtkPointSplatNormals carries orientation on.
 // 2. *Votes.* Where two processes have estimated the same point its two normals say whether their
 //    two pieces are turned the same way.
 // 3. *Turn.* All processes have all votes, and join pieces, those first that most votes join, as a
