@@ -63,11 +63,16 @@ void vtkPointSplatBudget::Begin(double seconds)
 //------------------------------------------------------------------------------
 void vtkPointSplatBudget::Step(int step)
 {
+  const size_t next = this->Next(this->Rung, step);
+  if (next == this->Rungs.size())
+  {
+    return;
+  }
   if (step > 0)
   {
     this->At(this->Rung).Reference = 0.0;
   }
-  this->Rung = this->Next(this->Rung, step);
+  this->Rung = next;
   this->TooLong = this->Promising = 0;
 }
 
@@ -140,11 +145,13 @@ void vtkPointSplatBudget::Measured(double seconds, unsigned long frame)
   this->TooLong = seconds > FarTooLong * this->Allowed ? 2
     : seconds > this->Allowed                          ? this->TooLong + 1
                                                        : 0;
-  if (this->Rung == 0)
+  // No rung above pays where one is the best of a ladder now that did not pay in another.
+  const size_t up = this->Next(this->Rung, -1);
+  if (up == this->Rungs.size())
   {
     return;
   }
-  Known& above = this->At(this->Next(this->Rung, -1));
+  Known& above = this->At(up);
   if (above.Reference == 0.0)
   {
     above.Reference = seconds;

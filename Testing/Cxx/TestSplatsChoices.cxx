@@ -332,6 +332,17 @@ void TestBudget(Checks& checks)
   twice.Measured(9.0, 2);
   const size_t once = twice.Choose(again, 0.01, 3);
   checks.Expect(once == 1 && twice.Choose(again, 0.01, 3) == once, "two questions in a frame");
+  // What does not pay in one ladder is the best of the next: no rung above it pays, nor it itself.
+  std::vector<vtkPointSplatChoice> first = vtkPointSplatChoices::Ladder(facts);
+  std::vector<vtkPointSplatChoice> next = { first[1],
+    vtkPointSplatChoices::Ladder(Translucent(Good)).back() };
+  vtkPointSplatBudget changed;
+  for (unsigned long frame = 1; frame < 30; ++frame)
+  {
+    std::vector<vtkPointSplatChoice>& rungs = frame < 6 ? first : next;
+    checks.Expect(changed.Choose(rungs, 0.01, frame) < rungs.size(), "a rung of the ladder");
+    changed.Measured(0.05, frame);
+  }
 }
 
 /// Rms difference of colour, of 1, over the pixels that either picture draws.
