@@ -5,8 +5,8 @@
 # bash test.sh [--sanitize | --vtk VERSION | --everything] [ctest arguments]: sets up, builds,
 # runs every test. --sanitize does so with the address and undefined behaviour sanitizers, in a
 # folder of its own; --vtk with another VTK, in a suite of Debian that has it; --everything, which
-# CI runs, with this system's VTK, as a ParaView plugin, and as a wheel with a newer VTK, warnings
-# as errors.
+# CI runs, with this system's VTK, as a ParaView plugin, as a wheel with a newer VTK, and a slice of
+# the tests with the VTK of the next stable Debian, warnings as errors.
 set -eu
 top=$(cd "$(dirname "$0")" && pwd)
 . "$top/Module/setup.sh"
@@ -21,6 +21,7 @@ if [ "${1:-}" = --everything ]; then
   failed=
   bash "$top/Module/ParaView/test.sh" || failed="$failed ParaView"
   bash "$top/Module/Wheel/test.sh" || failed="$failed wheel"
+  bash "$top/test.sh" --vtk 9.3 --slice || failed="$failed VTK-9.3"
   [ -z "$failed" ] || echo "failed:$failed"
   bash "$top/test.sh" "$@"
   [ -z "$failed" ]
