@@ -5,6 +5,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkFloatArray.h"
 #include "vtkMath.h"
+#include "vtkPointSplatBorderPlane.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
 
@@ -33,52 +34,6 @@ constexpr int LeastSure = 8;
 /// Which of the spacings around is taken: a point's own one is larger at a border, where there are
 /// points to one side alone, and the least of all makes holes of uneven samplings.
 constexpr double SpacingQuantile = 0.75;
-/// Lines do not go through the points themselves, but so many spacings off: their vectors are finite.
-constexpr float LeastDistance = 0.02f;
-
-/// Directions in a plane.
-struct Plane
-{
-  float U[3], V[3];
-
-  explicit Plane(const float n[3])
-  {
-    const double normal[3] = { n[0], n[1], n[2] };
-    double u[3], v[3];
-    vtkMath::Perpendiculars(normal, u, v, 0);
-    // Counterclockwise about the normal, as the disk's cell is.
-    double across[3];
-    vtkMath::Cross(u, v, across);
-    const double side = vtkMath::Dot(across, normal) < 0 ? -1 : 1;
-    for (int c = 0; c < 3; ++c)
-    {
-      this->U[c] = static_cast<float>(u[c]);
-      this->V[c] = static_cast<float>(side * v[c]);
-    }
-  }
-
-  double GetAngle(const float x[3]) const
-  {
-    return std::atan2(vtkMath::Dot(x, this->V), vtkMath::Dot(x, this->U));
-  }
-
-  /// The line's vector, whose normal lies at that angle.
-  void SetLine(double angle, float distance, float clip[3]) const
-  {
-    const float c = static_cast<float>(std::cos(angle)), s = static_cast<float>(std::sin(angle));
-    for (int k = 0; k < 3; ++k)
-    {
-      clip[k] = (c * this->U[k] + s * this->V[k]) / distance;
-    }
-  }
-};
-
-/// From one angle counterclockwise to the other.
-double Turn(double from, double to)
-{
-  const double turn = to - from;
-  return turn < 0 ? turn + 2 * vtkMath::Pi() : turn;
-}
 }
 
 vtkPointSplatBorders::vtkPointSplatBorders(const vtkPointSplatNeighbors& neighbors,
@@ -116,13 +71,13 @@ bool vtkPointSplatBorders::FindEnd(
   {
     return false;
   }
-  const Plane plane(disk.Normal);
+  const vtkPointSplatBorderPlane plane(disk.Normal);
   const auto getAngle = [&](int i) {
     const float x[3] = { around.X[i], around.Y[i], around.Z[i] };
     return plane.GetAngle(x);
   };
   const double from = getAngle(next[0]);
-  const double sector = Turn(from, getAngle(next[1]));
+  const double sector = vtkPointSplatBorderPlane::Turn(from, getAngle(next[1]));
   std::vector<unsigned char> ofSheet(around.Count, 0);
   for (int k = 0; k < disk.Sheet.Count; ++k)
   {
@@ -133,7 +88,7 @@ bool vtkPointSplatBorders::FindEnd(
        around.SquaredDistance[i] <= VoidReach * VoidReach * spacing * spacing;
        ++i)
   {
-    const double turn = Turn(from, getAngle(i));
+    const double turn = vtkPointSplatBorderPlane::Turn(from, getAngle(i));
     if (!ofSheet[i] && turn > VoidMargin && turn < sector - VoidMargin)
     {
       return false;
@@ -141,28 +96,13 @@ bool vtkPointSplatBorders::FindEnd(
   }
   end.At = around.Center;
   end.Sure = reach > SureReach * alpha;
-  std::fill_n(end.Clip, 6, 0.0f);
   for (int k = 0; k < 2; ++k)
   {
     end.Next[k] = around.Slots[next[k]];
   }
-  const float distance = LeastDistance * spacing;
-  if (sector >= vtkMath::Pi())
-  {
-    plane.SetLine(from + 0.5 * vtkMath::Pi(), distance, end.Clip);
-    plane.SetLine(from + sector - 0.5 * vtkMath::Pi(), distance, end.Clip + 3);
-  }
-  else
-  {
-    // The nearer of both, across the sector.
-    float chord = std::numeric_limits<float>::max();
-    for (int i : next)
-    {
-      chord = std::min(
-        chord, std::sqrt(around.SquaredDistance[i]) * static_cast<float>(std::cos(0.5 * sector)));
-    }
-    plane.SetLine(from + 0.5 * sector, std::max(chord, distance), end.Clip);
-  }
+  const float nearest =
+    std::min(around.SquaredDistance[next[0]], around.SquaredDistance[next[1]]);
+  plane.SetLines(from, sector, spacing, std::sqrt(nearest), end.Clip);
   return true;
 }
 

@@ -18,7 +18,8 @@
  *    farther than twice alpha in at least eight of its points' cells: others are gaps in the sampling.
  * 4. The splat is clipped by the lines through the point and each of the next ones where the face
  *    between them has a convex corner. Where the corner is reflex, one line cuts across it, as far
- *    off as the nearer of the next points reaches: a splat keeps what all of its lines do.
+ *    off as half of the way to the nearer of the next points, since a splat keeps what all of its
+ *    lines do (vtkPointSplatBorderPlane.h).
  *
  * Memory is 44 bytes a point at a border and a byte a slot; candidates are points whose cells are
  * open or reach into holes, which smooth closed surfaces have hardly any of.

@@ -18,6 +18,7 @@
 #include "vtkPointSplatDisks.h"
 #include "vtkPointSplatFans.h"
 #include "vtkPointSplatInput.h"
+#include "vtkPointSplatMeshBorders.h"
 #include "vtkPointSplatNeighbors.h"
 #include "vtkPointSplatNoise.h"
 #include "vtkPointSplatNormals.h"
@@ -490,8 +491,8 @@ int vtkPointSplatEstimation::RequestData(
       vtkSMPTools::For(0, numberOfPoints, [&](vtkIdType begin, vtkIdType end) {
         for (vtkIdType id = begin; id < end; ++id)
         {
-          const bool drawn = !(ghost && (ghost[id] & vtkDataSetAttributes::DUPLICATEPOINT));
           const Slot s = slotOf[id];
+          const bool drawn = !(ghost && (ghost[id] & vtkDataSetAttributes::DUPLICATEPOINT));
           if (fans.Has(id) && drawn && (s == vtkPointSplatNeighbors::None || !ends[s]))
           {
             const vtkPointSplatFans::Disk disk = meshAlone ? corners[id] : fans.GetDisk(id, n);
@@ -529,6 +530,7 @@ int vtkPointSplatEstimation::RequestData(
       }
     }
     borders.Write(slotOf, clips);
+    vtkPointSplatMeshBorders(fans, sizes[0], planes).Write(clips);
   }
 
   output->SetPoints(input->GetPoints());

@@ -98,8 +98,9 @@
  *    estimated normals turn over the width of their neighbourhood, as on a fillet.
  *    *Borders*, where the sampling is as regular as a mesh's vertices: the surface ends between the
  *    points that its outline and its holes go through, and lines through these clip their splats
- *    (vtkPointSplatBorders.h). Random samplings end somewhere between their last points and the
- *    surface's border; their splats are not clipped, and reach 0.6 of a spacing past these.
+ *    (vtkPointSplatBorders.h). A mesh ends at edges that one triangle alone has. Random samplings
+ *    end somewhere between their last points and the surface's border; their splats are not
+ *    clipped, and reach 0.6 of a spacing past these.
  * 6. *Bound.* No disk is larger than two and a half times those of its neighbours, which keeps
  *    outliers small. A point with no neighbour of its own sheet is a body alone, and so are points
  *    that no surface goes through (vtkPointSplatBodies.h): along a curve with nothing beside it;

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -141,6 +142,7 @@ vtkIdType vtkPointSplatFans::Read(vtkPolyData* mesh, const unsigned char* used)
       CopyPositions{}(points, this->Positions);
     }
     this->Sort(numberOfPoints);
+    this->FindBorder(numberOfPoints);
   }
   return bad;
 }
@@ -165,9 +167,10 @@ void vtkPointSplatFans::Sort(vtkIdType numberOfPoints)
   }
 }
 
-/// Whether one of its edges belongs to one triangle alone.
-bool vtkPointSplatFans::IsAtBorder(vtkIdType id) const
+/// The edges at a point that belong to one triangle alone.
+std::vector<vtkPointSplatFans::BorderEdge> vtkPointSplatFans::GetSingleEdges(vtkIdType id) const
 {
+  std::vector<BorderEdge> single;
   const auto countEdge = [&](vtkIdType other) {
     int count = 0;
     for (vtkIdType t = this->First[id]; t < this->First[id + 1]; ++t)
@@ -180,44 +183,101 @@ bool vtkPointSplatFans::IsAtBorder(vtkIdType id) const
   for (vtkIdType t = this->First[id]; t < this->First[id + 1]; ++t)
   {
     const vtkIdType* corner = this->Corners.data() + 3 * this->Triangles[t];
-    if (std::any_of(corner, corner + 3,
-          [&](vtkIdType other) { return other != id && countEdge(other) == 1; }))
+    const vtkIdType others[2] = { corner[0] == id ? corner[1] : corner[0],
+      corner[2] == id ? corner[1] : corner[2] };
+    for (int k = 0; k < 2; ++k)
     {
-      return true;
+      if (countEdge(others[k]) == 1)
+      {
+        single.push_back({ others[k], others[1 - k] });
+      }
     }
   }
-  return false;
+  return single;
 }
 
-bool vtkPointSplatFans::IsSplit(const float* normals) const
+std::vector<vtkPointSplatFans::BorderEdge> vtkPointSplatFans::GetBorderEdges(vtkIdType id) const
 {
-  if (this->IsEmpty())
-  {
-    return false;
-  }
-  const vtkIdType numberOfPoints = static_cast<vtkIdType>(this->First.size()) - 1;
+  std::vector<BorderEdge> edges = this->GetSingleEdges(id);
+  edges.erase(std::remove_if(edges.begin(), edges.end(),
+                [&](const BorderEdge& edge) {
+                  return std::binary_search(
+                    this->Seams.begin(), this->Seams.end(), std::minmax({ id, edge.Next }));
+                }),
+    edges.end());
+  return edges;
+}
+
+void vtkPointSplatFans::FindBorder(vtkIdType numberOfPoints)
+{
   std::vector<unsigned char> atBorder(numberOfPoints, 0);
   vtkSMPTools::For(0, numberOfPoints, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType id = begin; id < end; ++id)
     {
-      atBorder[id] = this->IsAtBorder(id);
+      atBorder[id] = !this->GetSingleEdges(id).empty();
     }
   });
-  std::vector<vtkIdType> border;
+  this->Border.clear();
   for (vtkIdType id = 0; id < numberOfPoints; ++id)
   {
     if (atBorder[id])
     {
-      border.push_back(id);
+      this->Border.push_back(id);
     }
   }
-  const auto position = [&](vtkIdType id) { return this->Positions.data() + 3 * id; };
+
+  // Points in one place have the first one's number in the order of positions.
+  std::vector<vtkIdType> placed = this->Border;
+  const auto isBefore = [&](vtkIdType a, vtkIdType b) {
+    return std::lexicographical_compare(this->GetPosition(a), this->GetPosition(a) + 3,
+      this->GetPosition(b), this->GetPosition(b) + 3);
+  };
+  std::sort(placed.begin(), placed.end(), isBefore);
+  const auto getPlace = [&](vtkIdType id) {
+    return std::lower_bound(placed.begin(), placed.end(), id, isBefore) - placed.begin();
+  };
+  struct Edge
+  {
+    std::pair<std::ptrdiff_t, std::ptrdiff_t> Places;
+    std::pair<vtkIdType, vtkIdType> Ends;
+  };
+  std::vector<Edge> edges;
+  for (const vtkIdType id : this->Border)
+  {
+    for (const BorderEdge& edge : this->GetSingleEdges(id))
+    {
+      if (id < edge.Next)
+      {
+        edges.push_back(
+          { std::minmax({ getPlace(id), getPlace(edge.Next) }), { id, edge.Next } });
+      }
+    }
+  }
+  std::sort(edges.begin(), edges.end(),
+    [](const Edge& a, const Edge& b) { return a.Places < b.Places; });
+  this->Seams.clear();
+  for (std::size_t i = 0; i < edges.size(); ++i)
+  {
+    const bool twice = (i > 0 && edges[i - 1].Places == edges[i].Places) ||
+      (i + 1 < edges.size() && edges[i + 1].Places == edges[i].Places);
+    if (twice)
+    {
+      this->Seams.push_back(edges[i].Ends);
+    }
+  }
+  std::sort(this->Seams.begin(), this->Seams.end());
+}
+
+bool vtkPointSplatFans::IsSplit(const float* normals) const
+{
+  std::vector<vtkIdType> border = this->Border;
   std::sort(border.begin(), border.end(), [&](vtkIdType a, vtkIdType b) {
-    return std::lexicographical_compare(
-      position(a), position(a) + 3, position(b), position(b) + 3);
+    return std::lexicographical_compare(this->GetPosition(a), this->GetPosition(a) + 3,
+      this->GetPosition(b), this->GetPosition(b) + 3);
   });
   return std::adjacent_find(border.begin(), border.end(), [&](vtkIdType a, vtkIdType b) {
-    return std::equal(position(a), position(a) + 3, position(b)) &&
+    return std::equal(
+             this->GetPosition(a), this->GetPosition(a) + 3, this->GetPosition(b)) &&
       vtkPointSplatCrease::Parts(normals + 3 * a, normals + 3 * b);
   }) != border.end();
 }

@@ -17,12 +17,16 @@
  * 3. The radius is LengthPerEdge of the mean distance of these neighbours, and at least
  *    LengthPerReach of what covering each triangle by its three disks together asks for
  *    (vtkPointSplatDisk::GetSquaredReach): blending kernels reach farther than disks do.
+ * 4. Edges that belong to one triangle alone are the mesh's border, but for those that have both ends
+ *    where another such edge has them: there the mesh goes on, with points of its own.
  */
 #ifndef vtkPointSplatFans_h
 #define vtkPointSplatFans_h
 
 #include "vtkPointSplatNeighbors.h"
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -48,6 +52,40 @@ public:
    */
   bool IsSplit(const float* normals) const;
 
+  /// An edge of the border at a point.
+  struct BorderEdge
+  {
+    vtkIdType Next;  // its other end
+    vtkIdType Inner; // the third corner of its triangle
+  };
+
+  /// The points at the border, in order.
+  const std::vector<vtkIdType>& GetBorder() const { return this->Border; }
+  bool IsAtBorder(vtkIdType id) const
+  {
+    return std::binary_search(this->Border.begin(), this->Border.end(), id);
+  }
+  /// The edges of the border at one of its points.
+  std::vector<BorderEdge> GetBorderEdges(vtkIdType id) const;
+  const double* GetPosition(vtkIdType id) const { return this->Positions.data() + 3 * id; }
+
+  /// Calls visitor(id) for the other corners of a point's triangles, once for each triangle.
+  template <typename Visitor>
+  void VisitNeighbors(vtkIdType id, Visitor visitor) const
+  {
+    for (vtkIdType t = this->First[id]; t < this->First[id + 1]; ++t)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const vtkIdType other = this->Corners[3 * this->Triangles[t] + k];
+        if (other != id)
+        {
+          visitor(other);
+        }
+      }
+    }
+  }
+
   /// Whether a point is a triangle's corner.
   bool Has(vtkIdType id) const
   {
@@ -68,12 +106,16 @@ public:
 private:
   void Add(vtkIdType a, vtkIdType b, vtkIdType c, const unsigned char* used);
   void Sort(vtkIdType numberOfPoints);
-  bool IsAtBorder(vtkIdType id) const;
+  std::vector<BorderEdge> GetSingleEdges(vtkIdType id) const;
+  void FindBorder(vtkIdType numberOfPoints);
 
   std::vector<double> Positions;    // 3 a point
   std::vector<vtkIdType> Corners;   // 3 a triangle, as read
   std::vector<vtkIdType> First;     // of a point's triangles: where they begin in Fans
   std::vector<vtkIdType> Triangles; // by points
+  std::vector<vtkIdType> Border;
+  /// Ends of the edges that belong to one triangle, of which another has both positions.
+  std::vector<std::pair<vtkIdType, vtkIdType>> Seams; // in order, the lesser end first
 };
 
 VTK_ABI_NAMESPACE_END

@@ -91,7 +91,7 @@ void OfFlatSheet()
   Expect(missed == 0, std::to_string(missed) + " points at the border without a line");
   Expect(wrong == 0, std::to_string(wrong) + " points inside with a line");
   AtMost(farthest, 0.03, "past the border");
-  AtMost(atReflexCorner, 0.75, "past a hole's corner");
+  AtMost(atReflexCorner, 0.55, "past a hole's corner");
 }
 
 void OfBentSheet()

@@ -6,9 +6,13 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
+#include "vtkClipPolyData.h"
 #include "vtkFloatArray.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkPointSplatArrays.h"
 #include "vtkPointSplatEstimation.h"
@@ -16,8 +20,10 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
+#include "vtkTransform.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -245,6 +251,144 @@ void TestMixed()
     Expect(bare.Radius(id) == same.Radius(id), "vertex cells say nothing of sizes");
   }
 }
+
+/// How far disks of a mesh in the plane z reach past x = 0, where it ends.
+double GetFarthest(Estimated& estimated)
+{
+  vtkPolyData* splats = estimated.Filter->GetOutput();
+  vtkFloatArray* clips = Array(splats, vtkPointSplatArrays::Clip);
+  double farthest = 0;
+  for (vtkIdType id = 0; id < splats->GetNumberOfPoints(); ++id)
+  {
+    double clip[6], x[3];
+    clips->GetTuple(id, clip);
+    splats->GetPoint(id, x);
+    for (int k = 0; k < 360; ++k)
+    {
+      const double angle = vtkMath::RadiansFromDegrees(static_cast<double>(k));
+      const double d[3] = { estimated.Radius(id) * std::cos(angle),
+        estimated.Radius(id) * std::sin(angle), 0 };
+      const bool kept = vtkMath::Dot(clip, d) <= 1 && vtkMath::Dot(clip + 3, d) <= 1;
+      farthest = kept ? std::max(farthest, -(x[0] + d[0])) : farthest;
+    }
+  }
+  return farthest;
+}
+
+/// A mesh's disks end at its border, however near to that its points lie.
+void TestBorders()
+{
+  vtkSmartPointer<vtkPolyData> square = MakeEmpty();
+  AddSquare(square, 20, 0, 1);
+  Estimated ends(square);
+  vtkFloatArray* clips = Array(ends.Filter->GetOutput(), vtkPointSplatArrays::Clip);
+  Expect(clips != nullptr, "a square ends somewhere");
+  vtkIdType count = 0;
+  for (vtkIdType id = 0; clips && id < 400; ++id)
+  {
+    count += clips->GetTypedComponent(id, 0) != 0 || clips->GetTypedComponent(id, 1) != 0;
+  }
+  // Kernels of the points beside the border reach it, too.
+  Expect(count == 4 * 19 + 4 * 17, std::to_string(count) + " points have lines");
+  AtMost(GetFarthest(ends), 0.03, "past the border");
+
+  // A cell is missing, whose corners are reflex: what is left of it, and what is not covered around.
+  vtkSmartPointer<vtkPolyData> holed = MakeEmpty();
+  AddSquare(holed, 6, 0, 1);
+  vtkNew<vtkCellArray> others;
+  for (vtkIdType cell = 0; cell < holed->GetNumberOfPolys(); ++cell)
+  {
+    vtkNew<vtkIdList> ids;
+    holed->GetPolys()->GetCellAtId(cell, ids);
+    if (cell != 12) // between 2 and 3
+    {
+      others->InsertNextCell(ids);
+    }
+  }
+  holed->SetPolys(others);
+  Estimated around(holed);
+  clips = Array(around.Filter->GetOutput(), vtkPointSplatArrays::Clip);
+  int open = 0, uncovered = 0;
+  constexpr int samples = 50;
+  for (int j = 0; j <= 5 * samples && clips; ++j)
+  {
+    for (int i = 0; i <= 5 * samples; ++i)
+    {
+      const double at[2] = { static_cast<double>(i) / samples, static_cast<double>(j) / samples };
+      bool covered = false;
+      for (vtkIdType id = 0; id < 36 && !covered; ++id)
+      {
+        double clip[6], x[3];
+        clips->GetTuple(id, clip);
+        holed->GetPoint(id, x);
+        const double d[3] = { at[0] - x[0], at[1] - x[1], 0 };
+        // Kernels reach farther than disks, here less than they do.
+        covered = vtkMath::Norm(d) <= 1.1 * around.Radius(id) && vtkMath::Dot(clip, d) <= 1 &&
+          vtkMath::Dot(clip + 3, d) <= 1;
+      }
+      const bool hole = std::max(std::abs(at[0] - 2.5), std::abs(at[1] - 2.5)) < 0.5;
+      open += hole && !covered;
+      uncovered += !hole && !covered;
+    }
+  }
+  Expect(uncovered == 0, std::to_string(uncovered) + " places of the mesh are not covered");
+  Expect(open > samples * samples / 3, "of the hole " + std::to_string(open) + " places are open");
+
+  // Cut at a slant, and turned so that x = 0 is the cut.
+  const double slant = std::atan(0.03);
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(10, 10, 0);
+  plane->SetNormal(std::cos(slant), std::sin(slant), 0);
+  vtkNew<vtkClipPolyData> cut;
+  cut->SetInputData(square);
+  cut->SetClipFunction(plane);
+  vtkNew<vtkTransform> turn;
+  turn->RotateZ(-vtkMath::DegreesFromRadians(slant));
+  turn->Translate(-10, -10, 0);
+  cut->Update();
+  vtkPolyData* piece = cut->GetOutput();
+  vtkNew<vtkPoints> turned;
+  turn->TransformPoints(piece->GetPoints(), turned);
+  piece->SetPoints(turned);
+  vtkIdType beside = 0;
+  for (vtkIdType id = 0; id < piece->GetNumberOfPoints(); ++id)
+  {
+    const double x = piece->GetPoint(id)[0];
+    beside += x > 1e-4 && x < 0.3;
+  }
+  Expect(beside >= 5, "points lie beside the cut");
+  Estimated atCut(piece);
+  AtMost(GetFarthest(atCut), 0.03, "past the cut");
+
+  // A sphere is closed; its points are there once for each triangle, and it still is.
+  vtkSmartPointer<vtkPolyData> sphere = MakeSphere(5);
+  vtkNew<vtkPolyData> soup;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  vtkNew<vtkCellArray> cells;
+  for (vtkIdType cell = 0; cell < sphere->GetNumberOfCells(); ++cell)
+  {
+    vtkNew<vtkIdList> ids;
+    sphere->GetCellPoints(cell, ids);
+    cells->InsertNextCell(3);
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      const double* n = sphere->GetPointData()->GetNormals()->GetTuple(ids->GetId(k));
+      normals->InsertNextTuple(n);
+      cells->InsertCellPoint(points->InsertNextPoint(sphere->GetPoint(ids->GetId(k))));
+    }
+  }
+  soup->SetPoints(points);
+  soup->SetPolys(cells);
+  soup->GetPointData()->SetNormals(normals);
+  for (vtkPolyData* closed : { sphere.Get(), soup.Get() })
+  {
+    Estimated estimated(closed);
+    Expect(!Array(estimated.Filter->GetOutput(), vtkPointSplatArrays::Clip),
+      "a closed mesh has no lines");
+  }
+}
 }
 
 int TestSplatMeshes(int, char*[])
@@ -253,5 +397,6 @@ int TestSplatMeshes(int, char*[])
   TestNearSheets();
   TestBadCells();
   TestMixed();
+  TestBorders();
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,14 +1,21 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Blocks of a composite input that are hidden, or have colours and opacities of their own: the
-// picture that vtkCompositePolyDataMapper2 makes of their meshes, and what is picked.
+// picture that VTK's own mapper makes of their meshes, and what is picked.
 #include "SplatScene.h"
 
 #include "vtkCommand.h"
 #include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkCompositePolyDataMapper2.h"
 #include "vtkHardwareSelector.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkPointSplattingConfigure.h"
+#if PointSplatting_HAVE_COMPOSITE_DELEGATOR
+#include "vtkCompositePolyDataMapper.h"
+using MeshMapper = vtkCompositePolyDataMapper;
+#else
+#include "vtkCompositePolyDataMapper2.h"
+using MeshMapper = vtkCompositePolyDataMapper2;
+#endif
 
 namespace
 {
@@ -85,7 +92,7 @@ template <typename Change>
 void Compare(Checks& checks, const std::string& name, Change&& change)
 {
   Drawing<vtkPointSplatMapper> splats;
-  Drawing<vtkCompositePolyDataMapper2> mesh;
+  Drawing<MeshMapper> mesh;
   splats.Win.Draw(); // without attributes first, as a user does
   mesh.Win.Draw();
   change(splats.Blocks.Get(), splats.Actor);

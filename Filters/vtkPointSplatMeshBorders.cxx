@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatMeshBorders.h"
+
+#include "vtkFloatArray.h"
+#include "vtkMath.h"
+#include "vtkPointSplatBorderPlane.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+/// Lines at less than this angle are one.
+const float CosineOfOne = static_cast<float>(std::cos(vtkMath::RadiansFromDegrees(10.0)));
+/// How far kernels reach, in radii.
+constexpr float KernelReach = 2.0f;
+/// How far past the ends of an edge a point may lie that is beside it, of its length.
+constexpr float PastEnds = 0.25f;
+
+bool IsLine(const float line[3])
+{
+  return line[0] != 0 || line[1] != 0 || line[2] != 0;
+}
+
+bool IsOne(const float a[3], const float b[3])
+{
+  return vtkMath::Dot(a, b) >= CosineOfOne * vtkMath::Norm(a) * vtkMath::Norm(b);
+}
+
+/// A line along an edge of the border beside a point.
+struct NearLine
+{
+  float Distance;
+  float Line[3];
+};
+}
+
+void vtkPointSplatMeshBorders::GetOffset(vtkIdType from, vtkIdType to, float d[3]) const
+{
+  for (int c = 0; c < 3; ++c)
+  {
+    d[c] = static_cast<float>(this->Fans.GetPosition(to)[c] - this->Fans.GetPosition(from)[c]);
+  }
+}
+
+/// Returns whether the point is of those that have lines.
+bool vtkPointSplatMeshBorders::FindOwnLines(vtkIdType id, float clip[6]) const
+{
+  const std::vector<vtkPointSplatFans::BorderEdge> edges = this->Fans.GetBorderEdges(id);
+  if (edges.size() > 2)
+  {
+    return false;
+  }
+  if (edges.empty())
+  {
+    return true;
+  }
+  const vtkPointSplatBorderPlane plane(this->Planes->GetPointer(3 * id));
+  float nearest = std::numeric_limits<float>::max();
+  const auto getAngle = [&](vtkIdType other) {
+    float d[3];
+    this->GetOffset(id, other, d);
+    return plane.GetAngle(d);
+  };
+  for (const vtkPointSplatFans::BorderEdge& edge : edges)
+  {
+    float d[3];
+    this->GetOffset(id, edge.Next, d);
+    nearest = std::min(nearest, vtkMath::Norm(d));
+  }
+  if (!(nearest > 0))
+  {
+    return false;
+  }
+  // Where the sector begins in which there is no surface, counterclockwise: at one edge or the other.
+  const double first = getAngle(edges[0].Next);
+  const double inner = vtkPointSplatBorderPlane::Turn(first, getAngle(edges[0].Inner));
+  if (edges.size() == 1)
+  {
+    const double from = inner < vtkMath::Pi() ? first + vtkMath::Pi() : first;
+    plane.SetLines(from, vtkMath::Pi(), nearest, nearest, clip);
+  }
+  else
+  {
+    const double turn = vtkPointSplatBorderPlane::Turn(first, getAngle(edges[1].Next));
+    // A triangle alone has the other edge's end as its third corner.
+    const bool inside = edges[0].Inner == edges[1].Next ? turn < vtkMath::Pi() : inner < turn;
+    plane.SetLines(inside ? first + turn : first, inside ? 2 * vtkMath::Pi() - turn : turn,
+      nearest, nearest, clip);
+  }
+  return true;
+}
+
+void vtkPointSplatMeshBorders::AddNearLines(vtkIdType id, float clip[6]) const
+{
+  const float* normal = this->Planes->GetPointer(3 * id);
+  const float reach = KernelReach * this->Radii->GetValue(id);
+  std::vector<NearLine> lines;
+  this->Fans.VisitNeighbors(id, [&](vtkIdType neighbor) {
+    if (!this->Fans.IsAtBorder(neighbor))
+    {
+      return;
+    }
+    for (const vtkPointSplatFans::BorderEdge& edge : this->Fans.GetBorderEdges(neighbor))
+    {
+      if (edge.Next == id)
+      {
+        continue;
+      }
+      // In the disk's plane.
+      float ends[3][3];
+      const vtkIdType ids[3] = { neighbor, edge.Next, edge.Inner };
+      for (int k = 0; k < 3; ++k)
+      {
+        this->GetOffset(id, ids[k], ends[k]);
+        const float height = vtkMath::Dot(ends[k], normal);
+        for (int c = 0; c < 3; ++c)
+        {
+          ends[k][c] -= height * normal[c];
+        }
+      }
+      float along[3], across[3];
+      vtkMath::Subtract(ends[1], ends[0], along);
+      vtkMath::Cross(along, normal, across);
+      const float length = vtkMath::Normalize(across);
+      if (!(length > 0))
+      {
+        continue;
+      }
+      float inward[3];
+      vtkMath::Subtract(ends[2], ends[0], inward);
+      const float side = vtkMath::Dot(inward, across) > 0 ? -1.0f : 1.0f;
+      const float distance = side * vtkMath::Dot(ends[0], across);
+      // Where the point is opposite to on the edge. Past its ends the border may turn away.
+      const float at = -vtkMath::Dot(ends[0], along) / (length * length);
+      if (distance >= 0 && distance < reach && at > -PastEnds && at < 1 + PastEnds)
+      {
+        NearLine line;
+        line.Distance = distance;
+        const float least =
+          std::max(distance, vtkPointSplatBorderPlane::LeastDistance * length);
+        for (int c = 0; c < 3; ++c)
+        {
+          line.Line[c] = side * across[c] / least;
+        }
+        lines.push_back(line);
+      }
+    }
+  });
+  std::sort(lines.begin(), lines.end(),
+    [](const NearLine& a, const NearLine& b) { return a.Distance < b.Distance; });
+  for (const NearLine& line : lines)
+  {
+    if (!IsLine(clip))
+    {
+      std::copy_n(line.Line, 3, clip);
+    }
+    else if (!IsOne(clip, line.Line) && !IsLine(clip + 3))
+    {
+      std::copy_n(line.Line, 3, clip + 3);
+    }
+    else if (IsLine(clip + 3) && IsOne(clip, clip + 3) && !IsOne(clip, line.Line))
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        clip[c] = 0.5f * (clip[c] + clip[3 + c]);
+      }
+      std::copy_n(line.Line, 3, clip + 3);
+    }
+  }
+}
+
+void vtkPointSplatMeshBorders::Write(vtkFloatArray* clips) const
+{
+  const std::vector<vtkIdType>& border = this->Fans.GetBorder();
+  std::vector<vtkIdType> near = border;
+  for (const vtkIdType id : border)
+  {
+    this->Fans.VisitNeighbors(id, [&near](vtkIdType other) { near.push_back(other); });
+  }
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+
+  const vtkIdType count = static_cast<vtkIdType>(near.size());
+  std::vector<std::array<float, 6>> found(near.size());
+  vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      found[i].fill(0);
+      if (this->Radii->GetValue(near[i]) > 0 && this->FindOwnLines(near[i], found[i].data()))
+      {
+        this->AddNearLines(near[i], found[i].data());
+      }
+    }
+  });
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    if (!IsLine(found[i].data()))
+    {
+      continue;
+    }
+    if (clips->GetNumberOfTuples() == 0)
+    {
+      clips->SetNumberOfComponents(6);
+      clips->SetNumberOfTuples(this->Radii->GetNumberOfTuples());
+      clips->FillValue(0);
+    }
+    float* clip = clips->GetPointer(6 * near[i]);
+    if (!IsLine(clip) && !IsLine(clip + 3))
+    {
+      std::copy(found[i].begin(), found[i].end(), clip);
+    }
+  }
+}
+
+VTK_ABI_NAMESPACE_END

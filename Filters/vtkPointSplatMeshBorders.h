@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPointSplatMeshBorders
+ * @brief   the clip lines of the splats at the borders of a mesh
+ *
+ * An internal helper of vtkPointSplatEstimation. A mesh knows where it ends: at edges that one
+ * triangle alone has (vtkPointSplatFans.h).
+ *
+ * 1. A point on the border is clipped by the lines along its two edges where the corner between
+ *    them is convex, and by one across it where it is reflex, as vtkPointSplatBorders does. Where a
+ *    seam meets the border it has one edge there, and one line.
+ * 2. Lines that are left to a point, of two, go along the nearest edges that end at points of its
+ *    triangles, which it is beside, and which its kernel may reach: a mesh that was cut has points as
+ *    near to its border as it likes, whose disks are as large as others. A point's own two lines
+ *    become one in between if that leaves room for another and they are less than 10 degrees apart.
+ * 3. A point where more than two edges of the border meet is left as it is.
+ */
+#ifndef vtkPointSplatMeshBorders_h
+#define vtkPointSplatMeshBorders_h
+
+#include "vtkPointSplatFans.h"
+
+class vtkFloatArray;
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkPointSplatMeshBorders
+{
+public:
+  /// radii: of the disks, 0 where none is drawn; planes: their normals.
+  vtkPointSplatMeshBorders(
+    const vtkPointSplatFans& fans, vtkFloatArray* radii, vtkFloatArray* planes)
+    : Fans(fans)
+    , Radii(radii)
+    , Planes(planes)
+  {
+  }
+
+  /// Adds the lines of points that have none to the array of clip lines, of 6 components, which is
+  /// made if it has no tuples and any point has lines.
+  void Write(vtkFloatArray* clips) const;
+
+private:
+  void FindLines(vtkIdType id, float clip[6]) const;
+  bool FindOwnLines(vtkIdType id, float clip[6]) const;
+  void AddNearLines(vtkIdType id, float clip[6]) const;
+  void GetOffset(vtkIdType from, vtkIdType to, float d[3]) const;
+
+  const vtkPointSplatFans& Fans;
+  vtkFloatArray* Radii;
+  vtkFloatArray* Planes;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
