@@ -25,7 +25,7 @@ install_paraview() {
   # apt-get only says what it would do. What it would upgrade has its old version in brackets.
   # Icons are drawn by Qt's plugin for SVG, which no package of these depends on.
   missing=$(apt-get install -s --no-install-recommends paraview paraview-dev python3-paraview \
-    libqt5svg5 |
+    $(known "libqt5svg5|") |
     awk '$1 == "Inst" && $3 !~ /^\[/ && $2 ~ /^(lib|paraview|python3-paraview)/ { print $2 }')
   if [ -z "$missing" ]; then
     echo "Debian has no ParaView here: try apt-get update." >&2
@@ -38,6 +38,11 @@ install_paraview() {
     dpkg -x "$deb" "$paraview_root" || return 1
   done
   rm -rf "$debs"
+  # Debian forky's CMake files name Python's modules without their ABI, files have it in their names.
+  local module
+  find "$paraview_root" -name '*.cpython-*.so' | while read -r module; do
+    ln -sf "$(basename "$module")" "${module%%.cpython-*}.so"
+  done
   touch "$paraview_root/unpacked"
 }
 

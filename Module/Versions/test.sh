@@ -2,11 +2,11 @@
 # SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# bash Module/Versions/test.sh VERSION [--slice] [ctest arguments]: builds and tests with a VTK that
+# bash Module/Versions/test.sh VERSION [--slice | --paraview] [ctest arguments]: builds and tests with a VTK that
 # is not this system's, such as 9.3 or 9.6, in one of Debian's suites that has it, which is
 # unpacked into build-vtk-VERSION (root, or sudo, is needed for that). Warnings are errors there.
 # --slice runs those tests alone that differ with the version of VTK: pictures, picking,
-# transparency, Python.
+# transparency, Python; --paraview those of the plugin, with that suite's ParaView.
 set -eu
 version=$1
 shift
@@ -18,7 +18,11 @@ slice+='|Package|Versions|LikeAnyMapper|SplatviewPicture)$'
 targets=(all)
 options=()
 arguments=()
-if [ "${1:-}" = --slice ]; then
+paraview=
+if [ "${1:-}" = --paraview ]; then
+  shift
+  paraview=yes
+elif [ "${1:-}" = --slice ]; then
   shift
   targets=(vtkRenderingPointSplattingCxxTests programs CheckPicture)
   options=("-DPointSplatting_CXX_TESTS=${slice%$}")
@@ -48,6 +52,10 @@ inside() {
 mesa=$(inside dpkg-query -W -f '${Version}' libgl1-mesa-dri)
 # From Mesa 26 on the cache of shaders ends programs by a bus error now and then.
 [ "${mesa%%.*}" -lt 26 ] || environment+=(MESA_SHADER_CACHE_DISABLE=true)
+if [ -n "$paraview" ]; then
+  inside bash /source/Module/ParaView/test.sh "$@"
+  exit
+fi
 inside cmake -G Ninja -S /source -B /build -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS=-Werror \
   "${options[@]}"
 inside cmake --build /build --target "${targets[@]}" --parallel "$(nproc)"
