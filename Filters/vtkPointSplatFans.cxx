@@ -11,11 +11,13 @@
 #include "vtkPointSplatDisk.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -31,6 +33,9 @@ constexpr float LengthPerReach = 0.9f;
 constexpr int EnoughNeighbors = 12;
 
 constexpr int MaximumNumberOfNeighbors = vtkPointSplatNeighbors::MaximumNumberOfNeighbors;
+
+/// How many of a neighbour's triangles are looked at.
+constexpr vtkIdType MostTriangles = 64;
 
 struct CopyPositions
 {
@@ -168,64 +173,81 @@ void vtkPointSplatFans::Sort(vtkIdType numberOfPoints)
 }
 
 /// The edges at a point that belong to one triangle alone.
-std::vector<vtkPointSplatFans::BorderEdge> vtkPointSplatFans::GetSingleEdges(vtkIdType id) const
+void vtkPointSplatFans::GetSingleEdges(vtkIdType id, std::vector<BorderEdge>& edges) const
 {
-  std::vector<BorderEdge> single;
-  const auto countEdge = [&](vtkIdType other) {
-    int count = 0;
-    for (vtkIdType t = this->First[id]; t < this->First[id + 1]; ++t)
-    {
-      const vtkIdType* corner = this->Corners.data() + 3 * this->Triangles[t];
-      count += std::find(corner, corner + 3, other) != corner + 3;
-    }
-    return count;
-  };
+  edges.clear();
   for (vtkIdType t = this->First[id]; t < this->First[id + 1]; ++t)
   {
     const vtkIdType* corner = this->Corners.data() + 3 * this->Triangles[t];
     const vtkIdType others[2] = { corner[0] == id ? corner[1] : corner[0],
       corner[2] == id ? corner[1] : corner[2] };
-    for (int k = 0; k < 2; ++k)
-    {
-      if (countEdge(others[k]) == 1)
-      {
-        single.push_back({ others[k], others[1 - k] });
-      }
-    }
+    edges.push_back({ others[0], others[1] });
+    edges.push_back({ others[1], others[0] });
   }
-  return single;
-}
-
-std::vector<vtkPointSplatFans::BorderEdge> vtkPointSplatFans::GetBorderEdges(vtkIdType id) const
-{
-  std::vector<BorderEdge> edges = this->GetSingleEdges(id);
-  edges.erase(std::remove_if(edges.begin(), edges.end(),
-                [&](const BorderEdge& edge) {
-                  return std::binary_search(
-                    this->Seams.begin(), this->Seams.end(), std::minmax({ id, edge.Next }));
-                }),
-    edges.end());
-  return edges;
+  std::sort(edges.begin(), edges.end(), [](const BorderEdge& a, const BorderEdge& b) {
+    return a.Next != b.Next ? a.Next < b.Next : a.Inner < b.Inner;
+  });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < edges.size();)
+  {
+    std::size_t next = i + 1;
+    while (next < edges.size() && edges[next].Next == edges[i].Next)
+    {
+      ++next;
+    }
+    if (next == i + 1)
+    {
+      edges[kept++] = edges[i];
+    }
+    i = next;
+  }
+  edges.resize(kept);
 }
 
 void vtkPointSplatFans::FindBorder(vtkIdType numberOfPoints)
 {
   std::vector<unsigned char> atBorder(numberOfPoints, 0);
+  vtkSMPThreadLocal<std::vector<BorderEdge>> scratch;
   vtkSMPTools::For(0, numberOfPoints, [&](vtkIdType begin, vtkIdType end) {
+    std::vector<BorderEdge>& edges = scratch.Local();
     for (vtkIdType id = begin; id < end; ++id)
     {
-      atBorder[id] = !this->GetSingleEdges(id).empty();
+      this->GetSingleEdges(id, edges);
+      atBorder[id] = !edges.empty();
     }
   });
   this->Border.clear();
+  this->FirstOfBorder.assign(1, 0);
+  this->EdgesOfBorder.clear();
+  std::vector<BorderEdge> edges;
   for (vtkIdType id = 0; id < numberOfPoints; ++id)
   {
     if (atBorder[id])
     {
+      this->GetSingleEdges(id, edges);
       this->Border.push_back(id);
+      this->EdgesOfBorder.insert(this->EdgesOfBorder.end(), edges.begin(), edges.end());
+      this->FirstOfBorder.push_back(this->EdgesOfBorder.size());
     }
   }
+  this->RemoveSeams();
+}
 
+vtkPointSplatFans::BorderEdges vtkPointSplatFans::GetBorderEdges(vtkIdType id) const
+{
+  const auto at = std::lower_bound(this->Border.begin(), this->Border.end(), id);
+  if (at == this->Border.end() || *at != id)
+  {
+    return { nullptr, 0 };
+  }
+  const std::size_t i = at - this->Border.begin();
+  return { this->EdgesOfBorder.data() + this->FirstOfBorder[i],
+    this->FirstOfBorder[i + 1] - this->FirstOfBorder[i] };
+}
+
+/// Of the border's edges, removes those that have both ends where another one has its.
+void vtkPointSplatFans::RemoveSeams()
+{
   // Points in one place have the first one's number in the order of positions.
   std::vector<vtkIdType> placed = this->Border;
   const auto isBefore = [&](vtkIdType a, vtkIdType b) {
@@ -233,39 +255,37 @@ void vtkPointSplatFans::FindBorder(vtkIdType numberOfPoints)
       this->GetPosition(b), this->GetPosition(b) + 3);
   };
   std::sort(placed.begin(), placed.end(), isBefore);
-  const auto getPlace = [&](vtkIdType id) {
+  const auto getPlace = [&](vtkIdType id) -> std::ptrdiff_t {
     return std::lower_bound(placed.begin(), placed.end(), id, isBefore) - placed.begin();
   };
-  struct Edge
+  using Places = std::pair<std::ptrdiff_t, std::ptrdiff_t>;
+  std::vector<Places> places; // of both ends of each edge, the lesser one first
+  places.reserve(this->EdgesOfBorder.size());
+  for (std::size_t i = 0; i < this->Border.size(); ++i)
   {
-    std::pair<std::ptrdiff_t, std::ptrdiff_t> Places;
-    std::pair<vtkIdType, vtkIdType> Ends;
-  };
-  std::vector<Edge> edges;
-  for (const vtkIdType id : this->Border)
-  {
-    for (const BorderEdge& edge : this->GetSingleEdges(id))
+    const std::ptrdiff_t place = getPlace(this->Border[i]);
+    for (std::size_t k = this->FirstOfBorder[i]; k < this->FirstOfBorder[i + 1]; ++k)
     {
-      if (id < edge.Next)
+      places.push_back(std::minmax({ place, getPlace(this->EdgesOfBorder[k].Next) }));
+    }
+  }
+  // Each edge is there twice, once for each of its ends.
+  std::vector<Places> sorted = places;
+  std::sort(sorted.begin(), sorted.end());
+  std::size_t kept = 0, k = 0;
+  for (std::size_t i = 0; i < this->Border.size(); ++i)
+  {
+    for (; k < this->FirstOfBorder[i + 1]; ++k)
+    {
+      const auto same = std::equal_range(sorted.begin(), sorted.end(), places[k]);
+      if (same.second - same.first <= 2)
       {
-        edges.push_back(
-          { std::minmax({ getPlace(id), getPlace(edge.Next) }), { id, edge.Next } });
+        this->EdgesOfBorder[kept++] = this->EdgesOfBorder[k];
       }
     }
+    this->FirstOfBorder[i + 1] = kept;
   }
-  std::sort(edges.begin(), edges.end(),
-    [](const Edge& a, const Edge& b) { return a.Places < b.Places; });
-  this->Seams.clear();
-  for (std::size_t i = 0; i < edges.size(); ++i)
-  {
-    const bool twice = (i > 0 && edges[i - 1].Places == edges[i].Places) ||
-      (i + 1 < edges.size() && edges[i + 1].Places == edges[i].Places);
-    if (twice)
-    {
-      this->Seams.push_back(edges[i].Ends);
-    }
-  }
-  std::sort(this->Seams.begin(), this->Seams.end());
+  this->EdgesOfBorder.resize(kept);
 }
 
 bool vtkPointSplatFans::IsSplit(const float* normals) const
@@ -334,7 +354,10 @@ vtkPointSplatFans::Disk vtkPointSplatFans::GetDisk(vtkIdType id, const float* no
   std::copy(ring.Slots, ring.Slots + next, beside);
   for (int i = 0; i < next; ++i)
   {
-    for (vtkIdType t = this->First[beside[i]]; t < this->First[beside[i] + 1]; ++t)
+    // A point in the middle of a fan of thousands would be walked around by each of its neighbours.
+    const vtkIdType first = this->First[beside[i]],
+                    last = std::min(this->First[beside[i] + 1], first + MostTriangles);
+    for (vtkIdType t = first; t < last; ++t)
     {
       for (int k = 0; k < 3; ++k)
       {

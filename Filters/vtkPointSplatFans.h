@@ -25,8 +25,7 @@
 
 #include "vtkPointSplatNeighbors.h"
 
-#include <algorithm>
-#include <utility>
+#include <cstddef>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -59,14 +58,18 @@ public:
     vtkIdType Inner; // the third corner of its triangle
   };
 
-  /// The points at the border, in order.
+  /// The points with an edge that one triangle alone has, in order.
   const std::vector<vtkIdType>& GetBorder() const { return this->Border; }
-  bool IsAtBorder(vtkIdType id) const
+  /// The edges of the border at a point.
+  struct BorderEdges
   {
-    return std::binary_search(this->Border.begin(), this->Border.end(), id);
-  }
-  /// The edges of the border at one of its points.
-  std::vector<BorderEdge> GetBorderEdges(vtkIdType id) const;
+    const BorderEdge* First;
+    std::size_t Count;
+
+    const BorderEdge* begin() const { return this->First; }
+    const BorderEdge* end() const { return this->First + this->Count; }
+  };
+  BorderEdges GetBorderEdges(vtkIdType id) const;
   const double* GetPosition(vtkIdType id) const { return this->Positions.data() + 3 * id; }
 
   /// Calls visitor(id) for the other corners of a point's triangles, once for each triangle.
@@ -106,16 +109,17 @@ public:
 private:
   void Add(vtkIdType a, vtkIdType b, vtkIdType c, const unsigned char* used);
   void Sort(vtkIdType numberOfPoints);
-  std::vector<BorderEdge> GetSingleEdges(vtkIdType id) const;
+  void GetSingleEdges(vtkIdType id, std::vector<BorderEdge>& edges) const;
   void FindBorder(vtkIdType numberOfPoints);
+  void RemoveSeams();
 
   std::vector<double> Positions;    // 3 a point
   std::vector<vtkIdType> Corners;   // 3 a triangle, as read
   std::vector<vtkIdType> First;     // of a point's triangles: where they begin in Fans
   std::vector<vtkIdType> Triangles; // by points
-  std::vector<vtkIdType> Border;
-  /// Ends of the edges that belong to one triangle, of which another has both positions.
-  std::vector<std::pair<vtkIdType, vtkIdType>> Seams; // in order, the lesser end first
+  std::vector<vtkIdType> Border;          // points, in order
+  std::vector<std::size_t> FirstOfBorder; // of these: where their edges begin in EdgesOfBorder
+  std::vector<BorderEdge> EdgesOfBorder;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -53,12 +53,12 @@ void vtkPointSplatMeshBorders::GetOffset(vtkIdType from, vtkIdType to, float d[3
 /// Returns whether the point is of those that have lines.
 bool vtkPointSplatMeshBorders::FindOwnLines(vtkIdType id, float clip[6]) const
 {
-  const std::vector<vtkPointSplatFans::BorderEdge> edges = this->Fans.GetBorderEdges(id);
-  if (edges.size() > 2)
+  const vtkPointSplatFans::BorderEdges edges = this->Fans.GetBorderEdges(id);
+  if (edges.Count > 2)
   {
     return false;
   }
-  if (edges.empty())
+  if (edges.Count == 0)
   {
     return true;
   }
@@ -80,18 +80,18 @@ bool vtkPointSplatMeshBorders::FindOwnLines(vtkIdType id, float clip[6]) const
     return false;
   }
   // Where the sector begins in which there is no surface, counterclockwise: at one edge or the other.
-  const double first = getAngle(edges[0].Next);
-  const double inner = vtkPointSplatBorderPlane::Turn(first, getAngle(edges[0].Inner));
-  if (edges.size() == 1)
+  const double first = getAngle(edges.First[0].Next);
+  const double inner = vtkPointSplatBorderPlane::Turn(first, getAngle(edges.First[0].Inner));
+  if (edges.Count == 1)
   {
     const double from = inner < vtkMath::Pi() ? first + vtkMath::Pi() : first;
     plane.SetLines(from, vtkMath::Pi(), nearest, nearest, clip);
   }
   else
   {
-    const double turn = vtkPointSplatBorderPlane::Turn(first, getAngle(edges[1].Next));
+    const double turn = vtkPointSplatBorderPlane::Turn(first, getAngle(edges.First[1].Next));
     // A triangle alone has the other edge's end as its third corner.
-    const bool inside = edges[0].Inner == edges[1].Next ? turn < vtkMath::Pi() : inner < turn;
+    const bool inside = edges.First[0].Inner == edges.First[1].Next ? turn < vtkMath::Pi() : inner < turn;
     plane.SetLines(inside ? first + turn : first, inside ? 2 * vtkMath::Pi() - turn : turn,
       nearest, nearest, clip);
   }
@@ -104,11 +104,12 @@ void vtkPointSplatMeshBorders::AddNearLines(vtkIdType id, float clip[6]) const
   const float reach = KernelReach * this->Radii->GetValue(id);
   std::vector<NearLine> lines;
   this->Fans.VisitNeighbors(id, [&](vtkIdType neighbor) {
-    if (!this->Fans.IsAtBorder(neighbor))
+    const vtkPointSplatFans::BorderEdges edges = this->Fans.GetBorderEdges(neighbor);
+    if (edges.Count > 2)
     {
       return;
     }
-    for (const vtkPointSplatFans::BorderEdge& edge : this->Fans.GetBorderEdges(neighbor))
+    for (const vtkPointSplatFans::BorderEdge& edge : edges)
     {
       if (edge.Next == id)
       {

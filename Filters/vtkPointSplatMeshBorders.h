@@ -14,7 +14,7 @@
  *    triangles, which it is beside, and which its kernel may reach: a mesh that was cut has points as
  *    near to its border as it likes, whose disks are as large as others. A point's own two lines
  *    become one in between if that leaves room for another and they are less than 10 degrees apart.
- * 3. A point where more than two edges of the border meet is left as it is.
+ * 3. A point where more than two edges of the border meet is left as it is, and ends no edges of 2.
  */
 #ifndef vtkPointSplatMeshBorders_h
 #define vtkPointSplatMeshBorders_h

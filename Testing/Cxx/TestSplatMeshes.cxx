@@ -334,6 +334,20 @@ void TestBorders()
   Expect(uncovered == 0, std::to_string(uncovered) + " places of the mesh are not covered");
   Expect(open > samples * samples / 3, "of the hole " + std::to_string(open) + " places are open");
 
+  // One polygon of so many corners that each cannot look at what all others have.
+  vtkSmartPointer<vtkPolyData> disc = MakeEmpty();
+  constexpr vtkIdType corners = 30000;
+  disc->GetPolys()->InsertNextCell(corners);
+  for (vtkIdType k = 0; k < corners; ++k)
+  {
+    const double angle = 2 * vtkMath::Pi() * k / corners;
+    disc->GetPolys()->InsertCellPoint(
+      disc->GetPoints()->InsertNextPoint(std::cos(angle), std::sin(angle), 0));
+    disc->GetPointData()->GetNormals()->InsertNextTuple3(0, 0, 1);
+  }
+  Estimated ofDisc(disc);
+  Expect(ofDisc.Radius(1) > 0, "a polygon's corner has a radius");
+
   // Cut at a slant, and turned so that x = 0 is the cut.
   const double slant = std::atan(0.03);
   vtkNew<vtkPlane> plane;
