@@ -5,9 +5,9 @@
 # bash test.sh [--sanitize | --vtk VERSION [--slice | --paraview] | --everything] [ctest arguments]:
 # sets up, builds, runs every test. --sanitize does so with the address and undefined behaviour
 # sanitizers, in a folder of its own; --vtk with another VTK, in a suite of Debian that has it, or the
-# plugin's with that suite's ParaView; --everything, which
-# CI runs, with this system's VTK, as a ParaView plugin, as a wheel with a newer VTK, and a slice of
-# the tests with the VTK of the next stable Debian, warnings as errors.
+# plugin's with that suite's ParaView; --everything, which CI runs, with this system's VTK, as a
+# ParaView plugin, as a wheel with a newer VTK, and a slice of the tests with the VTK of the next
+# stable Debian, warnings as errors.
 set -eu
 top=$(cd "$(dirname "$0")" && pwd)
 . "$top/Module/setup.sh"

@@ -52,10 +52,11 @@ use_paraview() {
   [ -n "$paraview_root" ] || return 0
   lib=$(dirname "$(dirname "$(ls -d "$paraview_root"/usr/lib/*/cmake/paraview-*)")")
   lib=$(dirname "$lib")/$(basename "$lib")
-  export LD_LIBRARY_PATH=$lib${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
+  # Some of ParaView 6's libraries lie in a folder that another one knows by its whole path.
+  export LD_LIBRARY_PATH=$lib:$lib/libproxy${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
   export PYTHONPATH=$paraview_root/usr/lib/python3/dist-packages${PYTHONPATH:+:$PYTHONPATH}
   export PATH=$paraview_root/usr/bin:$PATH
-  export QT_PLUGIN_PATH=$lib/qt5/plugins${QT_PLUGIN_PATH:+:$QT_PLUGIN_PATH}
+  export QT_PLUGIN_PATH=$lib/qt5/plugins:$lib/qt6/plugins${QT_PLUGIN_PATH:+:$QT_PLUGIN_PATH}
 }
 
 build_paraview() {

@@ -12,6 +12,7 @@ exec unshare --mount bash -c '
   root=$1
   shift
   mount -t proc proc "$root/proc"
+  mount --rbind /sys "$root/sys"
   mount --rbind /dev "$root/dev"
   mkdir -p "$root/dev/shm"
   cp -L /etc/resolv.conf "$root/etc/resolv.conf"

@@ -63,6 +63,7 @@ scenes.picture(view, os.path.join(folder, "translucent.png"))
 with open(os.path.join(folder, "facts.json"), "w") as file:
     facts = {
         "ids": ids, "whole": whole, "seconds": seconds, "choices": choices,
-        "remote": bool(drawn_by_server),
+        # A programmable source of ParaView 6 leaves NumPy's bool under that name.
+        "remote": int(drawn_by_server),
     }  # fmt: skip
     json.dump(facts, file)
