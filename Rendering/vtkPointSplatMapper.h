@@ -61,9 +61,9 @@
  *   NaN has the table's colour of NaN, and leaves the values about it as they are.
  * - Scalars of cells, where there are none of points or ScalarMode asks for them: a splat has the
  *   colour of its point's cell, of several the one with the least id, which is the vertex if there is
- *   one; a pixel has the colour of one splat, and nothing is blended. Points without a cell, which
- *   VTK does not draw, have the table's colour of NaN, or white where colours are direct. Of field
- *   data each cell has a tuple, or all have the one of FieldDataTupleId.
+ *   one; a pixel has the colour of one splat, and nothing is blended. Of field data each cell has a
+ *   tuple, or all have the one of FieldDataTupleId.
+ * - Points that no cell uses, where there are cells, are not drawn, as VTK does not draw them.
  * - Cell normals are not used; a warning says so where there are no others.
  *
  * The property's representation as points or wireframe is VTK's own: its mapper draws the input's

@@ -10,9 +10,24 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <vector>
 
 namespace vtkPointSplatCells
 {
+/**
+ * The lists of cells that a data set's kind has; some may be null.
+ */
+inline std::vector<vtkCellArray*> GetLists(vtkPointSet* data)
+{
+  if (auto mesh = vtkPolyData::SafeDownCast(data))
+  {
+    return { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(), mesh->GetStrips() };
+  }
+  auto grid = vtkUnstructuredGrid::SafeDownCast(data);
+  return grid ? std::vector<vtkCellArray*>{ grid->GetCells() } : std::vector<vtkCellArray*>();
+}
+
 /**
  * Whether each cell lies within its list, so that it can be asked for its points' ids. Those may
  * be of points that are not there.
@@ -24,13 +39,43 @@ inline bool CanBeRead(vtkCellArray* cells)
 
 inline bool CanBeRead(vtkPointSet* data)
 {
-  if (auto mesh = vtkPolyData::SafeDownCast(data))
+  const std::vector<vtkCellArray*> lists = GetLists(data);
+  return std::all_of(
+    lists.begin(), lists.end(), [](vtkCellArray* cells) { return CanBeRead(cells); });
+}
+
+/**
+ * The points that cells use, a byte each, where there are cells and they leave any out: those are
+ * not shown, as vtkPolyDataMapper does not. Nothing where they use all, or, being bad, none.
+ */
+inline std::vector<unsigned char> MarkUsed(vtkPointSet* data)
+{
+  const std::vector<vtkCellArray*> lists = GetLists(data);
+  const vtkIdType count = data->GetNumberOfPoints();
+  std::vector<unsigned char> used;
+  if (lists.empty() || data->GetNumberOfCells() == 0 || !CanBeRead(data))
   {
-    return CanBeRead(mesh->GetVerts()) && CanBeRead(mesh->GetLines()) &&
-      CanBeRead(mesh->GetPolys()) && CanBeRead(mesh->GetStrips());
+    return used;
   }
-  auto grid = vtkUnstructuredGrid::SafeDownCast(data);
-  return !grid || CanBeRead(grid->GetCells());
+  used.resize(static_cast<std::size_t>(count), 0);
+  for (vtkCellArray* cells : lists)
+  {
+    for (vtkIdType cell = 0; cells && cell < cells->GetNumberOfCells(); ++cell)
+    {
+      vtkIdType size;
+      const vtkIdType* ids;
+      cells->GetCellAtId(cell, size, ids);
+      for (vtkIdType i = 0; i < size; ++i)
+      {
+        if (ids[i] >= 0 && ids[i] < count)
+        {
+          used[static_cast<std::size_t>(ids[i])] = 1;
+        }
+      }
+    }
+  }
+  const auto shown = std::count(used.begin(), used.end(), 1);
+  return shown == 0 || shown == count ? std::vector<unsigned char>() : used;
 }
 
 /**

@@ -11,6 +11,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPointSplatArrays.h"
+#include "vtkPointSplatCells.h"
 #include "vtkPointSplatCoordinates.h"
 #include "vtkPointSplatMorton.h"
 #include "vtkPointSplatPacking.h"
@@ -72,15 +73,12 @@ vtkPointSplatCloud::Key vtkPointSplatCloud::SplatKey(const std::vector<Block>& b
     {
       key.emplace_back(array, array ? array->GetMTime() : 0);
     }
-    if (vtkPolyData* mesh = vtkPolyData::SafeDownCast(block.Data))
+    // Triangles say how large splats are, and all cells which points are shown.
+    for (vtkCellArray* cells : vtkPointSplatCells::GetLists(block.Data))
     {
-      // Triangles say how large splats are.
-      for (vtkCellArray* cells : { mesh->GetPolys(), mesh->GetStrips() })
+      if (cells && cells->GetNumberOfCells() > 0)
       {
-        if (cells && cells->GetNumberOfCells() > 0)
-        {
-          key.emplace_back(cells, cells->GetMTime());
-        }
+        key.emplace_back(cells, cells->GetMTime());
       }
     }
   }
@@ -189,7 +187,8 @@ vtkIdType vtkPointSplatCloud::BuildBlock(
       ++kept;
     }
   }
-  this->Skipped += static_cast<vtkIdType>(n - kept);
+  // Nobody expects to see those that no cell uses.
+  this->Skipped += static_cast<vtkIdType>(n - kept) - packing.Unused;
   if (this->Circular && packing.Fold)
   {
     kept = packing.PackFolds(packed, kept);

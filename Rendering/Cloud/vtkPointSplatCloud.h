@@ -30,8 +30,8 @@
 // none beside those with.
 //
 // Colours of cells: a splat has that of the first cell, by its id, that uses the point, as of a
-// point's vertex; a point without a cell has the table's colour of NaN. They are not blended: a
-// pixel has the colour of the splat with the greatest weight.
+// point's vertex; points of a block without cells have the table's colour of NaN. They are not
+// blended: a pixel has the colour of the splat with the greatest weight.
 // Looks of blocks: hidden ones have no splats. Where some block has a colour or an opacity of its own,
 // colours hold for all blocks what is to be seen, opacities those of actor and scalars multiplied.
 // Values: where scalars are to be interpolated before they are mapped, there are values in the

@@ -251,6 +251,27 @@ struct PackWorker
 }
 
 //------------------------------------------------------------------------------
+void vtkPointSplatPacking::HideUnused(vtkPointSet* data)
+{
+  const std::vector<unsigned char> used = vtkPointSplatCells::MarkUsed(data);
+  if (used.empty())
+  {
+    return;
+  }
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfTuples(data->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    const unsigned char given = this->Ghosts ? this->Ghosts->GetValue(i) : 0;
+    const bool unused = !used[static_cast<size_t>(i)];
+    ghosts->SetValue(i, unused ? given | vtkDataSetAttributes::HIDDENPOINT : given);
+    this->Unused += unused;
+  }
+  this->Ghosts = ghosts;
+}
+
+//------------------------------------------------------------------------------
 vtkPointSplatPacking vtkPointSplatPacking::Collect(
   vtkObject* owner, vtkPointSet* data, bool needSizes, bool projectNoise)
 {
@@ -265,6 +286,7 @@ vtkPointSplatPacking vtkPointSplatPacking::Collect(
   {
     a.Ghosts = nullptr;
   }
+  a.HideUnused(data);
   vtkPointData* given = data->GetPointData();
   a.Normals = Wanted(owner, data, given->GetNormals(), 3);
   a.Radius = Wanted(owner, data, given->GetArray(vtkPointSplatArrays::Radius), 1);

@@ -34,7 +34,8 @@ public:
   vtkSmartPointer<vtkDataArray> Axis2;
   vtkSmartPointer<vtkDataArray> Clip; // or none
   vtkSmartPointer<vtkDataArray> Fold; // or none; of circles with clip lines only
-  vtkUnsignedCharArray* Ghosts = nullptr;
+  vtkSmartPointer<vtkUnsignedCharArray> Ghosts; // or none
+  vtkIdType Unused = 0; // points of no cell, where there are cells: they are hidden in Ghosts
   bool Projected = false; // points and normals are not the block's own, but on one surface
   bool Aborted = false;   // the estimation was, by the owner's AbortExecute
   bool HasGivenRadii = false;
@@ -81,6 +82,7 @@ public:
 private:
   vtkPointSplatFolds GetFolds(vtkIdType id) const;
   /// Takes what is missing from an estimation of points with what there is of normals.
+  void HideUnused(vtkPointSet* data);
   void Estimate(vtkObject* owner, vtkPolyData* bare, bool projectNoise);
 };
 

@@ -12,7 +12,11 @@ import vtkmodules.vtkRenderingFreeType  # pylint: disable=unused-import
 from pointsplatting import vtkEGLHeadlessRenderWindow, vtkPointSplatMapper
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkPlane
-from vtkmodules.vtkFiltersCore import vtkElevationFilter
+from vtkmodules.vtkFiltersCore import (
+    vtkAppendPolyData,
+    vtkElevationFilter,
+    vtkPolyDataConnectivityFilter,
+)
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import (
@@ -85,6 +89,23 @@ class Scene:
 
 
 def plain(scene):
+    return scene.show()
+
+
+def largest_region(scene):
+    """Of two balls the larger one: the points of the other are there still, and of no cell."""
+    other = vtkSphereSource()
+    other.SetThetaResolution(60)
+    other.SetPhiResolution(60)
+    other.SetCenter(0.3, 0.3, 0.6)
+    other.SetRadius(0.25)
+    both = vtkAppendPolyData()
+    both.AddInputConnection(scene.source.GetOutputPort())
+    both.AddInputConnection(other.GetOutputPort())
+    largest = vtkPolyDataConnectivityFilter()
+    largest.SetInputConnection(both.GetOutputPort())
+    largest.SetExtractionModeToLargestRegion()
+    scene.mapper.SetInputConnection(largest.GetOutputPort())
     return scene.show()
 
 
@@ -209,7 +230,7 @@ def legacy_peeling(scene):
 
 
 SCENES = (
-    plain, scalar_bar, lod_actor, lod_prop, assembly, clipping, stereo("Anaglyph"),
+    plain, largest_region, scalar_bar, lod_actor, lod_prop, assembly, clipping, stereo("Anaglyph"),
     stereo("RedBlue"), stereo("Interlaced"), stereo("Checkerboard"), tiles, viewport,
     passes(vtkSSAAPass), passes(vtkEDLShading), passes(vtkOpenGLFXAAPass), ssao, fxaa, samples,
     without_peeling, dual_peeling, legacy_peeling,

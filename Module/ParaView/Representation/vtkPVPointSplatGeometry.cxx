@@ -86,16 +86,20 @@ std::vector<vtkIdType> CellsOf(vtkDataSet* data)
   return cells;
 }
 
-/// Every point that is not left out, as a vertex with the data of its cell.
+/// Every point that is not left out, as a vertex with the data of its cell. Where there are cells,
+/// points that none of them uses are left out, as Surface leaves them out.
 void MakeVertices(vtkDataSet* input, bool withoutCopies, vtkPolyData* output)
 {
   const vtkSmartPointer<vtkPoints> from = PointsOf(input);
   vtkUnsignedCharArray* ghosts = withoutCopies ? input->GetPointGhostArray() : nullptr;
   const std::vector<vtkIdType> cellOf = CellsOf(input);
+  const bool anyCell = input->GetNumberOfCells() > 0;
   vtkNew<vtkIdList> kept;
   for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
   {
-    if (!ghosts || !(ghosts->GetValue(i) & vtkDataSetAttributes::DUPLICATEPOINT))
+    const bool copy = ghosts && (ghosts->GetValue(i) & vtkDataSetAttributes::DUPLICATEPOINT);
+    const bool unused = anyCell && cellOf[static_cast<size_t>(i)] < 0;
+    if (!copy && !unused)
     {
       kept->InsertNextId(i);
     }
