@@ -140,6 +140,11 @@ public:
     PROCESSOR = 1,
     DEVICE = 2
   };
+  enum HybridType
+  {
+    HYBRID_OFF = 0,
+    AUTOMATIC_HYBRID = 1
+  };
   enum KernelKind
   {
     GAUSSIAN = 0,
@@ -380,6 +385,17 @@ public:
 
   ///@{
   /**
+   * HYBRIDDOC
+   */
+  vtkSetClampMacro(Hybrid, int, HYBRID_OFF, AUTOMATIC_HYBRID);
+  vtkGetMacro(Hybrid, int);
+  void SetHybridToOff() { this->SetHybrid(HYBRID_OFF); }
+  void SetHybridToAutomatic() { this->SetHybrid(AUTOMATIC_HYBRID); }
+  vtkIdType GetNumberOfTrianglesProjected();
+  ///@}
+
+  ///@{
+  /**
    * The groups that the splats are divided into, 0 before deferred blending was first used;
    * and when that was done, which is once for all frames until points or OverlapFactor change.
    */
@@ -573,6 +589,7 @@ private:
   int MaximumNumberOfFillSteps = 2;
   bool AntiAliasing = true;
   bool LevelOfDetail = true;
+  int Hybrid = HYBRID_OFF;
   bool ProjectNoise = true;
   bool Shadows = false;
   int NumberOfShadowSamples = 16;

@@ -81,7 +81,13 @@ double vtkPointSplatMapper::GetProjectedSpacing()
 //------------------------------------------------------------------------------
 vtkIdType vtkPointSplatMapper::GetNumberOfPointsProjected()
 {
-  return this->Internals->Report.PointsProjected;
+  return this->Internals->Report.Projected.Splats;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPointSplatMapper::GetNumberOfTrianglesProjected()
+{
+  return this->Internals->Report.Projected.Triangles;
 }
 
 //------------------------------------------------------------------------------

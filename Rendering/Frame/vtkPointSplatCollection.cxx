@@ -38,6 +38,11 @@ constexpr double LevelGrowth = 1.8;
 // The largest splats of a block are as much larger than their mean.
 constexpr double LevelExcess = 2.0;
 
+// Pixels: where edges of triangles are longer, these are drawn.
+constexpr double TrianglePixels = 1.5;
+// No edge is longer than this in the radii of the largest splat.
+constexpr double EdgeRadii = 4.0;
+
 bool IsPoints(const vtkPointSplatEntry& entry)
 {
   return entry.Settings.Method == vtkPointSplatSettings::ImageSpace;
@@ -354,6 +359,29 @@ void vtkPointSplatCollection::UseLevels(
     item.LargestLayer =
       std::max(item.LargestLayer, item.LayerRadii * choice.SmoothLevelPixels * pixels.y);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatCollection::UseTriangles(
+  vtkPointSplatEntry& entry, const vtkPointSplatView& view)
+{
+  vtkPointSplatItem& item = entry.Item;
+  vtkPointSplatCloud& cloud = *item.Cloud;
+  item.TrianglePixels = 0.0;
+  // Looks, tones of facets and colours of cells are known of splats alone.
+  if (entry.Settings.Hybrid == vtkPointSplatSettings::HybridOff || !item.Look.IsPlain() ||
+    item.IsFlat || item.IsPoints || cloud.HasCellColours())
+  {
+    return;
+  }
+  // A splat covers its share of the triangles about it: edges are no longer than some radii.
+  const double nearest = view.PixelSizes(item.MCWC, cloud.GetBounds().data()).x;
+  if (EdgeRadii * item.GetMeanStretch() * cloud.GetMaximumRadius() < TrianglePixels * nearest)
+  {
+    return;
+  }
+  cloud.MakeTriangles();
+  item.TrianglePixels = cloud.GetTriangles().AreMade() ? TrianglePixels : 0.0;
 }
 
 //------------------------------------------------------------------------------
