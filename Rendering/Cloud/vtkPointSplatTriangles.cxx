@@ -12,6 +12,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolygon.h"
+#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -321,8 +322,8 @@ void vtkPointSplatTriangles::Measure(const Splats& splats)
       ++edges.Count;
     }
   };
-  for (size_t i = 0; i + 1 < this->Patches.size(); ++i)
-  {
+  std::vector<float> longest(this->GetNumberOfPatches(), 0.0f);
+  auto measure = [&](size_t i) {
     Patch& patch = this->Patches[i];
     Edges edges;
     for (uint32_t t = patch.First; t < patch.Crossing; ++t)
@@ -335,12 +336,20 @@ void vtkPointSplatTriangles::Measure(const Splats& splats)
     }
     if (edges.Count > 0)
     {
-      const double longest = std::sqrt(edges.Longest);
-      patch.Size.Edge = static_cast<float>(std::max(
-        std::sqrt(edges.Squares / static_cast<double>(edges.Count)), LongestShare * longest));
-      this->LongestEdge = std::max(this->LongestEdge, static_cast<float>(longest));
+      longest[i] = static_cast<float>(std::sqrt(edges.Longest));
+      patch.Size.Edge =
+        std::max(static_cast<float>(std::sqrt(edges.Squares / static_cast<double>(edges.Count))),
+          LongestShare * longest[i]);
     }
-  }
+  };
+  vtkSMPTools::For(
+    0, static_cast<vtkIdType>(longest.size()), 256, [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        measure(static_cast<size_t>(i));
+      }
+    });
+  this->LongestEdge = *std::max_element(longest.begin(), longest.end());
   // A block's children come after it.
   const std::vector<vtkPointSplatLevels::Block>& blocks = splats.Levels.GetBlocks();
   this->Extents.assign(blocks.size(), NoExtent());

@@ -38,10 +38,10 @@ constexpr double LevelGrowth = 1.8;
 // The largest splats of a block are as much larger than their mean.
 constexpr double LevelExcess = 2.0;
 
-// Pixels: where edges of triangles are longer, these are drawn.
-constexpr double TrianglePixels = 1.5;
-// No edge is longer than this in the radii of the largest splat.
-constexpr double EdgeRadii = 4.0;
+// Pixels: where edges of triangles are longer, these are drawn. Meshes have twice as many triangles
+// as points, and a record costs the same: below that splats are faster, and their picture is as good
+// as the mesh's (Testing/Benchmark/hybrids.py).
+constexpr double TrianglePixels = 4.0;
 
 bool IsPoints(const vtkPointSplatEntry& entry)
 {
@@ -368,20 +368,17 @@ void vtkPointSplatCollection::UseTriangles(
   vtkPointSplatItem& item = entry.Item;
   vtkPointSplatCloud& cloud = *item.Cloud;
   item.TrianglePixels = 0.0;
-  // Looks, tones of facets and colours of cells are known of splats alone.
+  // Looks and colours of cells are known of splats alone.
   if (entry.Settings.Hybrid == vtkPointSplatSettings::HybridOff || !item.Look.IsPlain() ||
-    item.IsFlat || item.IsPoints || cloud.HasCellColours())
-  {
-    return;
-  }
-  // A splat covers its share of the triangles about it: edges are no longer than some radii.
-  const double nearest = view.PixelSizes(item.MCWC, cloud.GetBounds().data()).x;
-  if (EdgeRadii * item.GetMeanStretch() * cloud.GetMaximumRadius() < TrianglePixels * nearest)
+    item.IsPoints || cloud.HasCellColours())
   {
     return;
   }
   cloud.MakeTriangles();
-  item.TrianglePixels = cloud.GetTriangles().AreMade() ? TrianglePixels : 0.0;
+  const double nearest = view.PixelSizes(item.MCWC, cloud.GetBounds().data()).x;
+  const bool magnified =
+    item.GetMeanStretch() * cloud.GetTriangles().GetLongestEdge() >= TrianglePixels * nearest;
+  item.TrianglePixels = cloud.GetTriangles().AreMade() && magnified ? TrianglePixels : 0.0;
 }
 
 //------------------------------------------------------------------------------

@@ -22,7 +22,7 @@
 // are 0, and that of corner 0 is 1, at the centre, which is corner 0's image:
 //   1  change of a_1 along x and y; of a_2
 //   2  change of a_0 along x and y; depth of corners 1 and 2, less that of 0
-//   3  normals of the corners; 0
+//   3  normals of the corners, and of the plane
 //   4  colours, or values, of corners 1 and 2; factors, or ids, of corners 1 and 2
 // Those of corner 0 lie beside the records, as splats'.
 //

@@ -57,6 +57,8 @@ const uint BesideSplats = 0x80000000u;
 const float SharpShare = 1.0 / 16.0;
 // Of the farthest corner's w: corners that are nearer to the eye's plane than that have no image.
 const float LeastW = 1e-4;
+// Pixels from a pixel's middle to its samples, along x or y: offsetOf() in vtkPointSplatTilePixels.
+const float SampleReach = 3.0 / 8.0;
 
 uvec4 fetchSplat(uint splat, int texel)
 {
@@ -74,20 +76,17 @@ void main()
   bool seen = invocation < TriangleCount;
   uint entry = listed[seen ? invocation : 0u];
   uvec4 corners = texelFetch(Corners, int(entry & ~BesideSplats));
-  vec3 ws;
-  for (int i = 0; i < 3; ++i)
-  {
-    vec3 p = uintBitsToFloat(fetchSplat(corners[i], 0).xyz);
-    ws[i] = dot(PixelW, MCVC * vec4(p, 1.0));
-  }
-  corners.xyz = ws.y > ws.x && ws.y >= ws.z ? corners.yzx
-    : ws.z > ws.x                           ? corners.zxy
-                                            : corners.xyz;
-
-  uvec4 a0 = fetchSplat(corners.x, 0);
-  vec3 origin = uintBitsToFloat(a0.xyz);
-  vec3 edge1MC = uintBitsToFloat(fetchSplat(corners.y, 0).xyz) - origin;
-  vec3 edge2MC = uintBitsToFloat(fetchSplat(corners.z, 0).xyz) - origin;
+  vec4 a0 = uintBitsToFloat(fetchSplat(corners.x, 0));
+  vec3 a1 = uintBitsToFloat(fetchSplat(corners.y, 0).xyz);
+  vec3 a2 = uintBitsToFloat(fetchSplat(corners.z, 0).xyz);
+  vec3 axis = PixelW.xyz * mat3(MCVC);
+  vec3 ws = vec3(dot(axis, a0.xyz), dot(axis, a1), dot(axis, a2));
+  bool second = ws.y > ws.x && ws.y >= ws.z;
+  bool third = !second && ws.z > ws.x;
+  corners.xyz = second ? corners.yzx : third ? corners.zxy : corners.xyz;
+  vec3 origin = second ? a1 : third ? a2 : a0.xyz;
+  vec3 edge1MC = (second ? a2 : third ? a0.xyz : a1) - origin;
+  vec3 edge2MC = (second ? a0.xyz : third ? a1 : a2) - origin;
   vec4 p = MCVC * vec4(origin, 1.0);
   vec3 edge1 = mat3(MCVC) * edge1MC;
   vec3 edge2 = mat3(MCVC) * edge2MC;
@@ -116,12 +115,12 @@ void main()
   float farthest = depth + max(max(depths.x, depths.y), depths.z);
   seen = seen && farthest > 0.0 && nearest < DepthRange.y;
 
-  // All of the window, where a corner has no image. A pixel's samples lie up to half of one off.
+  // All of the window, where a corner has no image. With a margin for the pixels' samples.
   bool whole = min(w1, w2) > LeastW;
   vec2 other1 = q1.xy / max(w1, LeastW);
   vec2 other2 = q2.xy / max(w2, LeastW);
-  vec2 low = centre + min(min(other1, other2), vec2(0.0)) - 1.0;
-  vec2 high = centre + max(max(other1, other2), vec2(0.0));
+  vec2 low = centre + min(min(other1, other2), vec2(0.0)) - (0.5 + SampleReach);
+  vec2 high = centre + max(max(other1, other2), vec2(0.0)) - (0.5 - SampleReach);
   low = whole ? clamp(low, vec2(Window.xy) - 1.0, vec2(Window.zw) + 2.0) : vec2(Window.xy);
   high = whole ? clamp(high, vec2(Window.xy) - 1.0, vec2(Window.zw) + 2.0) : vec2(Window.zw);
   ivec2 first = max(ivec2(ceil(low)), Window.xy);
@@ -132,13 +131,13 @@ void main()
 
   uvec3 normals = uvec3(fetchSplat(corners.x, 1).y, fetchSplat(corners.y, 1).y,
     fetchSplat(corners.z, 1).y);
-  vec3 n0 = normalize(NormalMatrix * decodeNormal(normals.x));
-  vec3 n1 = normalize(NormalMatrix * decodeNormal(normals.y));
-  vec3 n2 = normalize(NormalMatrix * decodeNormal(normals.z));
+  // Of any length: their code is of the direction.
+  vec3 n0 = NormalMatrix * decodeNormal(normals.x);
+  vec3 n1 = NormalMatrix * decodeNormal(normals.y);
+  vec3 n2 = NormalMatrix * decodeNormal(normals.z);
   vec3 face = cross(edge1, edge2);
-  float length2 = dot(face, face);
-  face *= dot(face, n0 + n1 + n2) < 0.0 ? -inversesqrt(max(length2, 1e-37))
-                                        : inversesqrt(max(length2, 1e-37));
+  float inverseLength = inversesqrt(max(dot(face, face), 1e-37));
+  face *= dot(face, n0 + n1 + n2) < 0.0 ? -inverseLength : inverseLength;
   float towards = Parallel ? face.z : -dot(face, p.xyz);
   bool back = towards < 0.0;
   float facing = Parallel ? abs(face.z) : abs(towards) / max(abs(p.z), 1e-30);
@@ -152,7 +151,7 @@ void main()
   }
 #endif
 
-  float radius = uintBitsToFloat(a0.w) > 0.0 ? uintBitsToFloat(a0.w) : UsualRadius;
+  float radius = a0.w > 0.0 ? a0.w : UsualRadius;
   float stretch = length(edge1) / max(length(edge1MC), 1e-30);
   float share = (entry & BesideSplats) != 0u ? 1.0 : SharpShare;
   float layer = LayerDistance + share * LayerRadii * RadiusScale * radius * stretch;
@@ -185,6 +184,6 @@ void main()
   records[record] = uvec4(floatBitsToUint(vec3(centre, depth)), head);
   records[record + 1u] = floatBitsToUint(vec4(along1, along2));
   records[record + 2u] = floatBitsToUint(vec4(along0, depths.yz));
-  records[record + 3u] = uvec4(encodeNormal(n0), encodeNormal(n1), encodeNormal(n2), 0u);
+  records[record + 3u] = uvec4(encodeNormal(n0), encodeNormal(n1), encodeNormal(n2), encodeNormal(face));
   records[record + 4u] = beside;
 }

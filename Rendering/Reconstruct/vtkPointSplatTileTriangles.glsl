@@ -119,6 +119,9 @@ void addTriangles(int i, int end, float layerEnd)
 #ifdef IDS
     uint id0 = p.id;
 #endif
+#ifdef FACETS
+    p.facet = decodeNormal(codes.w);
+#endif
     for (int k = 0; k < Pixels; ++k)
     {
       vec3 shares;
@@ -135,9 +138,6 @@ void addTriangles(int i, int end, float layerEnd)
       p.id = shares.y > shares.x && shares.y >= shares.z ? beside.z
         : shares.z > shares.x                            ? beside.w
                                                          : id0;
-#endif
-#ifdef FACETS
-      p.facet = normal;
 #endif
       float share = met && isWithin(k, h.tag, depth) ? room[k] : 0.0;
       addToLayer(k, h, p, share, 0.0, depth, normal);

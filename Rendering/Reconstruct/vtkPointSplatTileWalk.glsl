@@ -85,13 +85,14 @@ int curvedEnd(Span s)
 
 void see(inout Span s, Span all)
 {
+#ifdef TRIANGLES
+  // What is magnified is near, and hides most of what is not.
+  seeTriangles(s.triangles, all.end);
+#endif
   seeFlat(s.flats, all.bents);
   seeBent(s.bents, all.curveds);
 #ifdef CURVED
   seeCurved(s.curveds, curvedEnd(all));
   seeCurved(s.wides, all.wideEnd);
-#endif
-#ifdef TRIANGLES
-  seeTriangles(s.triangles, all.end);
 #endif
 }
