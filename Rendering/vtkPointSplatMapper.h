@@ -28,7 +28,7 @@
  * (SetTransparencyToSorted(), SetTransparencyToNearestExact()).
  *
  * Input: vtkPolyData (or any vtkPointSet), or a composite data set of them. Only points count;
- * cells serve cell selection and cell scalars. Blocks may be hidden, and have colours and opacities
+ * cells serve cell selection and cell scalars, and triangles are drawn where Hybrid says so. Blocks may be hidden, and have colours and opacities
  * of their own: vtkPointSplatBlockMapper.
  * - Point normals, 3 components. Missing ones are estimated.
  * - `SplatRadius`, 1 component, world units; or `SplatAxis1` and `SplatAxis2`, 3 components, world
@@ -380,8 +380,8 @@ public:
    * same layers; there triangles weigh what the sum of the splats' weights leaves of 1, which falls to
    * 0 where splats end, so that no seam shows. Edges and creases are the mesh's, and a cell is selected
    * as itself. Points without a triangle are splats, so that a mesh may patch a scan. All is drawn as
-   * splats with scalars of cells, textures, tangents, visible edges, GatherRemaining and Refraction,
-   * without compute shaders, and by the other methods. Shadows are known at points, and cast by splats.
+   * splats with scalars of cells, textures, tangents, visible edges, GatherRemaining and without
+   * compute shaders, and by the other methods. Shadows are known at points, and cast by splats.
    * Off by default: the first frame takes 0.1 us a triangle longer, and memory is 40 bytes a triangle.
    * GetNumberOfTrianglesProjected(): of the last frame, as GetNumberOfPointsProjected().
    */

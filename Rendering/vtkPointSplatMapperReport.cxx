@@ -53,6 +53,10 @@ const char* vtkPointSplatMapper::GetChoices()
                                                : "the radius of each splat; this is the median")
        << "\nsplats: one of " << this->GetStride() << ", " << r.Choice.SplatsReason
        << "\nlevels: " << r.Choice.LevelsReason
+       << "\ntriangles: " << r.Projected.Triangles << ", "
+       << (this->Hybrid == HYBRID_OFF      ? "hybrids are off"
+              : r.Projected.Triangles > 0 ? "where their edges are longer than four pixels"
+                                           : "none is magnified, or splats alone can show it")
        << "\nfill steps: " << r.FillSteps << ", " << r.Choice.FillReason
        << "\nshadow samples: " << r.ShadowSamples << ", "
        << (this->Shadows ? r.ShadowReason : "shadows are off")

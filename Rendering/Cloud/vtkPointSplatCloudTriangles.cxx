@@ -18,6 +18,8 @@ void vtkPointSplatCloud::MakeTriangles()
     auto mesh = vtkPolyData::SafeDownCast(block.Data);
     vtkUnsignedCharArray* ghosts = mesh ? mesh->GetCellGhostArray() : nullptr;
     key.emplace_back(ghosts, ghosts ? ghosts->GetMTime() : 0);
+    // Ids of polygons follow those of vertices and lines.
+    key.emplace_back(nullptr, mesh ? mesh->GetNumberOfVerts() + mesh->GetNumberOfLines() : 0);
     meshes.push_back({ mesh, block.First, block.Count });
   }
   if (key == this->TrianglesMadeFrom)

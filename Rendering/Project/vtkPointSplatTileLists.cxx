@@ -107,7 +107,8 @@ void vtkPointSplatTileLists::Count(
     }
   });
   uint32_t sorted = 0;
-  uint32_t curved = 0;
+  uint32_t curved = 0;    // the first one
+  uint32_t triangles = 0; // likewise
   for (size_t key = Buckets; key < Keys; ++key) // what is not seen has the keys before
   {
     for (size_t part = 0; part < parts; ++part)
@@ -117,8 +118,10 @@ void vtkPointSplatTileLists::Count(
       sorted += count;
     }
     curved = key < (Bent + 1) * Buckets ? sorted : curved;
+    triangles = key < Triangle * Buckets ? sorted : triangles;
   }
-  this->Curved = sorted > curved;
+  this->Curved = triangles > curved;
+  this->HasTriangles = sorted > triangles;
   this->Sorted.resize(sorted);
   this->ForParts([&](size_t part) {
     for (size_t i = begin(part); i < begin(part + 1); ++i)
@@ -139,12 +142,12 @@ void vtkPointSplatTileLists::Count(
   this->Places.resize(parts);
   std::vector<std::vector<uint32_t>> flats(parts);
   std::vector<std::vector<uint32_t>> bents(parts);
-  std::vector<std::vector<uint32_t>> triangles(parts);
+  std::vector<std::vector<uint32_t>> faces(parts);
   this->ForParts([&](size_t part) {
     this->Places[part].assign(lists, 0);
     flats[part].assign(tiles, 0);
     bents[part].assign(tiles, 0);
-    triangles[part].assign(tiles, 0);
+    faces[part].assign(tiles, 0);
     for (size_t i = sorted * part / parts; i < sorted * (part + 1) / parts; ++i)
     {
       const Listed& listed = this->Sorted[i];
@@ -161,7 +164,7 @@ void vtkPointSplatTileLists::Count(
         }
         else if (kind == Triangle)
         {
-          ++triangles[part][list];
+          ++faces[part][list];
         }
       });
     }
@@ -183,7 +186,7 @@ void vtkPointSplatTileLists::Count(
       {
         this->Flats[list] += flats[part][list];
         this->Bents[list] += bents[part][list];
-        this->Triangles[list] += triangles[part][list];
+        this->Triangles[list] += faces[part][list];
       }
     }
   }
@@ -282,7 +285,7 @@ size_t vtkPointSplatTileLists::AddToTable(
   const glm::ivec2& rows, size_t groupSize, std::vector<uint32_t>& table) const
 {
   std::vector<uint32_t> tiles = this->OrderTiles(rows);
-  const auto firstCurved = this->Curved
+  const auto firstCurved = this->HasCurved()
     ? std::stable_partition(
         tiles.begin(), tiles.end(), [this](uint32_t tile) { return !this->IsCurved(tile); })
     : tiles.end();

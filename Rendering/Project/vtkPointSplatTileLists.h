@@ -47,7 +47,9 @@ public:
   /// Entries of all lists, after Count().
   size_t GetNumberOfEntries() const { return this->Entries; }
   /// Whether there are triangles, or splats that are no flat or bent ones.
-  bool HasCurved() const { return this->Curved; }
+  bool HasCurved() const { return this->Curved || this->HasTriangles; }
+  /// Of splats alone.
+  bool HasCurvedSplats() const { return this->Curved; }
 
   /// Writes the lists: GetNumberOfEntries() words.
   void Fill(uint32_t* lists);
@@ -94,7 +96,8 @@ private:
   std::vector<uint32_t> Bents;
   std::vector<uint32_t> Triangles;
   size_t Entries = 0;
-  bool Curved = false;
+  bool Curved = false; // some splats
+  bool HasTriangles = false;
 };
 
 #endif

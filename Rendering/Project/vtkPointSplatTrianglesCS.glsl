@@ -14,7 +14,7 @@
 // The side that is seen is that of the corners' normals, as splats' is, whichever way the corners go
 // around. Triangles belong to layers that show their own side. Where they meet splats, their least layer
 // distance is that of splats; else they are as sharp as depths are.
-// Variants: COLOURS, FACTORS, IDS, CLIPPING, CLIP_LINES, as in vtkPointSplatProjectCS.
+// Variants: FACETS (some items are flat), COLOURS, FACTORS, IDS, CLIPPING, CLIP_LINES, as in vtkPointSplatProjectCS.
 // Reads: Splats, Corners, Listed, Colours, Factors, Ids. Writes: Records, Boxes, RecordColours,
 // RecordFactors, RecordIds.
 
@@ -184,6 +184,11 @@ void main()
   records[record] = uvec4(floatBitsToUint(vec3(centre, depth)), head);
   records[record + 1u] = floatBitsToUint(vec4(along1, along2));
   records[record + 2u] = floatBitsToUint(vec4(along0, depths.yz));
-  records[record + 3u] = uvec4(encodeNormal(n0), encodeNormal(n1), encodeNormal(n2), encodeNormal(face));
+#ifdef FACETS
+  uint facet = encodeNormal(face);
+#else
+  const uint facet = 0u;
+#endif
+  records[record + 3u] = uvec4(encodeNormal(n0), encodeNormal(n1), encodeNormal(n2), facet);
   records[record + 4u] = beside;
 }

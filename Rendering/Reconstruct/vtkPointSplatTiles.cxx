@@ -124,7 +124,7 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::Bin(const Variant& variant)
       return TooMany;
     }
     this->DeviceLists.Fill(this->Boxes, this->Lists);
-    this->Curved = true;
+    this->Curved = this->CurvedSplats = true;
     return Made;
   }
   const void* boxes = this->Boxes.Map(BoxBytes * this->Splats, GL_MAP_READ_BIT);
@@ -150,6 +150,7 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::Bin(const Variant& variant)
   this->HostLists.Fill(static_cast<uint32_t*>(lists));
   this->Lists.Unmap();
   this->Curved = this->HostLists.HasCurved();
+  this->CurvedSplats = this->HostLists.HasCurvedSplats();
   return Made;
 }
 
@@ -178,9 +179,10 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::Prepare(
 vtkPointSplatProgram* vtkPointSplatTiles::UseTiles(const vtkPointSplatRequest& request,
   const vtkPointSplatPart& part, vtkPointSplatUnits& units, const Shader& shader)
 {
-  const std::string triangles = this->HasTriangles ? "#define TRIANGLES\n" : "";
-  vtkPointSplatProgram* program = this->Use(this->TilePrograms, shader.File,
-    shader.Defines + (shader.Curved ? "#define CURVED\n" + triangles : ""));
+  const std::string curved = std::string(this->CurvedSplats ? shader.Lines + "#define CURVED\n" : "") +
+    (this->HasTriangles ? "#define TRIANGLES\n" : "");
+  vtkPointSplatProgram* program = this->Use(
+    this->TilePrograms, shader.File, shader.Defines + (shader.Curved ? curved : ""));
   if (!program)
   {
     return nullptr;
@@ -279,7 +281,7 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::DrawLayers(const vtkPointSplatReq
     }
     vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
     vtkPointSplatProgram* program = this->UseTiles(request, part, units,
-      { "vtkPointSplatTileCS", variant.Tile + (curved ? variant.Lines : ""), curved });
+      { "vtkPointSplatTileCS", variant.Tile, variant.Lines, curved });
     if (!program)
     {
       return Failed;
@@ -337,8 +339,8 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::SampleOutlines(const vtkPointSpla
   vtkPointSplatProgram* program = this->UseTiles(request, part, units,
     { "vtkPointSplatOutlineSamplesCS",
       variant.Walk + SizeDefines({ 2, 2 }, device ? 4 : 1) +
-        (this->Curved ? variant.Lines : "") + "#define SAMPLES\n#define LAYER_BUFFERS\n",
-      this->Curved });
+        "#define SAMPLES\n#define LAYER_BUFFERS\n",
+      variant.Lines, this->Curved });
   if (!program)
   {
     return Failed;

@@ -109,6 +109,7 @@ private:
   {
     const char* File;
     std::string Defines;
+    std::string Lines; // defines, where splats that are not flat or bent end at clip lines
     bool Curved; // whether tiles may have triangles, and other splats than flat and bent ones
   };
   /// One that walks over the lists.
@@ -151,7 +152,8 @@ private:
   vtkIdType Splats = 0; // records
   glm::vec2 BucketScale{ 0.0f };
   float DepthReach = 0.0f;
-  bool Curved = false;
+  bool Curved = false;       // some tiles have curved splats or triangles ...
+  bool CurvedSplats = false; // ... or the former
   bool HasTriangles = false;
   std::string Error;
 };

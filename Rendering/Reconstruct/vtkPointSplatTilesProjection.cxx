@@ -169,8 +169,8 @@ bool vtkPointSplatTiles::Project(
 bool vtkPointSplatTiles::ProjectTriangles(const vtkPointSplatRequest& request,
   const vtkPointSplatPart& part, const Variant& variant, vtkIdType first)
 {
-  vtkPointSplatProgram* program =
-    this->Use(this->TrianglePrograms, "vtkPointSplatTrianglesCS", variant.Project);
+  vtkPointSplatProgram* program = this->Use(this->TrianglePrograms, "vtkPointSplatTrianglesCS",
+    variant.Project + (request.HasFacets() ? "#define FACETS\n" : ""));
   if (!program)
   {
     return false;
