@@ -160,6 +160,7 @@ vtkPointSplatSettings vtkPointSplatMapper::vtkInternals::GetSettings() const
   s.MaximumNumberOfFillSteps = m.MaximumNumberOfFillSteps;
   s.AntiAliasing = m.AntiAliasing;
   s.LevelOfDetail = m.LevelOfDetail;
+  s.Hybrid = m.Hybrid;
   s.Refraction = m.Refraction;
   s.RefractiveIndex = m.RefractiveIndex;
   s.Dispersion = m.Dispersion;

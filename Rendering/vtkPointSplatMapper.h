@@ -28,7 +28,7 @@
  * (SetTransparencyToSorted(), SetTransparencyToNearestExact()).
  *
  * Input: vtkPolyData (or any vtkPointSet), or a composite data set of them. Only points count;
- * cells serve cell selection and cell scalars. Blocks may be hidden, and have colours and opacities
+ * cells serve cell selection and cell scalars, and triangles are drawn where Hybrid says so. Blocks may be hidden, and have colours and opacities
  * of their own: vtkPointSplatBlockMapper.
  * - Point normals, 3 components. Missing ones are estimated.
  * - `SplatRadius`, 1 component, world units; or `SplatAxis1` and `SplatAxis2`, 3 components, world
@@ -140,6 +140,11 @@ public:
     PROCESSOR = 1,
     DEVICE = 2
   };
+  enum HybridType
+  {
+    HYBRID_OFF = 0,
+    AUTOMATIC_HYBRID = 1
+  };
   enum KernelKind
   {
     GAUSSIAN = 0,
@@ -247,31 +252,25 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Of refraction: the index of refraction of the body against the air around, 1 to 4. Default:
-   * 1.5, as glass has it. With 1 nothing is bent or reflected.
-   */
+  /// Of refraction: the index of refraction of the body against the air around, 1 to 4. Default:
+  /// 1.5, as glass has it. With 1 nothing is bent or reflected.
   vtkPointSplatSetClampMacro(RefractiveIndex, 1.0, 4.0);
   vtkGetMacro(RefractiveIndex, double);
   ///@}
 
   ///@{
-  /**
-   * Of refraction: how much larger the index is for blue light than for red, relative to
-   * RefractiveIndex, which is green's: n (1 - Dispersion / 2), n, n (1 + Dispersion / 2), not less
-   * than 1. 0 to 1; glass has 0.01 to 0.04. Default: 0.
-   */
+  /// Of refraction: how much larger the index is for blue light than for red, relative to
+  /// RefractiveIndex, which is green's: n (1 - Dispersion / 2), n, n (1 + Dispersion / 2), not less
+  /// than 1. 0 to 1; glass has 0.01 to 0.04. Default: 0.
   vtkPointSplatSetClampMacro(Dispersion, 0.0, 1.0);
   vtkGetMacro(Dispersion, double);
   ///@}
 
   ///@{
-  /**
-   * Of refraction: how much red, green and blue light the body absorbs on its way from one
-   * interface to the next, in 1 / world units: exp(-a d) of it remains after the distance d.
-   * Not negative. Default: 0, 0, 0. It acts on the environment's light through peeled layers; the
-   * layers' own opacity takes (1 - alpha)^l of it besides (Zhang, Pajarola 2006, equation 11).
-   */
+  /// Of refraction: how much red, green and blue light the body absorbs on its way from one
+  /// interface to the next, in 1 / world units: exp(-a d) of it remains after the distance d.
+  /// Not negative. Default: 0, 0, 0. It acts on the environment's light through peeled layers; the
+  /// layers' own opacity takes (1 - alpha)^l of it besides (Zhang, Pajarola 2006, equation 11).
   void SetAbsorption(double red, double green, double blue);
   void SetAbsorption(const double absorption[3])
   {
@@ -281,31 +280,25 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Of deferred blending, where the input has no `SplatGroup`: the factor c on the distance at
-   * which splats count as overlapping when they are grouped (vtkPointSplatGrouping). 1 gives the
-   * picture of two passes; less gives fewer groups and small faults. Default: 0.8.
-   */
+  /// Of deferred blending, where the input has no `SplatGroup`: the factor c on the distance at
+  /// which splats count as overlapping when they are grouped (vtkPointSplatGrouping). 1 gives the
+  /// picture of two passes; less gives fewer groups and small faults. Default: 0.8.
   vtkPointSplatSetClampMacro(OverlapFactor, 0.01, 1.0);
   vtkGetMacro(OverlapFactor, double);
   ///@}
 
   ///@{
-  /**
-   * Of deferred blending: whether splats of a group that overlap meet halfway between their centres
-   * (Zhang, Pajarola 2006, equation 10; the default), or the nearer one hides the other.
-   */
+  /// Of deferred blending: whether splats of a group that overlap meet halfway between their centres
+  /// (Zhang, Pajarola 2006, equation 10; the default), or the nearer one hides the other.
   vtkSetMacro(VoronoiDepth, bool);
   vtkGetMacro(VoronoiDepth, bool);
   vtkBooleanMacro(VoronoiDepth, bool);
   ///@}
 
   ///@{
-  /**
-   * Bytes that the groups' images may take, 20 a pixel and group: past it, two passes are taken,
-   * with a warning. And bytes that translucent layers may take, 16 to 64 a pixel and layer: past
-   * it, no further ones are peeled. 0: no bound. Default: 1 GiB.
-   */
+  /// Bytes that the groups' images may take, 20 a pixel and group: past it, two passes are taken,
+  /// with a warning. And bytes that translucent layers may take, 16 to 64 a pixel and layer: past
+  /// it, no further ones are peeled. 0: no bound. Default: 1 GiB.
   vtkSetClampMacro(MaximumImageMemory, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(MaximumImageMemory, vtkIdType);
   ///@}
@@ -380,9 +373,28 @@ public:
 
   ///@{
   /**
-   * The groups that the splats are divided into, 0 before deferred blending was first used;
-   * and when that was done, which is once for all frames until points or OverlapFactor change.
+   * Whether a mesh (polygons or strips of vtkPolyData) is drawn as triangles where these are
+   * magnified, and as splats, and those of levels, elsewhere (Guennebaud, Barthe, Paulin 2006, section
+   * 5). It is decided for patches of about a hundred points: where their edges are more than four
+   * pixels long in the image, or a third of the longest one is, there are triangles. Both go into the
+   * same layers; there triangles weigh what the sum of the splats' weights leaves of 1, which falls to
+   * 0 where splats end, so that no seam shows. Edges and creases are the mesh's, and a cell is selected
+   * as itself. Vertices without a triangle are splats, so that a mesh may patch a scan. All is drawn as
+   * splats with scalars of cells, textures, tangents, visible edges, GatherRemaining and without
+   * compute shaders, and by the other methods. Shadows are known at points, and cast by splats.
+   * Off by default: the first frame takes 0.1 us a triangle longer, and memory is 40 bytes a triangle.
+   * GetNumberOfTrianglesProjected(): of the last frame, as GetNumberOfPointsProjected().
    */
+  vtkSetClampMacro(Hybrid, int, HYBRID_OFF, AUTOMATIC_HYBRID);
+  vtkGetMacro(Hybrid, int);
+  void SetHybridToOff() { this->SetHybrid(HYBRID_OFF); }
+  void SetHybridToAutomatic() { this->SetHybrid(AUTOMATIC_HYBRID); }
+  vtkIdType GetNumberOfTrianglesProjected();
+  ///@}
+
+  ///@{
+  /// The groups that the splats are divided into, 0 before deferred blending was first used;
+  /// and when that was done, which is once for all frames until points or OverlapFactor change.
   int GetNumberOfGroups();
   vtkMTimeType GetGroupMTime();
   ///@}
@@ -403,12 +415,10 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Of area lights: how many samples are taken of each, 16 by default, and how many while the
-   * user drags, 1 by default; fewer if they keep to TargetError. Shadows that were computed with
-   * more stay as long as they are right. The largest numbers of all mappers in the renderer hold.
-   * GetNumberOfShadowSamplesUsed(): of the last frame; GetNumberOfShadowUpdates() counts them.
-   */
+  /// Of area lights: how many samples are taken of each, 16 by default, and how many while the
+  /// user drags, 1 by default; fewer if they keep to TargetError. Shadows that were computed with
+  /// more stay as long as they are right. The largest numbers of all mappers in the renderer hold.
+  /// GetNumberOfShadowSamplesUsed(): of the last frame; GetNumberOfShadowUpdates() counts them.
   vtkSetClampMacro(NumberOfShadowSamples, int, 1, 65536);
   vtkGetMacro(NumberOfShadowSamples, int);
   vtkSetClampMacro(NumberOfInteractiveShadowSamples, int, 1, 65536);
@@ -418,10 +428,8 @@ public:
   ///@}
 
   ///@{
-  /**
-   * As vtkPointShadowTexture's LightRadius, Seed, LayerDistance and Resolution. The first mapper's
-   * of a renderer that has Shadows on hold for all.
-   */
+  /// As vtkPointShadowTexture's LightRadius, Seed, LayerDistance and Resolution. The first mapper's
+  /// of a renderer that has Shadows on hold for all.
   vtkPointSplatSetClampMacro(ShadowLightRadius, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ShadowLightRadius, double);
   vtkSetMacro(ShadowSeed, int);
@@ -447,11 +455,9 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Of compute shaders: whether the processor or the device lists the splats of each tile. The
-   * picture is the same. Automatic, the default, takes the processor where the driver runs on it
-   * anyway, as Mesa's llvmpipe does, else the device.
-   */
+  /// Of compute shaders: whether the processor or the device lists the splats of each tile. The
+  /// picture is the same. Automatic, the default, takes the processor where the driver runs on it
+  /// anyway, as Mesa's llvmpipe does, else the device.
   vtkSetClampMacro(TileLists, int, AUTOMATIC_LISTS, DEVICE);
   vtkGetMacro(TileLists, int);
   void SetTileListsToAutomatic() { this->SetTileLists(AUTOMATIC_LISTS); }
@@ -460,10 +466,8 @@ public:
   ///@}
 
   ///@{
-  /**
-   * The kernel that weights splats where they overlap. Default: Gaussian. Its sigma, as a fraction
-   * of the splat's radius. Default: 0.6.
-   */
+  /// The kernel that weights splats where they overlap. Default: Gaussian. Its sigma, as a fraction
+  /// of the splat's radius. Default: 0.6.
   vtkSetClampMacro(Kernel, int, GAUSSIAN, PLATEAU);
   vtkGetMacro(Kernel, int);
   void SetKernelToGaussian() { this->SetKernel(GAUSSIAN); }
@@ -473,10 +477,8 @@ public:
   ///@}
 
   ///@{
-  /**
-   * The plateau kernel's a and n: a larger a makes it narrower, a larger n
-   * flatter in the middle and steeper at the rim. Defaults: 4 and 5.
-   */
+  /// The plateau kernel's a and n: a larger a makes it narrower, a larger n
+  /// flatter in the middle and steeper at the rim. Defaults: 4 and 5.
   vtkPointSplatSetClampMacro(PlateauFalloff, 0.01, 1000.0);
   vtkGetMacro(PlateauFalloff, double);
   vtkPointSplatSetClampMacro(PlateauExponent, 1.0, 100.0);
@@ -484,29 +486,23 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Where kernels end, in radii: b of the plateau kernels. Default: 1.5.
-   */
+  /// Where kernels end, in radii: b of the plateau kernels. Default: 1.5.
   vtkPointSplatSetClampMacro(KernelSupport, 1.0, 4.0);
   vtkGetMacro(KernelSupport, double);
   ///@}
 
   ///@{
-  /**
-   * Multiplies all radii and axes. Default: 1. At most 8: at each pixel some 2 RadiusScale^2 splats
-   * overlap, and frames take as many times longer, while the picture is but blurred.
-   */
+  /// Multiplies all radii and axes. Default: 1. At most 8: at each pixel some 2 RadiusScale^2 splats
+  /// overlap, and frames take as many times longer, while the picture is but blurred.
   vtkPointSplatSetClampMacro(RadiusScale, 1e-6, 8.0);
   vtkGetMacro(RadiusScale, double);
   ///@}
 
   ///@{
-  /**
-   * The least distance between two surface layers, in world units, measured along
-   * the normal: what is nearer than this belongs to one layer. 0, the default, is
-   * automatic: a fraction of each splat's own radius. GetLayerDistanceUsed() gives
-   * the distance for a splat of median size.
-   */
+  /// The least distance between two surface layers, in world units, measured along
+  /// the normal: what is nearer than this belongs to one layer. 0, the default, is
+  /// automatic: a fraction of each splat's own radius. GetLayerDistanceUsed() gives
+  /// the distance for a splat of median size.
   vtkPointSplatSetClampMacro(LayerDistance, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(LayerDistance, double);
   double GetLayerDistanceUsed();
@@ -573,6 +569,7 @@ private:
   int MaximumNumberOfFillSteps = 2;
   bool AntiAliasing = true;
   bool LevelOfDetail = true;
+  int Hybrid = HYBRID_OFF;
   bool ProjectNoise = true;
   bool Shadows = false;
   int NumberOfShadowSamples = 16;

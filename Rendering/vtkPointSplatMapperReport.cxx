@@ -53,14 +53,22 @@ const char* vtkPointSplatMapper::GetChoices()
                                                : "the radius of each splat; this is the median")
        << "\nsplats: one of " << this->GetStride() << ", " << r.Choice.SplatsReason
        << "\nlevels: " << r.Choice.LevelsReason
+       << "\ntriangles: " << r.Projected.Triangles << ", "
+       << (this->Hybrid == HYBRID_OFF      ? "hybrids are off"
+              : r.Projected.Triangles > 0 ? "where their edges are longer than four pixels"
+                                           : "none is magnified, or splats alone can show it")
        << "\nfill steps: " << r.FillSteps << ", " << r.Choice.FillReason
        << "\nshadow samples: " << r.ShadowSamples << ", "
        << (this->Shadows ? r.ShadowReason : "shadows are off")
        << "\npoints: "
        << (this->Internals->GetCloud().IsProjected()
               ? "projected, their normals contradict their neighbours"
-              : "as given")
-       << "\nerror allowed: " << vtkPointSplatChoices::Text(r.Choice.Tolerance) << ", "
+              : "as given");
+  if (const vtkIdType unused = this->Internals->GetCloud().GetNumberOfUnusedPoints())
+  {
+    text << ", without " << unused << " that no cell uses";
+  }
+  text << "\nerror allowed: " << vtkPointSplatChoices::Text(r.Choice.Tolerance) << ", "
        << r.Choice.BudgetReason;
   this->Internals->Choices = text.str();
   return this->Internals->Choices.c_str();
@@ -81,7 +89,13 @@ double vtkPointSplatMapper::GetProjectedSpacing()
 //------------------------------------------------------------------------------
 vtkIdType vtkPointSplatMapper::GetNumberOfPointsProjected()
 {
-  return this->Internals->Report.PointsProjected;
+  return this->Internals->Report.Projected.Splats;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPointSplatMapper::GetNumberOfTrianglesProjected()
+{
+  return this->Internals->Report.Projected.Triangles;
 }
 
 //------------------------------------------------------------------------------

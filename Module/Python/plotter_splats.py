@@ -75,8 +75,9 @@ class PlotterSplats:
         ----------
         cloud : pyvista.DataSet, vtkDataSet or numpy.ndarray of shape (n, 3)
             Points, with normals or without (world units). Cells, where a mesh has some, tell the
-            splats' sizes and are not drawn. Normals, sizes and curvature that are missing are
-            estimated when the cloud is first drawn; `cloud.splats.estimate()` keeps them.
+            splats' sizes; triangles are drawn where ``hybrid="automatic"`` says so. Normals, sizes
+            and curvature that are missing are estimated when the cloud is first drawn;
+            `cloud.splats.estimate()` keeps them.
         scalars : str or numpy.ndarray, optional
             The point or cell array to colour by: a name, or values of shape (n,), or (n, 3) or
             (n, 4) with ``rgb=True``. By default the active scalars, unless `color` is given.

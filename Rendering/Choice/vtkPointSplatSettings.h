@@ -32,6 +32,11 @@ struct vtkPointSplatSettings
     Compute,
     Quads
   };
+  enum HybridType
+  {
+    HybridOff,
+    AutomaticHybrid
+  };
   enum ListsType
   {
     AutomaticLists,
@@ -41,6 +46,7 @@ struct vtkPointSplatSettings
 
   double TargetError = 1.0 / 256.0;
   bool LevelOfDetail = true;
+  int Hybrid = HybridOff;
   int Method = AutomaticMethod;
   int Transparency = AutomaticTransparency;
   int Projection = AutomaticProjection;

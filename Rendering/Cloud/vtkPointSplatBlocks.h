@@ -25,6 +25,9 @@ struct vtkPointSplatRuns
   };
   std::vector<Run> Runs;
   double LargestRadius = 0.0;
+  /// Triangles that are drawn in the place of splats (vtkPointSplatTriangles.h); bit 31 is set for
+  /// those that splats may lie beside.
+  std::vector<uint32_t> Triangles;
 
   vtkIdType GetNumberOfSplats() const
   {

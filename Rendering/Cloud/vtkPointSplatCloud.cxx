@@ -189,6 +189,7 @@ vtkIdType vtkPointSplatCloud::BuildBlock(
   }
   // Nobody expects to see those that no cell uses.
   this->Skipped += static_cast<vtkIdType>(n - kept) - packing.Unused;
+  this->Unused += packing.Unused;
   if (this->Circular && packing.Fold)
   {
     kept = packing.PackFolds(packed, kept);
@@ -218,7 +219,7 @@ bool vtkPointSplatCloud::BuildSplats(
   }
   this->Splats.clear();
   this->ClipLines.clear();
-  this->Count = this->Points = this->Skipped = 0;
+  this->Count = this->Points = this->Skipped = this->Unused = 0;
   this->Circular = true;
   this->Sized = true;
   this->MayProject = input.ProjectNoise;

@@ -10,6 +10,7 @@
 // 3. Colours, factors of lights and groups are made for them, in the same order.
 // 4. Of large clouds that stay as they are levels are made, of splats that stand for those below
 //    them (vtkPointSplatLevels.h); then splats are in the order of these.
+// 5. Where triangles are to be drawn in the place of splats, they are found (vtkPointSplatTriangles.h).
 // Each of these is made anew only when an array that it is made from is another one or was
 // modified; a data set that was copied shallowly, or whose scalars alone changed, keeps its splats.
 //
@@ -50,6 +51,7 @@
 #include "vtkPointSplatGroups.h"
 #include "vtkPointSplatLevels.h"
 #include "vtkPointSplatPacking.h"
+#include "vtkPointSplatTriangles.h"
 
 #include "vtkTimeStamp.h"
 
@@ -90,6 +92,7 @@ public:
     vtkPointSplatBuffer Coordinates{ GL_RGBA32UI };
     vtkPointSplatBuffer Tangents{ GL_R32UI };
     vtkPointSplatBuffer Ids{ GL_R32UI };
+    vtkPointSplatBuffer Triangles{ GL_RGBA32UI };
     IdKind IdsAre = PointIds;
     vtkPointSplatHandle VertexArray{ vtkPointSplatHandle::VertexArray };
     vtkTimeStamp SplatTime;
@@ -100,6 +103,7 @@ public:
     vtkTimeStamp CoordinateTime;
     vtkTimeStamp TangentTime;
     vtkTimeStamp IdTime;
+    vtkTimeStamp TriangleTime;
   };
 
   vtkPointSplatCloud() = default;
@@ -121,6 +125,13 @@ public:
   Buffers& UploadGrouped() { return this->Fill(this->GroupedPerContext, true); }
   Buffers& UploadIds(IdKind kind);
   ///@}
+
+  /// Makes the triangles between the splats, if that is not done.
+  void MakeTriangles();
+  const vtkPointSplatTriangles& GetTriangles() const { return this->Triangles; }
+  vtkMTimeType GetTriangleTime() const { return this->TriangleTime; }
+  /// Their corners, in the entered context.
+  const vtkPointSplatBuffer& UploadTriangles();
 
   /// Deletes the window's buffers.
   void Release(vtkOpenGLRenderWindow* window);
@@ -155,6 +166,8 @@ public:
     return this->Count + static_cast<vtkIdType>(this->Levels.GetNumberOfSplats());
   }
   vtkIdType GetNumberOfSkippedPoints() const { return this->Skipped; }
+  /// Those of no cell, where there are cells; they are not among the skipped ones.
+  vtkIdType GetNumberOfUnusedPoints() const { return this->Unused; }
   /// Whether points of some block are drawn where they were projected to.
   bool IsProjected() const { return this->Projected; }
   vtkIdType GetNumberOfPoints() const { return this->Points; }
@@ -259,6 +272,7 @@ private:
   vtkIdType Count = 0;
   vtkIdType Points = 0;
   vtkIdType Skipped = 0;
+  vtkIdType Unused = 0;
   bool Circular = true;
   bool Sized = true;
   bool MayProject = true; // as asked when splats were made
@@ -278,6 +292,9 @@ private:
   vtkPointSplatLevels Levels;
   vtkMTimeType LevelsAskedFor = 0; // the splats' time
   vtkMTimeType LevelsTriedFor = 0;
+  vtkPointSplatTriangles Triangles;
+  Key TrianglesMadeFrom;
+  vtkTimeStamp TriangleTime;
   vtkTimeStamp BlockTime;
   Key SplatsMadeFrom;
   Key ColoursMadeFrom;

@@ -38,6 +38,11 @@ constexpr double LevelGrowth = 1.8;
 // The largest splats of a block are as much larger than their mean.
 constexpr double LevelExcess = 2.0;
 
+// Pixels: where edges of triangles are longer, these are drawn. Meshes have twice as many triangles
+// as points, and a record costs the same: below that splats are faster, and their picture is as good
+// as the mesh's (Testing/Benchmark/hybrids.py).
+constexpr double TrianglePixels = 4.0;
+
 bool IsPoints(const vtkPointSplatEntry& entry)
 {
   return entry.Settings.Method == vtkPointSplatSettings::ImageSpace;
@@ -354,6 +359,26 @@ void vtkPointSplatCollection::UseLevels(
     item.LargestLayer =
       std::max(item.LargestLayer, item.LayerRadii * choice.SmoothLevelPixels * pixels.y);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatCollection::UseTriangles(
+  vtkPointSplatEntry& entry, const vtkPointSplatView& view)
+{
+  vtkPointSplatItem& item = entry.Item;
+  vtkPointSplatCloud& cloud = *item.Cloud;
+  item.TrianglePixels = 0.0;
+  // Looks and colours of cells are known of splats alone.
+  if (entry.Settings.Hybrid == vtkPointSplatSettings::HybridOff || !item.Look.IsPlain() ||
+    item.IsPoints || cloud.HasCellColours())
+  {
+    return;
+  }
+  cloud.MakeTriangles();
+  const double nearest = view.PixelSizes(item.MCWC, cloud.GetBounds().data()).x;
+  const bool magnified =
+    item.GetMeanStretch() * cloud.GetTriangles().GetLongestEdge() >= TrianglePixels * nearest;
+  item.TrianglePixels = cloud.GetTriangles().AreMade() && magnified ? TrianglePixels : 0.0;
 }
 
 //------------------------------------------------------------------------------

@@ -77,6 +77,9 @@ public:
    */
   static void UseLevels(
     vtkPointSplatEntry& entry, const vtkPointSplatView& view, const vtkPointSplatChoice& choice);
+  /// Lets triangles stand for splats where they are magnified, if the entry's cloud has some; after
+  /// UseLevels().
+  static void UseTriangles(vtkPointSplatEntry& entry, const vtkPointSplatView& view);
   static vtkPointSplatMaterials::Entry MakeMaterial(const vtkPointSplatEntry& entry);
 
   /// The least distance of layers for a splat of median size, or between points, world units.

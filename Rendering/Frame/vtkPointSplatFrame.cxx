@@ -265,7 +265,7 @@ bool vtkPointSplatFrame::Draw(Pass& pass, vtkActor* actor, size_t own)
   const vtkPointSplatView whole = pass.View;
   pass.Parts = vtkPointSplatFrame::PartsOf(pass, actor);
   pass.Layers = 0;
-  pass.Projected.assign(pass.Entries.size(), 0);
+  pass.Projected.assign(pass.Entries.size(), {});
   bool good = true;
   for (pass.Part = 0; pass.Part < pass.Parts.size(); ++pass.Part)
   {
@@ -323,7 +323,9 @@ bool vtkPointSplatFrame::DrawPart(Pass& pass, vtkActor* actor, size_t own)
   pass.Layers = std::max(pass.Layers, pass.Surfaces->GetLayers().GetNumberOfLayers());
   for (size_t slot = 0; slot < pass.Entries.size(); ++slot)
   {
-    pass.Projected[slot] += pass.Surfaces->GetNumberOfProjected(slot);
+    const vtkPointSplatProjected projected = pass.Surfaces->GetProjected(slot);
+    pass.Projected[slot].Splats += projected.Splats;
+    pass.Projected[slot].Triangles += projected.Triangles;
   }
   return pass.SelectionPass >= 0 ? this->PresentSelection(pass, actor, own)
                                  : this->PresentLayers(pass, actor, own);
@@ -452,7 +454,7 @@ void vtkPointSplatFrame::Report(
   report.FillSteps = pass.Surfaces->GetNumberOfFillSteps();
   report.ProjectedSpacing = item.Points.SpacingPixels;
   report.ImageMemory = this->GetMemorySize();
-  report.PointsProjected = own < pass.Projected.size() ? pass.Projected[own] : 0;
+  report.Projected = own < pass.Projected.size() ? pass.Projected[own] : vtkPointSplatProjected();
   report.StrideShift = item.StrideShift;
   report.ShadowSamples = this->Shadows.GetSamplesUsed();
   report.ShadowReason = this->Shadows.GetSamplesReason();

@@ -60,7 +60,7 @@ struct vtkPointSplatReport
   int Layers = 0;
   int FillSteps = 0;
   double ProjectedSpacing = 0.0;   // pixels, of image space
-  vtkIdType PointsProjected = 0;
+  vtkPointSplatProjected Projected;
   vtkIdType ImageMemory = 0;       // bytes, of all actors of the renderer
   int StrideShift = 0;
   int ShadowSamples = 0;
@@ -129,7 +129,7 @@ private:
     vtkPointSplatChoice Choice;
     vtkPointSplatSurfaces* Surfaces = nullptr;
     int Layers = 0;                   // the most that a part has
-    std::vector<vtkIdType> Projected; // splats of each slot, in all parts
+    std::vector<vtkPointSplatProjected> Projected; // of each slot, in all parts
   };
 
   void Begin(vtkActor* actor, bool translucent);

@@ -196,9 +196,11 @@ vtkPointSplatRequest vtkPointSplatFrame::MakeRequest(Pass& pass, GLuint sceneDep
     vtkPointSplatCollection::MakeItem(
       entry, static_cast<int>(request.Items.size()), pass.View, choice);
     vtkPointSplatCollection::UseLevels(entry, pass.View, choice);
+    vtkPointSplatCollection::UseTriangles(entry, pass.View);
     request.Items.push_back(entry.Item);
-    request.CloudTimes.push_back(std::max(entry.Item.Cloud->GetMTime(),
-      choice.Deferred ? entry.Item.Cloud->GetGroups().GetMTime() : 0));
+    request.CloudTimes.push_back(std::max({ entry.Item.Cloud->GetMTime(),
+      choice.Deferred ? entry.Item.Cloud->GetGroups().GetMTime() : 0,
+      entry.Item.TrianglePixels > 0.0 ? entry.Item.Cloud->GetTriangleTime() : 0 }));
     request.Outlines = request.Outlines && s.AntiAliasing &&
       vtkPointSplatResolve::AreOutlinesSmooth(entry.Actor);
     request.Voronoi = request.Voronoi && s.VoronoiDepth;
@@ -219,6 +221,16 @@ vtkPointSplatRequest vtkPointSplatFrame::MakeRequest(Pass& pass, GLuint sceneDep
     for (vtkPointSplatItem& item : request.Items)
     {
       item.Look = vtkPointSplatItemLook();
+    }
+  }
+  // Triangles weigh what splats leave of 1, which is another thing for layers that are gathered; and
+  // beside looks they would have to have some.
+  if (!vtkPointSplatReconstruction::UsesTiles(request) || request.Gather ||
+    request.GetLookTexels() > 0)
+  {
+    for (vtkPointSplatItem& item : request.Items)
+    {
+      item.TrianglePixels = 0.0;
     }
   }
   return request;

@@ -44,7 +44,7 @@ bool vtkPointSplatSurfaces::Build(
   this->Request = std::move(request);
   this->Context = context;
   ++this->Generation;
-  this->Projected.assign(this->Request.Items.size(), 0);
+  this->Projected.assign(this->Request.Items.size(), {});
   const glm::ivec4 window = this->Request.GetWindow();
   if (this->Request.MaximumLayers == 0 || window.x > window.z || window.y > window.w)
   {
@@ -78,11 +78,15 @@ void vtkPointSplatSurfaces::Count(const std::vector<vtkPointSplatPart>& parts)
 {
   for (size_t slot = 0; slot < this->Projected.size(); ++slot)
   {
-    this->Projected[slot] = 0;
+    this->Projected[slot] = {};
     for (const vtkPointSplatPart& part : parts)
     {
       const vtkPointSplatItem& item = part.Items[slot];
-      this->Projected[slot] += item.IsInView() ? ProjectedOf(item) : 0;
+      if (item.IsInView())
+      {
+        this->Projected[slot].Splats += ProjectedOf(item);
+        this->Projected[slot].Triangles += item.GetNumberOfTriangles();
+      }
     }
   }
 }

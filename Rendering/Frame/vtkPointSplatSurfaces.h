@@ -12,6 +12,15 @@
 #include "vtkPointSplatReconstruction.h"
 #include "vtkPointSplatRequest.h"
 
+/**
+ * What was projected of an item: of the blocks in view, in each part of the window.
+ */
+struct vtkPointSplatProjected
+{
+  vtkIdType Splats = 0;
+  vtkIdType Triangles = 0;
+};
+
 class vtkPointSplatSurfaces
 {
 public:
@@ -25,11 +34,10 @@ public:
   /// Counts the times that layers were made.
   unsigned long GetGeneration() const { return this->Generation; }
   int GetNumberOfFillSteps() const { return this->FillSteps; }
-  /// Splats of a slot's item that were projected: of the blocks in view, in each part of the window.
-  vtkIdType GetNumberOfProjected(size_t slot) const
+  vtkPointSplatProjected GetProjected(size_t slot) const
   {
     // None before the first Build(), as where a frame failed before.
-    return slot < this->Projected.size() ? this->Projected[slot] : 0;
+    return slot < this->Projected.size() ? this->Projected[slot] : vtkPointSplatProjected();
   }
 
   vtkPointSplatBudget Budget;
@@ -52,7 +60,7 @@ private:
   bool Built = false;
   unsigned long Generation = 0;
   int FillSteps = 0;
-  std::vector<vtkIdType> Projected; // a slot
+  std::vector<vtkPointSplatProjected> Projected; // a slot
   vtkIdType SplatsAtOnce = vtkPointSplatTiles::Capacity;
   std::string Error;
 };

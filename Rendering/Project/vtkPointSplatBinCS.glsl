@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Lists splats in the tiles that they touch, on the device: first counted, then (FILL) put where
-// the sums of the counts (vtkPointSplatScanCS) say. A tile has three lists, one of each kind, and
-// each block of 16 x 16 tiles has one of wide splats, after those of all tiles.
+// the sums of the counts (vtkPointSplatScanCS) say. A tile has three lists, one of each kind, four
+// where there are triangles, and each block of 16 x 16 tiles has one of wide splats, after those of all tiles.
 // Reads: Boxes. Writes: Counts; Lists, in any order, which vtkPointSplatSortListsCS mends.
 
 #include "vtkPointSplatRecord"
@@ -20,6 +20,7 @@ layout(std430, binding = 1) writeonly buffer Lists { uint lists[]; };
 uniform uint BoxCount;
 uniform int TilesAcross;
 uniform int TileCount;
+uniform int KindCount; // that have a list in each tile
 
 void main()
 {
@@ -41,8 +42,8 @@ void main()
   first = isWide ? first >> 4 : first;
   last = isWide ? last >> 4 : last;
   int across = isWide ? (TilesAcross + 15) >> 4 : TilesAcross;
-  int stride = isWide ? 1 : 3;
-  int base = isWide ? 3 * TileCount : int(kind) - 1;
+  int stride = isWide ? 1 : KindCount;
+  int base = isWide ? KindCount * TileCount : kind == Triangle ? 3 : int(kind) - 1;
   uint entry = index | (box.x >> 25 | (box.y >> 25 & 7u) << 7) << RecordBits;
   for (int y = first.y; y <= last.y; ++y)
   {

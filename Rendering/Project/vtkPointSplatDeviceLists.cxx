@@ -34,13 +34,14 @@ void vtkPointSplatDeviceLists::Run(
   program.Set("BoxCount", static_cast<unsigned int>(this->Splats));
   program.Set("TilesAcross", this->Grid.Tiles.x);
   program.Set("TileCount", this->Grid.GetCount());
+  program.Set("KindCount", this->Kinds);
   this->Counts.BindStorage(0);
   vtkPointSplatProgram::Dispatch(static_cast<vtkIdType>(this->Splats), GroupSize);
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatDeviceLists::Count(
-  const vtkPointSplatBuffer& boxes, size_t splats, const vtkPointSplatTileGrid& grid)
+bool vtkPointSplatDeviceLists::Count(const vtkPointSplatBuffer& boxes, size_t splats,
+  const vtkPointSplatTileGrid& grid, bool triangles)
 {
   if (!this->Build())
   {
@@ -48,8 +49,9 @@ bool vtkPointSplatDeviceLists::Count(
   }
   this->Grid = grid;
   this->Splats = splats;
+  this->Kinds = triangles ? 4 : 3;
   const glm::ivec2 blocks = (grid.Tiles + 15) >> 4;
-  this->ListCount = static_cast<GLuint>(3 * grid.GetCount() + blocks.x * blocks.y);
+  this->ListCount = static_cast<GLuint>(this->Kinds * grid.GetCount() + blocks.x * blocks.y);
   const GLsizeiptr bytes = 4 * static_cast<GLsizeiptr>(this->ListCount);
   this->Counts.Reserve(bytes);
   this->Counts.Fill(0, bytes, 0u);

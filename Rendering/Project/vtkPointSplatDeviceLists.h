@@ -20,9 +20,9 @@
 class vtkPointSplatDeviceLists
 {
 public:
-  /// Counts. False, with GetError(), where a shader does not compile.
-  bool Count(
-    const vtkPointSplatBuffer& boxes, size_t splats, const vtkPointSplatTileGrid& grid);
+  /// Counts; triangles: whether there are some, which have lists of their own. False, with GetError(), where a shader does not compile.
+  bool Count(const vtkPointSplatBuffer& boxes, size_t splats, const vtkPointSplatTileGrid& grid,
+    bool triangles);
   /// Entries of all lists, after Count().
   size_t GetNumberOfEntries() const { return this->Entries; }
   /// Makes the lists of what was counted.
@@ -45,6 +45,7 @@ private:
   vtkPointSplatBuffer Counts{ GL_R32UI };
   vtkPointSplatBuffer Starts{ GL_R32UI };
   vtkPointSplatTileGrid Grid;
+  int Kinds = 3; // that have a list in each tile
   size_t Splats = 0;
   GLuint ListCount = 0;
   size_t Entries = 0;

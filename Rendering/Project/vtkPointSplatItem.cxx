@@ -43,7 +43,7 @@ bool vtkPointSplatItem::operator==(const vtkPointSplatItem& other) const
     this->FactorCount == other.FactorCount && this->FactorVersion == other.FactorVersion &&
     this->IsFlat == other.IsFlat && this->Look == other.Look &&
     this->IsPoints == other.IsPoints && this->Points == other.Points &&
-    this->Levels == other.Levels;
+    this->Levels == other.Levels && this->TrianglePixels == other.TrianglePixels;
 }
 
 //------------------------------------------------------------------------------

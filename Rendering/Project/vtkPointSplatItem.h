@@ -116,6 +116,7 @@ struct vtkPointSplatItem
   bool IsPoints = false;                      // projected as single pixels
   vtkPointSplatPoints Points;
   vtkPointSplatLevelBounds Levels;
+  double TrianglePixels = 0.0; // where edges are longer, triangles are drawn; 0: nowhere
   /// Splats in view, which follow from the rest; null: those of all points.
   std::shared_ptr<const vtkPointSplatRuns> Runs;
   glm::vec4 Colour{ 1.0f }; // and opacity, where layers of several items are gathered
@@ -141,16 +142,27 @@ struct vtkPointSplatItem
   {
     return this->Window.x <= this->Window.z && this->Window.y <= this->Window.w;
   }
+  /// Whether splats are selected in the tree of the levels' blocks, be it of points alone.
+  bool IsSelectedByLevels() const
+  {
+    return this->Levels.Pixels > 0.0 ||
+      (this->TrianglePixels > 0.0 && this->Cloud->GetLevels().AreMade());
+  }
   /// Splats of a block, as a power of two.
   int GetBlockShift() const
   {
-    return this->Levels.Pixels > 0.0 ? vtkPointSplatBlocks::PieceShift
-                                     : vtkPointSplatBlocks::Shift;
+    return this->IsSelectedByLevels() ? vtkPointSplatBlocks::PieceShift
+                                      : vtkPointSplatBlocks::Shift;
   }
   /// Of those that are drawn, in the cloud's coordinates.
   double GetLargestRadius() const;
   /// Splats that are projected: of the blocks, by the stride.
   vtkIdType GetNumberOfInvocations() const;
+  /// Triangles that are drawn in the place of splats.
+  vtkIdType GetNumberOfTriangles() const
+  {
+    return this->Runs ? static_cast<vtkIdType>(this->Runs->Triangles.size()) : 0;
+  }
 
   /// But for Runs.
   bool operator==(const vtkPointSplatItem& other) const;

@@ -18,6 +18,14 @@
 // axis of its ellipse is `along`, over its squared length, and ends at `lean` on the splat; where
 // both are 0 it is a disk.
 //
+// Triangles, with a_i a pixel's homogeneous barycentric coordinates, of which those of corners 1 and 2
+// are 0, and that of corner 0 is 1, at the centre, which is corner 0's image:
+//   1  change of a_1 along x and y; of a_2
+//   2  change of a_0 along x and y; depth of corners 1 and 2, less that of 0
+//   3  normals of the corners, and of the plane
+//   4  colours, or values, of corners 1 and 2; factors, or ids, of corners 1 and 2
+// Those of corner 0 lie beside the records, as splats'.
+//
 // Clip lines, where a cloud of the frame has some, lie beside the records (RGBA32F): two vectors,
 // of flat splats by pixels, of caps by radii along s and t (vtkPointSplatClipLines).
 //
@@ -36,6 +44,7 @@ const uint Flat = 1u;   // neither bend nor perspective moves a pixel
 const uint Bent = 2u;   // perspective moves no pixel within a tile
 const uint Curved = 3u; // all is computed; splats that end at clip lines are among these
 const uint Wide = 4u;   // the same, listed once for many tiles
+const uint Triangle = 5u;
 
 // Splats are listed by the bucket of their nearest depth.
 const uint DepthBuckets = 1024u;

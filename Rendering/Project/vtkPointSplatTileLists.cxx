@@ -17,6 +17,7 @@ constexpr uint32_t RecordBits = 22;
 constexpr uint32_t Flat = 1;
 constexpr uint32_t Bent = 2;
 constexpr uint32_t Wide = 4;
+constexpr uint32_t Triangle = 5;
 constexpr int BlockShift = 4; // blocks of 16 x 16 tiles
 // More threads would each need a count for every tile.
 constexpr int MostParts = 16;
@@ -95,7 +96,7 @@ void vtkPointSplatTileLists::Count(
   auto keyOf = [boxes](size_t i) {
     return KindOf(boxes[2 * i + 1]) * Buckets + BucketOf(boxes[2 * i], boxes[2 * i + 1]);
   };
-  constexpr size_t Keys = (Wide + 1) * Buckets;
+  constexpr size_t Keys = (Triangle + 1) * Buckets;
   std::vector<std::array<uint32_t, Keys>> places(parts);
   auto begin = [splats, parts](size_t part) { return splats * part / parts; };
   this->ForParts([&](size_t part) {
@@ -106,7 +107,8 @@ void vtkPointSplatTileLists::Count(
     }
   });
   uint32_t sorted = 0;
-  uint32_t curved = 0;
+  uint32_t curved = 0;    // the first one
+  uint32_t triangles = 0; // likewise
   for (size_t key = Buckets; key < Keys; ++key) // what is not seen has the keys before
   {
     for (size_t part = 0; part < parts; ++part)
@@ -116,8 +118,10 @@ void vtkPointSplatTileLists::Count(
       sorted += count;
     }
     curved = key < (Bent + 1) * Buckets ? sorted : curved;
+    triangles = key < Triangle * Buckets ? sorted : triangles;
   }
-  this->Curved = sorted > curved;
+  this->Curved = triangles > curved;
+  this->HasTriangles = sorted > triangles;
   this->Sorted.resize(sorted);
   this->ForParts([&](size_t part) {
     for (size_t i = begin(part); i < begin(part + 1); ++i)
@@ -138,10 +142,12 @@ void vtkPointSplatTileLists::Count(
   this->Places.resize(parts);
   std::vector<std::vector<uint32_t>> flats(parts);
   std::vector<std::vector<uint32_t>> bents(parts);
+  std::vector<std::vector<uint32_t>> faces(parts);
   this->ForParts([&](size_t part) {
     this->Places[part].assign(lists, 0);
     flats[part].assign(tiles, 0);
     bents[part].assign(tiles, 0);
+    faces[part].assign(tiles, 0);
     for (size_t i = sorted * part / parts; i < sorted * (part + 1) / parts; ++i)
     {
       const Listed& listed = this->Sorted[i];
@@ -156,12 +162,17 @@ void vtkPointSplatTileLists::Count(
         {
           ++bents[part][list];
         }
+        else if (kind == Triangle)
+        {
+          ++faces[part][list];
+        }
       });
     }
   });
   this->Starts.resize(lists + 1);
   this->Flats.assign(tiles, 0);
   this->Bents.assign(tiles, 0);
+  this->Triangles.assign(tiles, 0);
   uint32_t at = 0;
   for (size_t list = 0; list < lists; ++list)
   {
@@ -175,6 +186,7 @@ void vtkPointSplatTileLists::Count(
       {
         this->Flats[list] += flats[part][list];
         this->Bents[list] += bents[part][list];
+        this->Triangles[list] += faces[part][list];
       }
     }
   }
@@ -263,7 +275,8 @@ void vtkPointSplatTileLists::WriteRow(uint32_t tile, uint32_t* row) const
   const size_t wide = this->BlockOf(tile);
   const uint32_t words[TableWords] = { start, start + this->Flats[tile],
     start + this->Flats[tile] + this->Bents[tile], tile, this->Starts[tile + 1],
-    this->Starts[wide], this->Starts[wide + 1], 1 };
+    this->Starts[wide], this->Starts[wide + 1],
+    this->Starts[tile + 1] - this->Triangles[tile] + 1 };
   std::copy_n(words, TableWords, row);
 }
 
@@ -272,7 +285,7 @@ size_t vtkPointSplatTileLists::AddToTable(
   const glm::ivec2& rows, size_t groupSize, std::vector<uint32_t>& table) const
 {
   std::vector<uint32_t> tiles = this->OrderTiles(rows);
-  const auto firstCurved = this->Curved
+  const auto firstCurved = this->HasCurved()
     ? std::stable_partition(
         tiles.begin(), tiles.end(), [this](uint32_t tile) { return !this->IsCurved(tile); })
     : tiles.end();

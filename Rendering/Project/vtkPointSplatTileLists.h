@@ -8,9 +8,10 @@
 // 2. In this order each is appended to the list of every tile that its box touches; wide ones, whose
 //    boxes have hundreds of tiles, to those of blocks of 16 x 16 tiles. So each list has its kinds
 //    one after the other, nearest buckets first.
+//    Triangles (vtkPointSplatTrianglesCS.glsl) come after a tile's splats.
 // 3. Tiles are put into an order in which tiles close to each other, whose splats are in the caches,
 //    follow one another, and among them those with lists of like lengths, since invocations go in
-//    lockstep; tiles with curved splats come after all others, so that these can be drawn by a
+//    lockstep; tiles with curved splats or triangles come after all others, so that these can be drawn by a
 //    program that knows none; work groups are dealt out to the driver's threads, which take runs of
 //    them.
 #ifndef vtkPointSplatTileLists_h
@@ -45,8 +46,10 @@ public:
   void Count(const uint32_t* boxes, size_t splats, const vtkPointSplatTileGrid& grid);
   /// Entries of all lists, after Count().
   size_t GetNumberOfEntries() const { return this->Entries; }
-  /// Whether some splats are no flat or bent ones.
-  bool HasCurved() const { return this->Curved; }
+  /// Whether there are triangles, or splats that are no flat or bent ones.
+  bool HasCurved() const { return this->Curved || this->HasTriangles; }
+  /// Of splats alone.
+  bool HasCurvedSplats() const { return this->Curved; }
 
   /// Writes the lists: GetNumberOfEntries() words.
   void Fill(uint32_t* lists);
@@ -56,7 +59,8 @@ public:
 
   /**
    * The tiles of the grid's window in some rows of it, and where their splats are in the lists: first
-   * of the flat, bent and curved ones, tile; end, first of the wide ones, their end, 1. Appended to a
+   * of the flat, bent and curved ones, tile; end, first of the wide ones, their end, first of the
+   * triangles and 1 more. Appended to a
    * table, those without curved and wide ones first, and either padded with zeros to whole work
    * groups of so many invocations. rows: first and last, whole blocks of 16. Returns how many rows
    * of the table those without take.
@@ -90,8 +94,10 @@ private:
   std::vector<uint32_t> Starts; // of tiles' and blocks' lists, and the end
   std::vector<uint32_t> Flats;  // of tiles
   std::vector<uint32_t> Bents;
+  std::vector<uint32_t> Triangles;
   size_t Entries = 0;
-  bool Curved = false;
+  bool Curved = false; // some splats
+  bool HasTriangles = false;
 };
 
 #endif

@@ -6,7 +6,7 @@
 // tile are walked for the nearest hits of the first layer that the outline ends, and each sample
 // takes after that of the pixels about it whose layer the hit belongs to: its own, the one beside
 // it, the one above or below, or the one across the corner.
-// Variants: LAYERS (with deeper layers), CURVED, CLIPPING, CLIP_LINES, as in vtkPointSplatTileCS.
+// Variants: LAYERS (with deeper layers), CURVED, CLIPPING, CLIP_LINES, TRIANGLES, as in vtkPointSplatTileCS.
 // Reads: Records, RecordClipLines, Lists, Tiles, SceneDepth, LayerTexels, OutlinePixels. Writes:
 // Choices, two bits a sample: 1, the pixel beside it, and 2, the one above or below; 3, the one
 // across.
@@ -14,6 +14,9 @@
 #include "vtkPointSplatTilePixels"
 #include "vtkPointSplatTileFlat"
 #include "vtkPointSplatTileCaps"
+#ifdef TRIANGLES
+#include "vtkPointSplatTileTriangles"
+#endif
 #include "vtkPointSplatTileWalk"
 #include "vtkPointSplatLayers"
 

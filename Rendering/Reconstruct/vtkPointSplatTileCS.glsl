@@ -12,13 +12,16 @@
 // VALUES (of some clouds in the place of colours), CELL_COLOURS (of some), FACETS (some are flat),
 // FACTORS, LOOKS (texels of looks) and of these COORDINATES, TANGENTS and EDGES, IDS (names the splat
 // of the greatest weight), KERNELS, PLATEAU, CURVED (some splats need exact rays), CLIPPING,
-// CLIP_LINES (some splats are clipped).
+// CLIP_LINES (some splats are clipped), TRIANGLES (there are some).
 // Reads: Records, RecordClipLines, Lists, Tiles, SceneDepth. Writes: Texels, FactorTexels,
 // LookTexels, IdTexels, Counts.
 
 #include "vtkPointSplatTilePixels"
 #include "vtkPointSplatTileFlat"
 #include "vtkPointSplatTileCaps"
+#ifdef TRIANGLES
+#include "vtkPointSplatTileTriangles"
+#endif
 #include "vtkPointSplatTileWalk"
 #ifdef SUMMARIES
 #include "vtkPointSplatTileSummary"
@@ -60,8 +63,11 @@ void add(Span s, Span all)
   addFlat(s.flats, all.bents, end);
   addBent(s.bents, all.curveds, end);
 #ifdef CURVED
-  addCurved(s.curveds, all.end, end);
+  addCurved(s.curveds, curvedEnd(all), end);
   addCurved(s.wides, all.wideEnd, end);
+#endif
+#ifdef TRIANGLES
+  addTriangles(s.triangles, all.end, end);
 #endif
 }
 

@@ -34,6 +34,9 @@ struct Span
   int end;
   int wides;
   int wideEnd;
+#ifdef TRIANGLES
+  int triangles; // where curved ones end
+#endif
   int tile;
 };
 
@@ -41,29 +44,55 @@ struct Span
 bool spanOf(int index, out Span s)
 {
 #if LANES > 1
-  // As vtkPointSplatBinCS counts: three kinds a tile, then blocks of 16 x 16 tiles.
+  // As vtkPointSplatBinCS counts: some kinds a tile, then blocks of 16 x 16 tiles.
+#ifdef TRIANGLES
+  const int kinds = 4;
+#else
+  const int kinds = 3;
+#endif
   int blocksAcross = (TilesAcross + 15) >> 4;
-  int wide = 3 * TilesInAll + (index / TilesAcross >> 4) * blocksAcross +
+  int wide = kinds * TilesInAll + (index / TilesAcross >> 4) * blocksAcross +
     (index % TilesAcross >> 4);
-  s = Span(int(texelFetch(Tiles, 3 * index).r), int(texelFetch(Tiles, 3 * index + 1).r),
-    int(texelFetch(Tiles, 3 * index + 2).r), int(texelFetch(Tiles, 3 * index + 3).r),
-    int(texelFetch(Tiles, wide).r), int(texelFetch(Tiles, wide + 1).r), index);
+  int first = kinds * index;
+  s = Span(int(texelFetch(Tiles, first).r), int(texelFetch(Tiles, first + 1).r),
+    int(texelFetch(Tiles, first + 2).r), int(texelFetch(Tiles, first + kinds).r),
+    int(texelFetch(Tiles, wide).r), int(texelFetch(Tiles, wide + 1).r),
+#ifdef TRIANGLES
+    int(texelFetch(Tiles, first + 3).r),
+#endif
+    index);
   return true;
 #else
   uvec4 begins = texelFetch(Tiles, 2 * index);
   uvec4 ends = texelFetch(Tiles, 2 * index + 1);
   s = Span(int(begins.x), int(begins.y), int(begins.z), int(ends.x), int(ends.y), int(ends.z),
+#ifdef TRIANGLES
+    int(ends.w) - 1,
+#endif
     int(begins.w));
   return ends.w != 0u;
 #endif
 }
 
+int curvedEnd(Span s)
+{
+#ifdef TRIANGLES
+  return s.triangles;
+#else
+  return s.end;
+#endif
+}
+
 void see(inout Span s, Span all)
 {
+#ifdef TRIANGLES
+  // What is magnified is near, and hides most of what is not.
+  seeTriangles(s.triangles, all.end);
+#endif
   seeFlat(s.flats, all.bents);
   seeBent(s.bents, all.curveds);
 #ifdef CURVED
-  seeCurved(s.curveds, all.end);
+  seeCurved(s.curveds, curvedEnd(all));
   seeCurved(s.wides, all.wideEnd);
 #endif
 }

@@ -15,24 +15,12 @@
 namespace
 {
 constexpr vtkIdType GroupSize = 64; // as in the shaders
-constexpr GLsizeiptr RecordBytes = 80;
 constexpr GLsizeiptr BoxBytes = 8;
-constexpr GLsizeiptr LineBytes = 16;
-constexpr GLsizeiptr CoordinateBytes = 16;
-constexpr double Buckets = 1024.0; // as in vtkPointSplatRecord.glsl
-constexpr vtkIdType SplatsPerDispatch = vtkIdType(1) << 20;
 // Entries of all lists, so that these are within a storage block, which has at least 128 MiB in
 // drivers of use.
 constexpr size_t MostEntries = size_t(1) << 25;
 // Room for layers before it is known how many there are.
 constexpr int FirstCapacity = 8;
-
-/// Records of an item: whole blocks, so that those of each begin where storage blocks may.
-vtkIdType RecordsOf(const vtkPointSplatItem& item)
-{
-  constexpr vtkIdType size = vtkPointSplatBlocks::Size;
-  return item.IsInView() ? (item.GetNumberOfInvocations() + size - 1) / size * size : 0;
-}
 
 /// Pixels that an invocation has, or shares with others.
 std::string SizeDefines(const glm::ivec2& size, int lanes)
@@ -41,21 +29,6 @@ std::string SizeDefines(const glm::ivec2& size, int lanes)
     std::to_string(size.x) + "\n#define TILE_HEIGHT " + std::to_string(size.y) + "\n";
 }
 
-/// The distances from the near plane between which an item's splats lie.
-glm::dvec2 DepthsOf(const vtkPointSplatItem& item, const vtkPointSplatView& view, double reach)
-{
-  const glm::dmat4 MCVC = view.WCVC * item.MCWC;
-  const std::array<double, 6>& b = item.Cloud->GetBounds();
-  glm::dvec2 depths(1e300, -1e300);
-  for (size_t corner = 0; corner < 8; ++corner)
-  {
-    const glm::dvec4 p = MCVC *
-      glm::dvec4(b[corner & 1], b[2 + (corner >> 1 & 1)], b[4 + (corner >> 2 & 1)], 1.0);
-    depths.x = std::min(depths.x, -p.z - view.Near);
-    depths.y = std::max(depths.y, -p.z - view.Near);
-  }
-  return depths + glm::dvec2(-reach, reach);
-}
 }
 
 //------------------------------------------------------------------------------
@@ -136,126 +109,12 @@ vtkPointSplatProgram* vtkPointSplatTiles::Use(
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatTiles::Measure(
-  const vtkPointSplatRequest& request, const vtkPointSplatPart& part)
-{
-  const vtkPointSplatView& view = request.View;
-  this->Splats = 0;
-  this->DepthReach = 0.0f;
-  glm::dvec2 depths(1e300, -1e300);
-  for (const vtkPointSplatItem& item : part.Items)
-  {
-    if (RecordsOf(item) == 0)
-    {
-      continue;
-    }
-    this->Splats += RecordsOf(item);
-    // Bent at 45 degrees at the rim, a splat is half its squared support high.
-    const double support = item.Kernel.Support + 0.5 * item.Kernel.Support * item.Kernel.Support;
-    const double reach = support * item.RadiusScale * item.GetStrideScale() * item.GetStretch() *
-      item.GetLargestRadius();
-    const glm::dvec2 own = DepthsOf(item, view, reach);
-    depths = { std::min(depths.x, own.x), std::max(depths.y, own.y) };
-    this->DepthReach = std::max(this->DepthReach, static_cast<float>(2.0 * reach));
-  }
-  depths = glm::clamp(depths, glm::dvec2(0.0), glm::dvec2(view.Far - view.Near));
-  const double range = std::max(depths.y - depths.x, 1e-30);
-  this->BucketScale = glm::vec2(depths.x, Buckets / range);
-}
-
-//------------------------------------------------------------------------------
-std::vector<vtkPointSplatTiles::Share> vtkPointSplatTiles::SharesOf(const Variant& variant)
-{
-  // Where there are ids there are no tangents.
-  const Share all[] = { { true, &this->Records, 0, RecordBytes },
-    { true, &this->Boxes, 1, BoxBytes }, { variant.Colours, &this->Colours, 2, 4 },
-    { variant.Factors > 0, &this->Factors, 3, 4 }, { variant.Ids, &this->Ids, 4, 4 },
-    { variant.Tangents, &this->Tangents, 4, 4 },
-    { variant.ClipLines, &this->ClipLines, 5, LineBytes },
-    { variant.Coordinates, &this->Coordinates, 6, CoordinateBytes } };
-  std::vector<Share> wanted;
-  std::copy_if(std::begin(all), std::end(all), std::back_inserter(wanted),
-    [](const Share& share) { return share.IsWanted; });
-  return wanted;
-}
-
-//------------------------------------------------------------------------------
-bool vtkPointSplatTiles::Project(
-  const vtkPointSplatRequest& request, const vtkPointSplatPart& part, const Variant& variant)
-{
-  vtkPointSplatProgram* program =
-    this->Use(this->ProjectPrograms, "vtkPointSplatProjectCS", variant.Project);
-  if (!program)
-  {
-    return false;
-  }
-  vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
-  program->Set("DiskReach", vtkPointSplatReach::Disk);
-  program->Set("CoverageRadius", vtkPointSplatReach::Coverage);
-  program->Set("CoverageDot", vtkPointSplatReach::CoverageDot);
-  program->Set("PrefilterRadius", vtkPointSplatReach::Prefilter);
-  program->Set("TileShift", this->Grid.Shift);
-  program->Set("TileReach",
-    variant.Lanes > 1 ? 0.0f : 0.5f * glm::length(glm::vec2(variant.TileSize - 1)));
-  program->Set("BucketScale", this->BucketScale);
-  const std::vector<Share> shares = this->SharesOf(variant);
-  vtkIdType first = 0;
-  for (const vtkPointSplatItem& item : part.Items)
-  {
-    const vtkIdType count = RecordsOf(item);
-    if (count == 0)
-    {
-      continue;
-    }
-    vtkPointSplatCloud::Buffers& buffers =
-      variant.Ids ? item.Cloud->UploadIds(request.Ids) : item.Cloud->Upload();
-    item.SetUniforms(*program, request.View);
-    program->Set("RecordCount", static_cast<unsigned int>(count));
-    item.SetBlockUniforms(*program);
-    program->Set("HasClipLines", item.Cloud->HasClipLines());
-    program->Set("HasColours", item.Cloud->HasColours());
-    program->Set("HasFactors", item.Factors != nullptr);
-    units.Bind(*program, "Splats", GL_TEXTURE_BUFFER, buffers.Splats.GetTexture());
-    units.Bind(*program, "ClipLineTexels", GL_TEXTURE_BUFFER,
-      item.Cloud->HasClipLines() ? buffers.ClipLines.GetTexture() : 0);
-    units.Bind(*program, "Colours", GL_TEXTURE_BUFFER, buffers.Colours.GetTexture());
-    units.Bind(*program, "Factors", GL_TEXTURE_BUFFER,
-      item.Factors ? item.Factors->GetTexture() : 0);
-    program->Set("HasCoordinates", item.Look.Coordinates);
-    program->Set("HasTangents", item.Look.Tangents);
-    units.Bind(*program, "Coordinates", GL_TEXTURE_BUFFER,
-      item.Look.Coordinates ? buffers.Coordinates.GetTexture() : 0);
-    units.Bind(*program, "Tangents", GL_TEXTURE_BUFFER,
-      item.Look.Tangents ? buffers.Tangents.GetTexture() : 0);
-    units.Bind(*program, "Ids", GL_TEXTURE_BUFFER, variant.Ids ? buffers.Ids.GetTexture() : 0);
-    if (item.Runs)
-    {
-      this->Blocks.Upload(item.Runs->Runs);
-      this->Blocks.BindStorage(7);
-    }
-    for (vtkIdType begin = 0; begin < count; begin += SplatsPerDispatch)
-    {
-      const vtkIdType splats = std::min(SplatsPerDispatch, count - begin);
-      const GLintptr at = static_cast<GLintptr>(first + begin);
-      for (const Share& share : shares)
-      {
-        share.Buffer->BindStorage(share.Binding, share.Bytes * at, share.Bytes * splats);
-      }
-      program->Set("FirstInvocation", static_cast<unsigned int>(begin));
-      vtkPointSplatProgram::Dispatch(splats, GroupSize);
-    }
-    first += count;
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
 vtkPointSplatTiles::Result vtkPointSplatTiles::Bin(const Variant& variant)
 {
   const size_t splats = static_cast<size_t>(this->Splats);
   if (variant.Lanes > 1)
   {
-    if (!this->DeviceLists.Count(this->Boxes, splats, this->Grid))
+    if (!this->DeviceLists.Count(this->Boxes, splats, this->Grid, this->HasTriangles))
     {
       this->Error = this->DeviceLists.GetError();
       return Failed;
@@ -265,7 +124,7 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::Bin(const Variant& variant)
       return TooMany;
     }
     this->DeviceLists.Fill(this->Boxes, this->Lists);
-    this->Curved = true;
+    this->Curved = this->CurvedSplats = true;
     return Made;
   }
   const void* boxes = this->Boxes.Map(BoxBytes * this->Splats, GL_MAP_READ_BIT);
@@ -291,6 +150,7 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::Bin(const Variant& variant)
   this->HostLists.Fill(static_cast<uint32_t*>(lists));
   this->Lists.Unmap();
   this->Curved = this->HostLists.HasCurved();
+  this->CurvedSplats = this->HostLists.HasCurvedSplats();
   return Made;
 }
 
@@ -319,8 +179,10 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::Prepare(
 vtkPointSplatProgram* vtkPointSplatTiles::UseTiles(const vtkPointSplatRequest& request,
   const vtkPointSplatPart& part, vtkPointSplatUnits& units, const Shader& shader)
 {
+  const std::string curved = std::string(this->CurvedSplats ? shader.Lines + "#define CURVED\n" : "") +
+    (this->HasTriangles ? "#define TRIANGLES\n" : "");
   vtkPointSplatProgram* program = this->Use(
-    this->TilePrograms, shader.File, shader.Defines + (shader.Curved ? "#define CURVED\n" : ""));
+    this->TilePrograms, shader.File, shader.Defines + (shader.Curved ? curved : ""));
   if (!program)
   {
     return nullptr;
@@ -419,7 +281,7 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::DrawLayers(const vtkPointSplatReq
     }
     vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
     vtkPointSplatProgram* program = this->UseTiles(request, part, units,
-      { "vtkPointSplatTileCS", variant.Tile + (curved ? variant.Lines : ""), curved });
+      { "vtkPointSplatTileCS", variant.Tile, variant.Lines, curved });
     if (!program)
     {
       return Failed;
@@ -477,8 +339,8 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::SampleOutlines(const vtkPointSpla
   vtkPointSplatProgram* program = this->UseTiles(request, part, units,
     { "vtkPointSplatOutlineSamplesCS",
       variant.Walk + SizeDefines({ 2, 2 }, device ? 4 : 1) +
-        (this->Curved ? variant.Lines : "") + "#define SAMPLES\n#define LAYER_BUFFERS\n",
-      this->Curved });
+        "#define SAMPLES\n#define LAYER_BUFFERS\n",
+      variant.Lines, this->Curved });
   if (!program)
   {
     return Failed;
@@ -564,6 +426,7 @@ vtkIdType vtkPointSplatTiles::GetMemorySize() const
 void vtkPointSplatTiles::Release()
 {
   this->ProjectPrograms.clear();
+  this->TrianglePrograms.clear();
   this->TilePrograms.clear();
   this->Items.Release();
   this->DeviceLists.Release();

@@ -4,11 +4,12 @@
 //
 // 1. Project. Each splat is projected once, to a record from which its pixels are computed, and a
 //    box (vtkPointSplatRecord.glsl).
+//    So is each triangle that is drawn in the place of splats (vtkPointSplatTrianglesCS.glsl).
 // 2. Bin. Each splat is listed in the tiles that its box touches, nearest first: by the processor,
 //    where buffers are in main memory, or on the device.
 // 3. Reconstruct. Each tile's list is walked, in registers: the nearest surface, then the sums over
 //    what belongs to it (Zhang, Pajarola 2006, equation 1), then the next layer (Guennebaud,
-//    Barthe, Paulin 2006, section 6), until nothing is left, or nothing that could change a pixel
+//    Barthe, Paulin 2006, section 6; triangles weigh what splats leave of 1, section 5.1), until nothing is left, or nothing that could change a pixel
 //    by the target. There are no atomic operations a pixel, and no pass over empty tiles.
 // 4. Smooth outlines: what four samples of each pixel show that one runs through
 //    (vtkPointSplatOutlines.h).
@@ -98,17 +99,23 @@ private:
   void Measure(const vtkPointSplatRequest& request, const vtkPointSplatPart& part);
   bool Project(
     const vtkPointSplatRequest& request, const vtkPointSplatPart& part, const Variant& variant);
+  /// To records from this one on.
+  bool ProjectTriangles(const vtkPointSplatRequest& request, const vtkPointSplatPart& part,
+    const Variant& variant, vtkIdType first);
+  void DispatchRecords(
+    vtkPointSplatProgram& program, const Variant& variant, vtkIdType first, vtkIdType count);
   Result Bin(const Variant& variant);
   struct Shader
   {
     const char* File;
     std::string Defines;
-    bool Curved; // whether tiles may have other splats than flat and bent ones
+    std::string Lines; // defines, where splats that are not flat or bent end at clip lines
+    bool Curved; // whether tiles may have triangles, and other splats than flat and bent ones
   };
   /// One that walks over the lists.
   vtkPointSplatProgram* UseTiles(const vtkPointSplatRequest& request,
     const vtkPointSplatPart& part, vtkPointSplatUnits& units, const Shader& shader);
-  /// Tiles of some rows: those without curved splats, then those with, in the table or on the device.
+  /// Tiles of some rows: those without curved splats and triangles, then those with, in the table or on the device.
   struct Band
   {
     int Row;
@@ -123,6 +130,7 @@ private:
     const Variant& variant, const vtkPointSplatLayers& layers, vtkPointSplatOutlines& outlines);
 
   std::map<std::string, vtkPointSplatProgram> ProjectPrograms; // by defines
+  std::map<std::string, vtkPointSplatProgram> TrianglePrograms;
   std::map<std::string, vtkPointSplatProgram> TilePrograms;
   vtkPointSplatItemTable Items;
   vtkPointSplatBuffer Records{ GL_RGBA32UI };
@@ -144,7 +152,9 @@ private:
   vtkIdType Splats = 0; // records
   glm::vec2 BucketScale{ 0.0f };
   float DepthReach = 0.0f;
-  bool Curved = false;
+  bool Curved = false;       // some tiles have curved splats or triangles ...
+  bool CurvedSplats = false; // ... or the former
+  bool HasTriangles = false;
   std::string Error;
 };
 

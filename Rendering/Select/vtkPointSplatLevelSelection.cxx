@@ -18,14 +18,12 @@ vtkPointSplatLevelSelection::vtkPointSplatLevelSelection(
   const vtkPointSplatView& view, const vtkPointSplatItem& item)
   : Item(item)
   , Halves(view, item)
+  , PixelSize(view, item)
+  , Patches(view, item)
 {
   const glm::dmat4 MCVC = item.GetMCVC(view);
   this->Eye = glm::inverse(MCVC) *
     (view.Parallel ? glm::dvec4(0.0, 0.0, 1.0, 0.0) : glm::dvec4(0.0, 0.0, 0.0, 1.0));
-  this->RowW = glm::transpose(MCVC) * glm::dvec4(view.PixelW);
-  this->LeastW = std::max(view.PixelW.w - view.PixelW.z * view.Near, 1e-30);
-  this->PixelsPerUnit =
-    glm::length(glm::dvec3(view.PixelX)) * item.GetMeanStretch() * item.RadiusScale;
 }
 
 //------------------------------------------------------------------------------
@@ -58,12 +56,8 @@ vtkPointSplatLevelSelection::Sides vtkPointSplatLevelSelection::SidesOf(const Bl
 //------------------------------------------------------------------------------
 bool vtkPointSplatLevelSelection::IsFine(const Block& block, const Sides& sides) const
 {
-  double w = this->RowW.w;
-  for (int k = 0; k < 3; ++k)
-  {
-    w += this->RowW[k] * (this->RowW[k] > 0.0 ? block.Low[k] : block.High[k]);
-  }
-  const double pixels = this->PixelsPerUnit * block.MeanRadius / std::max(w, this->LeastW);
+  const double pixels =
+    this->PixelSize.At(block) * this->Item.RadiusScale * block.MeanRadius;
   const vtkPointSplatLevelBounds& bounds = this->Item.Levels;
   const vtkPointSplatLevels& levels = this->Item.Cloud->GetLevels();
   const float painted =
@@ -75,11 +69,32 @@ bool vtkPointSplatLevelSelection::IsFine(const Block& block, const Sides& sides)
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatLevelSelection::Visit(const Block& block, vtkPointSplatRuns& chosen) const
+const vtkPointSplatTriangles::Extent& vtkPointSplatLevelSelection::ExtentOf(
+  const Block& block) const
 {
-  const vtkPointSplatBlocks::Box box{ { { block.Low[0], block.Low[1], block.Low[2] } },
+  const vtkPointSplatCloud& cloud = *this->Item.Cloud;
+  return cloud.GetTriangles().GetExtent(
+    static_cast<size_t>(&block - cloud.GetLevels().GetBlocks().data()));
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatLevelSelection::IsOutside(const Block& block) const
+{
+  vtkPointSplatBlocks::Box box{ { { block.Low[0], block.Low[1], block.Low[2] } },
     { { block.High[0], block.High[1], block.High[2] } }, block.Radius };
-  if (this->Halves.IsOutside(box))
+  if (this->Item.TrianglePixels > 0.0)
+  {
+    const vtkPointSplatTriangles::Extent& extent = this->ExtentOf(block);
+    box.Low = extent.Low;
+    box.High = extent.High;
+  }
+  return this->Halves.IsOutside(box);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatLevelSelection::Visit(const Block& block, vtkPointSplatRuns& chosen)
+{
+  if (this->IsOutside(block))
   {
     return;
   }
@@ -90,13 +105,22 @@ void vtkPointSplatLevelSelection::Visit(const Block& block, vtkPointSplatRuns& c
   {
     return;
   }
-  if (block.Level > 0 && !this->IsFine(block, sides))
+  const bool magnified =
+    this->Item.TrianglePixels > 0.0 && this->Patches.IsMagnified(this->ExtentOf(block));
+  if (block.Level > 0 && (magnified || !this->IsFine(block, sides)))
   {
     const std::vector<Block>& blocks = this->Item.Cloud->GetLevels().GetBlocks();
     for (uint32_t child = 0; child < block.ChildCount; ++child)
     {
       this->Visit(blocks[block.FirstChild + child], chosen);
     }
+    return;
+  }
+  if (magnified)
+  {
+    const std::vector<Block>& blocks = this->Item.Cloud->GetLevels().GetBlocks();
+    this->Patches.Take(
+      this->Item.Cloud->GetTriangles().GetPatch(static_cast<size_t>(&block - blocks.data())));
     return;
   }
   constexpr uint32_t most = 1u << vtkPointSplatBlocks::PieceShift;
@@ -108,7 +132,7 @@ void vtkPointSplatLevelSelection::Visit(const Block& block, vtkPointSplatRuns& c
 }
 
 //------------------------------------------------------------------------------
-std::shared_ptr<const vtkPointSplatRuns> vtkPointSplatLevelSelection::Choose() const
+std::shared_ptr<const vtkPointSplatRuns> vtkPointSplatLevelSelection::Choose()
 {
   auto chosen = std::make_shared<vtkPointSplatRuns>();
   const vtkPointSplatLevels& levels = this->Item.Cloud->GetLevels();
@@ -116,5 +140,6 @@ std::shared_ptr<const vtkPointSplatRuns> vtkPointSplatLevelSelection::Choose() c
   {
     this->Visit(levels.GetBlocks()[root], *chosen);
   }
+  this->Patches.AddTo(*chosen);
   return chosen;
 }

@@ -5,6 +5,7 @@
 #define vtkPointSplatLevelSelection_h
 
 #include "vtkPointSplatHalfSpaces.h"
+#include "vtkPointSplatPatches.h"
 
 #include <memory>
 
@@ -13,11 +14,14 @@ class vtkPointSplatLevelSelection
 public:
   vtkPointSplatLevelSelection(const vtkPointSplatView& view, const vtkPointSplatItem& item);
 
-  std::shared_ptr<const vtkPointSplatRuns> Choose() const;
+  std::shared_ptr<const vtkPointSplatRuns> Choose();
 
 private:
   using Block = vtkPointSplatLevels::Block;
-  void Visit(const Block& block, vtkPointSplatRuns& chosen) const;
+  void Visit(const Block& block, vtkPointSplatRuns& chosen);
+  bool IsOutside(const Block& block) const;
+  /// Of all triangles of the points that a block stands for.
+  const vtkPointSplatTriangles::Extent& ExtentOf(const Block& block) const;
   /// Which sides of a block's splats may be seen.
   struct Sides
   {
@@ -31,9 +35,8 @@ private:
   vtkPointSplatHalfSpaces Halves;
   // In the coordinates of the cloud's buffers.
   glm::dvec4 Eye;     // or the direction to it, whose w is 0
-  glm::dvec4 RowW;    // of a point its w
-  double LeastW;      // on the near plane
-  double PixelsPerUnit; // over w
+  vtkPointSplatPixelSize PixelSize;
+  vtkPointSplatPatches Patches;
 };
 
 #endif

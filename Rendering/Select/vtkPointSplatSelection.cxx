@@ -4,6 +4,7 @@
 
 #include "vtkPointSplatHalfSpaces.h"
 #include "vtkPointSplatLevelSelection.h"
+#include "vtkPointSplatPatches.h"
 
 #include "vtkSMPTools.h"
 
@@ -28,7 +29,7 @@ void Divide(const vtkPointSplatView& view, const std::vector<vtkPointSplatItem>&
     if (own.IsInView())
     {
       own.Runs = vtkPointSplatSelection::Runs(view, own);
-      count += own.GetNumberOfInvocations();
+      count += own.GetNumberOfInvocations() + own.GetNumberOfTriangles();
     }
   }
   const glm::ivec2 size(window.z - window.x + 1, window.w - window.y + 1);
@@ -54,29 +55,51 @@ void Divide(const vtkPointSplatView& view, const std::vector<vtkPointSplatItem>&
 std::shared_ptr<const vtkPointSplatRuns> vtkPointSplatSelection::Runs(
   const vtkPointSplatView& view, const vtkPointSplatItem& item)
 {
-  if (item.Levels.Pixels > 0.0)
+  if (item.IsSelectedByLevels())
   {
     return vtkPointSplatLevelSelection(view, item).Choose();
   }
   const vtkPointSplatHalfSpaces halves(view, item);
   const std::vector<vtkPointSplatBlocks::Box>& boxes = item.Cloud->GetBlocks().GetBoxes();
   std::vector<unsigned char> seen(boxes.size());
+  const vtkPointSplatTriangles& triangles = item.Cloud->GetTriangles();
+  auto sizeOf = [&triangles](size_t block) -> const vtkPointSplatTriangles::Extent& {
+    return triangles.GetPatches()[block].Size;
+  };
+  auto isPatch = [&](size_t block) {
+    return item.TrianglePixels > 0.0 && sizeOf(block).Edge > 0.0f;
+  };
   vtkSMPTools::For(0, static_cast<vtkIdType>(boxes.size()), 256, [&](vtkIdType begin, vtkIdType end) {
     for (size_t block = static_cast<size_t>(begin); block < static_cast<size_t>(end); ++block)
     {
-      seen[block] = !halves.IsOutside(boxes[block]);
+      vtkPointSplatBlocks::Box box = boxes[block];
+      if (isPatch(block))
+      {
+        for (size_t k = 0; k < 3; ++k)
+        {
+          box.Low[k] = std::min(box.Low[k], sizeOf(block).Low[k]);
+          box.High[k] = std::max(box.High[k], sizeOf(block).High[k]);
+        }
+      }
+      seen[block] = !halves.IsOutside(box);
     }
   });
   auto list = std::make_shared<vtkPointSplatRuns>();
+  vtkPointSplatPatches patches(view, item);
   for (size_t block = 0; block < boxes.size(); ++block)
   {
-    if (seen[block])
+    if (seen[block] && isPatch(block) && patches.IsMagnified(sizeOf(block)))
+    {
+      patches.Take(static_cast<uint32_t>(block));
+    }
+    else if (seen[block])
     {
       list->Runs.push_back({ static_cast<uint32_t>(block * vtkPointSplatBlocks::Size),
         static_cast<uint32_t>(item.Cloud->GetBlocks().GetCount(block)) });
     }
   }
-  return list->Runs.size() == boxes.size() ? nullptr : list;
+  patches.AddTo(*list);
+  return list->Runs.size() == boxes.size() && list->Triangles.empty() ? nullptr : list;
 }
 
 //------------------------------------------------------------------------------

@@ -13,8 +13,11 @@
 //    item's bounds where it is nearest to the eye: Pixels wherever it is, SmoothPixels where its
 //    normals deviate little from their linear change, and its colours from their means, so that
 //    larger splats show the same; half of that where both sides are seen, along outlines.
-// 3. More splats than can be drawn at once are drawn in parts of the window: it is halved along its
-//    longer side until each part shows few enough, or is a tile's size.
+// 3. Where a mesh's triangles are to be drawn, blocks of points of which these are magnified are left
+//    to them (vtkPointSplatPatches.h); of levels none is drawn that stands for such ones. Boxes are those
+//    of all their triangles then.
+// 4. More splats and triangles than can be drawn at once are drawn in parts of the window: it is
+//    halved along its longer side until each part shows few enough, or is a tile's size.
 #ifndef vtkPointSplatSelection_h
 #define vtkPointSplatSelection_h
 

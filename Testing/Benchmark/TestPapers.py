@@ -26,8 +26,8 @@ sys.path[:0] = [HERE, os.path.join(HERE, "..", "Accuracy")]
 from papers import filters  # noqa: E402
 from scenes import BACKGROUND  # noqa: E402
 
-# Sections without numbers: figure 5 shows what this module does not draw.
-WORDS_ONLY = {"guennebaud-figure-5"}
+# Sections without numbers.
+WORDS_ONLY = set()
 # Sections that are tables only.
 NO_PICTURES = WORDS_ONLY | {
     "zhang-tables", "dobrev-table-3", "guennebaud-table-1", "confetti-tables"}

@@ -109,6 +109,7 @@ void FuzzProperties::SetShared(FuzzRandom& random, vtkPointSplatMapper* mapper)
   mapper->SetGatherRemaining(random.Chance(0.2));
   mapper->SetVoronoiDepth(random.Chance(0.8));
   mapper->SetAntiAliasing(random.Chance(0.7));
+  mapper->SetHybrid(random.Pick({ 0, 1, 1, 2 }));
   mapper->SetMaximumNumberOfFillSteps(random.Pick({ 32, 32, 1, 2, 0, 1000 }));
   mapper->SetTargetError(random.Pick({ 1.0 / 256.0, 0.0, 1.0 / 64.0, 1.0 / 16.0, 1.0, 2.0 }));
   SetShadows(random, mapper);

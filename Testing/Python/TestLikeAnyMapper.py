@@ -106,7 +106,10 @@ def largest_region(scene):
     largest.SetInputConnection(both.GetOutputPort())
     largest.SetExtractionModeToLargestRegion()
     scene.mapper.SetInputConnection(largest.GetOutputPort())
-    return scene.show()
+    picture = scene.show()
+    if isinstance(scene.mapper, vtkPointSplatMapper):
+        assert " that no cell uses" in scene.mapper.GetChoices()
+    return picture
 
 
 def scalar_bar(scene):
