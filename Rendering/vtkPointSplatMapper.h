@@ -380,6 +380,25 @@ public:
 
   ///@{
   /**
+   * Whether clouds whose splats take seconds to make are drawn as a random part of their points at
+   * first, and as more of them as those are ready: of a million points whose sizes must be estimated,
+   * of eight million with sizes. It happens where the window shows on a screen and has an interactor
+   * that was initialized before Render(), and whose timers work; that is asked for another frame then,
+   * and for one when levels (LevelOfDetail) are ready. In other windows, as of scripts that write a
+   * picture, Render() draws all points, and takes as long as that does. Points that are picked are the
+   * input's; bounds are those of all points. While more is being made, a thread holds a copy of the
+   * arrays, ProgressEvent tells how much is done, between frames, and AbortExecuteOn() leaves it at
+   * what is drawn. IsProgressing() tells whether the last frame was one before others. Where colours
+   * are of cells, and of composite data, all points are drawn at once. On by default.
+   */
+  vtkSetMacro(Progressive, bool);
+  vtkGetMacro(Progressive, bool);
+  vtkBooleanMacro(Progressive, bool);
+  bool IsProgressing();
+  ///@}
+
+  ///@{
+  /**
    * The groups that the splats are divided into, 0 before deferred blending was first used;
    * and when that was done, which is once for all frames until points or OverlapFactor change.
    */
@@ -573,6 +592,7 @@ private:
   int MaximumNumberOfFillSteps = 2;
   bool AntiAliasing = true;
   bool LevelOfDetail = true;
+  bool Progressive = true;
   bool ProjectNoise = true;
   bool Shadows = false;
   int NumberOfShadowSamples = 16;

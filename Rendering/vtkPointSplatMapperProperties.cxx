@@ -35,6 +35,7 @@ void vtkPointSplatMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetMaximumNumberOfFillSteps(other->MaximumNumberOfFillSteps);
     this->SetAntiAliasing(other->AntiAliasing);
     this->SetLevelOfDetail(other->LevelOfDetail);
+    this->SetProgressive(other->Progressive);
     this->SetProjectNoise(other->ProjectNoise);
     this->SetShadows(other->Shadows);
     this->SetNumberOfShadowSamples(other->NumberOfShadowSamples);
@@ -88,6 +89,7 @@ void vtkPointSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfFillSteps: " << this->GetNumberOfFillSteps() << "\n";
   os << indent << "ProjectNoise: " << (this->ProjectNoise ? "On" : "Off") << "\n";
   os << indent << "LevelOfDetail: " << (this->LevelOfDetail ? "On" : "Off") << "\n";
+  os << indent << "Progressive: " << (this->Progressive ? "On" : "Off") << "\n";
   os << indent << "AntiAliasing: " << (this->AntiAliasing ? "On" : "Off") << "\n";
   os << indent << "ProjectedSpacing: " << this->GetProjectedSpacing() << "\n";
   os << indent << "NumberOfPointsProjected: " << this->GetNumberOfPointsProjected() << "\n";

@@ -41,6 +41,9 @@ struct vtkPointSplatSettings
 
   double TargetError = 1.0 / 256.0;
   bool LevelOfDetail = true;
+  bool Progressive = true;
+  /// Whether another frame will follow, so that this one may show less than all.
+  bool MayBeDraft = false;
   int Method = AutomaticMethod;
   int Transparency = AutomaticTransparency;
   int Projection = AutomaticProjection;

@@ -44,18 +44,48 @@ void vtkPointSplatCloud::WantLevels()
     this->LevelsAskedFor = this->SplatTime.GetMTime();
     return;
   }
-  this->LevelsTriedFor = this->LevelsAskedFor;
-  if (this->CanHaveLevels())
+  this->BeginLevels();
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkPointSplatCloud::GetLevelsPending() const
+{
+  const bool pending = !this->Whole && !this->Levels.AreMade() &&
+    this->LevelsTriedFor != this->LevelsAskedFor &&
+    this->LevelsAskedFor == this->SplatTime.GetMTime();
+  return pending ? this->LevelsAskedFor : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatCloud::BeginLevels()
+{
+  if (this->GetLevelsPending() == 0)
   {
-    this->Levels.Begin(
-      this->Splats, this->GetWordsPerSplat(), static_cast<size_t>(this->Count));
+    return false;
+  }
+  this->LevelsTriedFor = this->LevelsAskedFor;
+  if (!this->CanHaveLevels())
+  {
+    return false;
+  }
+  this->Levels.Begin(this->Splats, this->GetWordsPerSplat(), static_cast<size_t>(this->Count));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatCloud::MakeLevels()
+{
+  this->LevelsAskedFor = this->SplatTime.GetMTime();
+  if (this->BeginLevels())
+  {
+    this->TakeLevels(true);
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatCloud::TakeLevels()
+void vtkPointSplatCloud::TakeLevels(bool wait)
 {
-  if (this->Levels.IsReady() &&
+  if ((wait || this->Levels.IsReady()) &&
     this->Levels.Take(this->Splats, this->ClipLines, this->GetWordsPerSplat()))
   {
     this->SplatTime.Modified();

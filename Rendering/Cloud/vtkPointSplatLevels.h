@@ -33,6 +33,8 @@ public:
 
   /// Ends what is under way, and forgets the levels. Splats may change only after that.
   void Clear();
+  /// Says, from any thread, that what is under way is not wanted any more.
+  void Abort() { this->Stop = true; }
   /// Begins to make levels of these splats, of some words each.
   void Begin(const std::vector<uint32_t>& splats, size_t words, size_t count);
   bool IsUnderWay() const { return this->Work.valid(); }

@@ -95,17 +95,18 @@ std::vector<vtkProp*> vtkPointSplatCollection::VisibleProps(vtkRenderer* rendere
 }
 
 //------------------------------------------------------------------------------
-vtkPointSplatEntry vtkPointSplatCollection::MakeEntry(
-  vtkActor* actor, vtkPointSplatSource* source, const vtkPointSplatWishes* wishes)
+vtkPointSplatEntry vtkPointSplatCollection::MakeEntry(vtkRenderer* renderer, vtkActor* actor,
+  vtkPointSplatSource* source, const vtkPointSplatWishes* wishes)
 {
   vtkPointSplatEntry entry;
   entry.Actor = actor;
   entry.Source = source;
-  entry.Settings = source->GetSettings(actor);
+  entry.Settings = source->GetSettings(renderer, actor);
   if (wishes)
   {
     wishes->Change(entry.Settings);
   }
+  entry.IsEmpty = !source->Update(entry.Settings);
   entry.Item.Cloud = &source->GetCloud();
   entry.Item.MCWC = vtkPointSplatView::Matrix(actor->GetMatrix());
   return entry;
@@ -127,9 +128,9 @@ vtkPointSplatCollection::Entries vtkPointSplatCollection::Collect(
       continue;
     }
     vtkActor* actor = static_cast<vtkActor*>(prop);
-    vtkPointSplatEntry entry = vtkPointSplatCollection::MakeEntry(actor, source, wishes);
+    vtkPointSplatEntry entry = vtkPointSplatCollection::MakeEntry(renderer, actor, source, wishes);
     const bool selects = renderer->GetSelector() != nullptr;
-    if (!source->Update(entry.Settings) ||
+    if (entry.IsEmpty ||
       !(selects ||
         (translucent ? actor->HasTranslucentPolygonalGeometry() : actor->HasOpaqueGeometry())))
     {
@@ -154,7 +155,8 @@ bool vtkPointSplatCollection::HasOthersBetween(vtkRenderer* renderer, const Entr
     const bool own = std::any_of(entries.begin(), entries.end(),
       [prop](const vtkPointSplatEntry& entry) { return entry.Actor == prop; });
     vtkPointSplatSource* source = vtkPointSplatSource::Of(prop);
-    const bool isEmpty = !own && source && !source->Update(source->GetSettings());
+    const bool isEmpty = !own && source &&
+      !source->Update(source->GetSettings(renderer, nullptr));
     if ((!own && !isEmpty && prop->HasTranslucentPolygonalGeometry()) ||
       (vtkVolume::SafeDownCast(prop) && renderer->GetUseDepthPeelingForVolumes()))
     {
@@ -329,8 +331,9 @@ void vtkPointSplatCollection::UseLevels(
   const glm::dvec2 pixels = view.PixelSizes(item.MCWC, item.Cloud->GetBounds().data());
   if (!item.Cloud->GetLevels().AreMade())
   {
-    const double radius =
-      item.GetMeanStretch() * item.RadiusScale * item.Cloud->GetMedianRadius();
+    // As dense as all will be.
+    const double radius = item.GetMeanStretch() * item.RadiusScale *
+      item.Cloud->GetMedianRadius() * std::sqrt(item.Cloud->GetShare());
     if (LevelGrowth * radius <= choice.SmoothLevelPixels * std::sqrt(pixels.x * pixels.y))
     {
       item.Cloud->WantLevels();

@@ -85,7 +85,7 @@ void vtkPointSplatFrameShadows::AddActor(
   vtkMapper* mapper = actor->GetMapper();
   if (vtkPointSplatSource* source = vtkPointSplatSource::Of(actor))
   {
-    const vtkPointSplatSettings settings = source->GetSettings();
+    const vtkPointSplatSettings settings = source->GetSettings(all.Renderer, nullptr);
     if (source->Update(settings))
     {
       vtkPointSplatShadowCloud cloud;
@@ -119,6 +119,7 @@ void vtkPointSplatFrameShadows::AddActor(
 vtkPointSplatFrameShadows::Gathered vtkPointSplatFrameShadows::Gather(vtkRenderer* renderer)
 {
   Gathered all;
+  all.Renderer = renderer;
   all.Interacting = vtkPointSplatStopwatch::IsInteracting(renderer);
   for (vtkProp* prop : vtkPointSplatCollection::VisibleProps(renderer))
   {
