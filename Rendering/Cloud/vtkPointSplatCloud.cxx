@@ -139,7 +139,7 @@ void vtkPointSplatCloud::Update(const vtkPointSplatCloudInput& input)
     this->HasValues()         ? this->Levels.AppendValues(this->Colours)
       : this->HasCellColours() ? this->Levels.AppendFirst(this->Colours)
                                : this->Levels.AppendBytes(this->Colours);
-    this->Levels.MeasureDeviations(this->Colours, this->HasValues());
+    this->ColourDeviations = this->Levels.MeasureDeviations(this->Colours, this->HasValues());
     this->ColoursMadeFrom = std::move(colourKey);
     this->ColourKey = wanted(); // to map colours may change the lookup table's range
     this->ColourTime.Modified();
@@ -148,6 +148,7 @@ void vtkPointSplatCloud::Update(const vtkPointSplatCloudInput& input)
   {
     this->BuildFactors(input.Owner);
     this->Levels.AppendBytes(this->Factors);
+    this->FactorDeviations = this->Levels.MeasureDeviations(this->Factors, false);
     this->FactorsMadeFrom = std::move(factorKey);
     this->FactorTime.Modified();
   }

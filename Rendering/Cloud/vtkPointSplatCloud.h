@@ -175,6 +175,15 @@ public:
   void AbortLevels() { this->Levels.Abort(); }
   /// Of splats that stand for others, which lie behind those of points: see vtkPointSplatLevels.
   const vtkPointSplatLevels& GetLevels() const { return this->Levels; }
+  /// Of the levels' blocks how much colours differ from their means, and factors; or null.
+  const vtkPointSplatLevels::Deviations& GetColourDeviations() const
+  {
+    return this->ColourDeviations;
+  }
+  const vtkPointSplatLevels::Deviations& GetFactorDeviations() const
+  {
+    return this->FactorDeviations;
+  }
 
   /**
    * The points that splats were made from, a vertex each, for what draws no splats: in the input's
@@ -223,6 +232,8 @@ public:
   bool HasCoordinates() const { return !this->Coordinates.empty(); }
   bool HasTangents() const { return !this->Tangents.empty(); }
   double GetMedianRadius() const { return this->MedianRadius; }
+  /// The same; of points without sizes, such that their disks would cover the surface.
+  double GetUsualRadius();
   double GetMaximumRadius() const { return this->MaximumRadius; }
   /// The distance of neighbouring points, world units (vtkPointSplatSpacing.h).
   double GetSpacing();
@@ -282,7 +293,7 @@ private:
   void AddRange(vtkDataArray* points);
   void ForgetRange();
   void SetOriginToMiddle();
-  bool CanHaveLevels() const;
+  bool CanHaveLevels();
   void TakeLevels(bool wait);
 
   std::vector<uint32_t> Splats;
@@ -320,6 +331,8 @@ private:
   vtkPointSplatGroups Groups;
   vtkPointSplatBlocks SplatBlocks;
   vtkPointSplatLevels Levels;
+  vtkPointSplatLevels::Deviations ColourDeviations;
+  vtkPointSplatLevels::Deviations FactorDeviations;
   vtkMTimeType LevelsAskedFor = 0; // the splats' time
   vtkMTimeType LevelsTriedFor = 0;
   vtkTimeStamp BlockTime;

@@ -10,14 +10,16 @@ namespace
 {
 // Fewer splats are drawn in a time that is not worth the memory.
 constexpr vtkIdType LeastSplats = vtkIdType(1) << 19;
+// Disks of random points that are so many spacings large leave few gaps.
+constexpr double CoveringSpacings = 1.5;
 constexpr uint32_t BodyBit = 0x40000000u; // as in vtkPointSplatProjection.glsl
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatCloud::CanHaveLevels() const
+bool vtkPointSplatCloud::CanHaveLevels()
 {
   // Splats of several blocks lie block by block.
-  if (this->Blocks.size() != 1 || this->Count < LeastSplats || this->MedianRadius <= 0.0 ||
+  if (this->Blocks.size() != 1 || this->Count < LeastSplats || this->GetUsualRadius() <= 0.0 ||
     this->Count >= std::numeric_limits<int32_t>::max())
   {
     return false;
@@ -30,6 +32,12 @@ bool vtkPointSplatCloud::CanHaveLevels() const
     bodies = (this->Splats[words * i + 6] & BodyBit) != 0u;
   }
   return !bodies;
+}
+
+//------------------------------------------------------------------------------
+double vtkPointSplatCloud::GetUsualRadius()
+{
+  return this->MedianRadius > 0.0 ? this->MedianRadius : CoveringSpacings * this->GetSpacing();
 }
 
 //------------------------------------------------------------------------------
@@ -68,7 +76,8 @@ bool vtkPointSplatCloud::BeginLevels()
   {
     return false;
   }
-  this->Levels.Begin(this->Splats, this->GetWordsPerSplat(), static_cast<size_t>(this->Count));
+  this->Levels.Begin(this->Splats, this->GetWordsPerSplat(), static_cast<size_t>(this->Count),
+    static_cast<float>(this->GetUsualRadius()));
   return true;
 }
 

@@ -322,8 +322,8 @@ void vtkPointSplatCollection::UseLevels(
 {
   vtkPointSplatItem& item = entry.Item;
   item.Levels = vtkPointSplatLevelBounds();
-  // Shadows that are cast, and what textures need, are known of points alone.
-  if (choice.LevelPixels <= 0.0 || entry.Settings.Shadows || !item.Look.IsPlain() ||
+  // What textures need is known of points alone.
+  if (choice.LevelPixels <= 0.0 || !item.Look.IsPlain() ||
     !entry.Settings.LevelOfDetail)
   {
     return;
@@ -333,17 +333,23 @@ void vtkPointSplatCollection::UseLevels(
   {
     // As dense as all will be.
     const double radius = item.GetMeanStretch() * item.RadiusScale *
-      item.Cloud->GetMedianRadius() * std::sqrt(item.Cloud->GetShare());
-    if (LevelGrowth * radius <= choice.SmoothLevelPixels * std::sqrt(pixels.x * pixels.y))
+      item.Cloud->GetUsualRadius() * std::sqrt(item.Cloud->GetShare());
+    const double most = item.IsPoints ? choice.PointLevelPixels : choice.SmoothLevelPixels;
+    if (LevelGrowth * radius <= most * std::sqrt(pixels.x * pixels.y))
     {
       item.Cloud->WantLevels();
     }
     return;
   }
-  // Nothing is known of how smooth shadows are that points have.
-  item.Levels = { choice.LevelPixels,
-    item.Cloud->GetFactorCount() > 0 ? choice.LevelPixels : choice.SmoothLevelPixels,
-    choice.LevelDeviation };
+  if (item.IsPoints)
+  {
+    if (item.StrideShift == 0) // else they are fewer still
+    {
+      item.Levels = { 0.5 * choice.PointLevelPixels, choice.PointLevelPixels, choice.LevelDeviation };
+    }
+    return;
+  }
+  item.Levels = { choice.LevelPixels, choice.SmoothLevelPixels, choice.LevelDeviation };
   item.StrideShift = 0;
   // What is drawn is larger than the points' splats, but never by more than some pixels.
   const double largest = LevelExcess * choice.SmoothLevelPixels;

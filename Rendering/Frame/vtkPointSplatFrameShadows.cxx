@@ -312,7 +312,7 @@ void vtkPointSplatFrameShadows::SetFactors(vtkPointSplatItem& item, bool shadows
 {
   if (shadows)
   {
-    item.Factors = this->Cache.GetFactors(item.Cloud, item.MCWC, grouped);
+    item.Factors = this->Cache.GetFactors(item, grouped, item.FactorDeviations);
     item.FactorCount = item.Factors ? this->Cache.GetNumberOfLights() : 0;
     item.FactorVersion = this->Cache.GetNumberOfUpdates();
   }
@@ -320,5 +320,6 @@ void vtkPointSplatFrameShadows::SetFactors(vtkPointSplatItem& item, bool shadows
   {
     item.Factors = grouped ? &item.Cloud->UploadGrouped().Factors : &item.Cloud->Upload().Factors;
     item.FactorCount = item.Cloud->GetFactorCount();
+    item.FactorDeviations = item.Cloud->GetFactorDeviations();
   }
 }

@@ -11,8 +11,8 @@
 //    that are not drawn are seen by its cone of normals, is left out with all that is below it. Of
 //    the others it is drawn itself, instead of those below, if its splats' radii are within the
 //    item's bounds where it is nearest to the eye: Pixels wherever it is, SmoothPixels where its
-//    normals deviate little from their linear change, and its colours from their means, so that
-//    larger splats show the same; half of that where both sides are seen, along outlines.
+//    normals deviate little from their linear change, and its colours and shadows from their means,
+//    so that larger splats show the same; half of that where both sides are seen, along outlines.
 // 3. More splats than can be drawn at once are drawn in parts of the window: it is halved along its
 //    longer side until each part shows few enough, or is a tile's size.
 #ifndef vtkPointSplatSelection_h
