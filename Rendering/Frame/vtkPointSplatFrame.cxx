@@ -63,7 +63,7 @@ public:
   void Execute(vtkObject*, unsigned long, void*) override
   {
     ++this->Self->Frame;
-    this->Self->Next.Begin();
+    this->Self->Next.Begin(this->Self->Renderer);
   }
   vtkPointSplatFrame* Self = nullptr;
 };

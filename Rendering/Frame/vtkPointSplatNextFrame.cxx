@@ -3,7 +3,6 @@
 #include "vtkPointSplatNextFrame.h"
 
 #include "vtkCommand.h"
-#include "vtkNew.h"
 #include "vtkPointSplatStopwatch.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
@@ -43,7 +42,12 @@ public:
   {
     const int timer = data ? *static_cast<int*>(data) : 0;
     this->SetAbortFlag(timer == this->Next->Timer);
+    this->Next->InEvent = true;
     this->Next->Look();
+    if (this->Next) // else its renderer has gone with the frame
+    {
+      this->Next->InEvent = false;
+    }
   }
   vtkPointSplatNextFrame* Next = nullptr;
 };
@@ -72,58 +76,71 @@ bool vtkPointSplatNextFrame::CanBeAskedFor(vtkRenderWindow* window)
 void vtkPointSplatNextFrame::Ask(vtkRenderer* renderer)
 {
   vtkRenderWindow* window = renderer->GetRenderWindow();
-  const bool wanted = std::any_of(this->Sources.begin(), this->Sources.end(),
-    [](const vtkPointSplatSource* source) { return source->IsUnderWay(); });
+  const bool wanted = this->IsUnderWay();
   this->Drags = wanted && vtkPointSplatStopwatch::IsInteracting(renderer);
-  if (this->Drags)
-  {
-    this->End();
-    return;
-  }
-  if (!wanted || (this->Timer > 0 && this->Interactor == window->GetInteractor()) ||
+  const bool runs = this->Timer > 0 && this->Interactor == window->GetInteractor();
+  if (!wanted || this->Drags || runs || this->InEvent ||
     !vtkPointSplatNextFrame::CanBeAskedFor(window))
   {
     return;
   }
   this->End();
   this->Interactor = window->GetInteractor();
-  vtkNew<Observer> observer;
-  observer->Next = this;
-  this->Tag = this->Interactor->AddObserver(vtkCommand::TimerEvent, observer, BeforeStyles);
+  this->Follower.TakeReference(Observer::New());
+  this->Follower->Next = this;
+  this->Tag = this->Interactor->AddObserver(vtkCommand::TimerEvent, this->Follower, BeforeStyles);
   this->Timer = this->Interactor->CreateRepeatingTimer(Period);
 }
 
 //------------------------------------------------------------------------------
 void vtkPointSplatNextFrame::End()
 {
+  if (this->Follower)
+  {
+    this->Follower->Next = nullptr;
+    this->Follower = nullptr;
+  }
   if (this->Interactor && this->Timer > 0)
   {
     this->Interactor->RemoveObserver(this->Tag);
-    this->Interactor->DestroyTimer(this->Timer);
+    if (!this->InEvent)
+    {
+      this->Interactor->DestroyTimer(this->Timer);
+    }
   }
   this->Interactor = nullptr;
   this->Timer = 0;
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatNextFrame::Begin()
+bool vtkPointSplatNextFrame::IsUnderWay() const
 {
-  bool underWay = false;
+  return std::any_of(this->Sources.begin(), this->Sources.end(),
+    [](const vtkPointSplatSource* source) { return source->IsUnderWay(); });
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatNextFrame::Begin(vtkRenderer* renderer)
+{
   if (this->Drags && !this->Looking)
   {
-    this->Advance(underWay);
+    this->Advance();
+  }
+  if (this->Timer > 0 && !this->InEvent &&
+    (!this->IsUnderWay() || vtkPointSplatStopwatch::IsInteracting(renderer)))
+  {
+    this->End();
   }
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatNextFrame::Advance(bool& underWay)
+bool vtkPointSplatNextFrame::Advance()
 {
   this->Looking = true;
   bool news = false;
   for (vtkPointSplatSource* source : this->Sources)
   {
     news = source->Advance() || news;
-    underWay = underWay || source->IsUnderWay();
   }
   this->Looking = false;
   return news;
@@ -138,16 +155,10 @@ void vtkPointSplatNextFrame::Look()
   {
     return;
   }
-  bool underWay = false;
-  const bool news = this->Advance(underWay);
-  vtkRenderWindowInteractor* interactor = this->Interactor;
-  if (!underWay)
-  {
-    this->End();
-  }
+  const bool news = this->Advance();
   if (news)
   {
-    // It may change, or end, what looks.
-    interactor->Render();
+    // It may end what looks.
+    this->Interactor->Render();
   }
 }

@@ -12,12 +12,14 @@
 //    the camera by the mouse's last step at each. There are frames then anyway, and what is ready is
 //    taken when one begins.
 // 4. Where there is something new to see, the interactor renders. Where nothing is under way, the
-//    timer ends.
+//    timer ends, with the next frame that somebody else wants: who ends a timer within its own event
+//    crashes VTK's interactor of X windows.
 #ifndef vtkPointSplatNextFrame_h
 #define vtkPointSplatNextFrame_h
 
 #include "vtkPointSplatSource.h"
 
+#include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
 #include <set>
@@ -40,20 +42,23 @@ public:
   static bool CanBeAskedFor(vtkRenderWindow* window);
   /// After a frame: looks after the sources from now on, if any has something under way.
   void Ask(vtkRenderer* renderer);
-  /// Before a frame: of a drag, what is ready is taken.
-  void Begin();
+  /// Before a frame: ends the timer, where there shall be none; in a drag what is ready is taken.
+  void Begin(vtkRenderer* renderer);
 
 private:
   class Observer;
   void Look();
-  /// Whether there is something new; underWay gets whether there will be.
-  bool Advance(bool& underWay);
+  bool IsUnderWay() const;
+  /// Whether there is something new.
+  bool Advance();
   void End();
 
   const std::set<vtkPointSplatSource*>& Sources;
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor; // that the timer is of
   int Timer = 0;                                        // 0: none
+  vtkSmartPointer<Observer> Follower;                   // of its events
   unsigned long Tag = 0;                                // of the observer
+  bool InEvent = false;
   bool Drags = false; // and waits for something
   bool Looking = false;
 };
