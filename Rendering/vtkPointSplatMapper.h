@@ -223,8 +223,7 @@ public:
 
   ///@{
   /**
-   * Hardware selection looks through actors of less opacity than this. 0, the default: it picks
-   * the nearest layer, however faint.
+   * Hardware selection looks through actors of less opacity than this. 0, the default: through none.
    */
   vtkPointSplatSetClampMacro(PickOpacityThreshold, 0.0, 1.0);
   vtkGetMacro(PickOpacityThreshold, double);
@@ -248,19 +247,13 @@ public:
 
   ///@{
   /**
-   * Of refraction: the index of refraction of the body against the air around, 1 to 4. Default:
-   * 1.5, as glass has it. With 1 nothing is bent or reflected.
+   * Of refraction: the index of refraction of the body against the air around, 1 to 4; with 1
+   * nothing is bent or reflected. Default: 1.5, as glass has it. And how much larger it is for blue
+   * light than for red, relative to RefractiveIndex, which is green's: n (1 - Dispersion / 2), n,
+   * n (1 + Dispersion / 2), not less than 1. 0 to 1; glass has 0.01 to 0.04. Default: 0.
    */
   vtkPointSplatSetClampMacro(RefractiveIndex, 1.0, 4.0);
   vtkGetMacro(RefractiveIndex, double);
-  ///@}
-
-  ///@{
-  /**
-   * Of refraction: how much larger the index is for blue light than for red, relative to
-   * RefractiveIndex, which is green's: n (1 - Dispersion / 2), n, n (1 + Dispersion / 2), not less
-   * than 1. 0 to 1; glass has 0.01 to 0.04. Default: 0.
-   */
   vtkPointSplatSetClampMacro(Dispersion, 0.0, 1.0);
   vtkGetMacro(Dispersion, double);
   ///@}
@@ -372,25 +365,19 @@ public:
   ///@}
 
   ///@{
-  /// Whether splats stand for points much denser than pixels: vtkPointSplatOctree. On by default.
+  /**
+   * Whether splats stand for points much denser than pixels: vtkPointSplatOctree. On by default.
+   * And whether a random part of large clouds is drawn first, then more: of a million points whose
+   * sizes must be estimated, of eight million with sizes; not of composite data, nor where colours are
+   * of cells. Only a window on a screen whose interactor was initialized before Render(), and has
+   * timers, is asked for more frames so, and for one when levels are ready; in others Render() draws
+   * all points, however long that takes. Picked ids and bounds are those of all. A thread holds a copy
+   * of the arrays meanwhile, ProgressEvent comes between frames, and AbortExecuteOn() leaves it at what
+   * is drawn. IsProgressing(): the last frame is one before others. On by default.
+   */
   vtkSetMacro(LevelOfDetail, bool);
   vtkGetMacro(LevelOfDetail, bool);
   vtkBooleanMacro(LevelOfDetail, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Whether clouds whose splats take seconds to make are drawn as a random part of their points at
-   * first, and as more of them as those are ready: of a million points whose sizes must be estimated,
-   * of eight million with sizes. It happens where the window shows on a screen and has an interactor
-   * that was initialized before Render(), and whose timers work; that is asked for another frame then,
-   * and for one when levels (LevelOfDetail) are ready. In other windows, as of scripts that write a
-   * picture, Render() draws all points, and takes as long as that does. Points that are picked are the
-   * input's; bounds are those of all points. While more is being made, a thread holds a copy of the
-   * arrays, ProgressEvent tells how much is done, between frames, and AbortExecuteOn() leaves it at
-   * what is drawn. IsProgressing() tells whether the last frame was one before others. Where colours
-   * are of cells, and of composite data, all points are drawn at once. On by default.
-   */
   vtkSetMacro(Progressive, bool);
   vtkGetMacro(Progressive, bool);
   vtkBooleanMacro(Progressive, bool);
@@ -493,27 +480,22 @@ public:
 
   ///@{
   /**
-   * The plateau kernel's a and n: a larger a makes it narrower, a larger n
-   * flatter in the middle and steeper at the rim. Defaults: 4 and 5.
+   * The plateau kernel's a and n: a larger a makes it narrower, a larger n flatter in the middle and
+   * steeper at the rim. Defaults: 4 and 5. And where kernels end, in radii: b of the plateau
+   * kernels. Default: 1.5.
    */
   vtkPointSplatSetClampMacro(PlateauFalloff, 0.01, 1000.0);
   vtkGetMacro(PlateauFalloff, double);
   vtkPointSplatSetClampMacro(PlateauExponent, 1.0, 100.0);
   vtkGetMacro(PlateauExponent, double);
-  ///@}
-
-  ///@{
-  /**
-   * Where kernels end, in radii: b of the plateau kernels. Default: 1.5.
-   */
   vtkPointSplatSetClampMacro(KernelSupport, 1.0, 4.0);
   vtkGetMacro(KernelSupport, double);
   ///@}
 
   ///@{
   /**
-   * Multiplies all radii and axes. Default: 1. At most 8: at each pixel some 2 RadiusScale^2 splats
-   * overlap, and frames take as many times longer, while the picture is but blurred.
+   * Multiplies all radii and axes. Default: 1. At most 8: some 2 RadiusScale^2 splats overlap at each
+   * pixel, and frames take as many times longer, while the picture is but blurred.
    */
   vtkPointSplatSetClampMacro(RadiusScale, 1e-6, 8.0);
   vtkGetMacro(RadiusScale, double);
@@ -521,10 +503,9 @@ public:
 
   ///@{
   /**
-   * The least distance between two surface layers, in world units, measured along
-   * the normal: what is nearer than this belongs to one layer. 0, the default, is
-   * automatic: a fraction of each splat's own radius. GetLayerDistanceUsed() gives
-   * the distance for a splat of median size.
+   * The least distance between two surface layers, in world units, measured along the normal: what
+   * is nearer than this belongs to one layer. 0, the default, is automatic: a fraction of each splat's
+   * own radius. GetLayerDistanceUsed() gives the distance for a splat of median size.
    */
   vtkPointSplatSetClampMacro(LayerDistance, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(LayerDistance, double);
@@ -534,15 +515,14 @@ public:
   ///@{
   /**
    * Of the input when last drawn: splats, and points that are not drawn. Where TargetError or a drag
-   * lets splats be fewer, only every GetStride()-th of them was drawn.
+   * lets splats be fewer, only every GetStride()-th of them was drawn. And bytes of the images that
+   * the last frame used, shared by all splat actors of its renderer.
    */
   vtkIdType GetNumberOfSplats();
   int GetStride();
   vtkIdType GetNumberOfSkippedPoints();
-  ///@}
-
-  /// Bytes of the images that the last frame used, shared by all splat actors of its renderer.
   vtkIdType GetImageMemorySize();
+  ///@}
 
   /// The input, polygonal or composite or any other point set.
   void SetInputDataObject(vtkDataObject* input) { this->SetInputDataObject(0, input); }
