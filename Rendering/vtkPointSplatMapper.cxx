@@ -51,11 +51,11 @@ vtkPointSplatMapper::vtkInternals::Drawn& vtkPointSplatMapper::vtkInternals::Dra
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatMapper::vtkInternals::Update(const vtkPointSplatSettings& settings)
+vtkDataObject* vtkPointSplatMapper::vtkInternals::UpdateInput()
 {
   if (this->Self->GetNumberOfInputConnections(0) == 0)
   {
-    return false;
+    return nullptr;
   }
   if (!this->Self->Static)
   {
@@ -63,16 +63,22 @@ bool vtkPointSplatMapper::vtkInternals::Update(const vtkPointSplatSettings& sett
     this->Self->GetInputAlgorithm()->UpdatePiece(this->Self->Piece,
       this->Self->NumberOfPieces * this->Self->NumberOfSubPieces, this->Self->GhostLevel);
   }
-  vtkDataObject* data = this->Self->GetExecutive()->GetInputData(0, 0);
+  return this->Self->GetExecutive()->GetInputData(0, 0);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatMapper::vtkInternals::Update(const vtkPointSplatSettings& settings)
+{
+  vtkDataObject* data = this->UpdateInput();
   if (data)
   {
-    this->UpdateCloud(data, settings);
+    this->UpdateSplats(data, settings);
   }
   return data && this->GetCloud().GetNumberOfSplats() > 0;
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatMapper::vtkInternals::UpdateCloud(
+vtkPointSplatCloudInput vtkPointSplatMapper::vtkInternals::MakeInput(
   vtkDataObject* data, const vtkPointSplatSettings& settings)
 {
   vtkPointSplatCloudInput input;
@@ -93,13 +99,38 @@ void vtkPointSplatMapper::vtkInternals::UpdateCloud(
     };
     input.ColourKey = [this] { return this->GetColourKey(); };
   }
-  this->ActorColour = settings.ActorColour.value_or(this->ActorColour);
-  this->NeedCoordinates = this->NeedCoordinates || settings.NeedCoordinates;
-  this->NeedTangents = this->NeedTangents || settings.NeedTangents;
   input.NeedCoordinates = this->NeedCoordinates;
   input.NeedTangents = this->NeedTangents;
   this->LookAtBlocks(input);
-  this->GetCloud().Update(input);
+  return input;
+}
+
+//------------------------------------------------------------------------------
+const std::array<double, 6>* vtkPointSplatMapper::vtkInternals::FindGivenBounds(
+  vtkDataObject* data, const vtkPointSplatSettings& settings)
+{
+  const vtkPointSplatCloudInput input = this->MakeInput(data, settings);
+  if (!settings.Progressive || !vtkPointSplatDrafts::AreOfUse(input) || this->IsMadeFrom(input))
+  {
+    return nullptr;
+  }
+  vtkPointSplatCloud::Key key = vtkPointSplatCloud::KeyOf(input);
+  if (key != this->GivenKey)
+  {
+    this->GivenBounds = vtkPointSplatCloud::BoundsOf(vtkPointSet::SafeDownCast(data));
+    this->GivenKey = std::move(key);
+  }
+  return &this->GivenBounds;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatMapper::vtkInternals::UpdateSplats(
+  vtkDataObject* data, const vtkPointSplatSettings& settings)
+{
+  this->ActorColour = settings.ActorColour.value_or(this->ActorColour);
+  this->NeedCoordinates = this->NeedCoordinates || settings.NeedCoordinates;
+  this->NeedTangents = this->NeedTangents || settings.NeedTangents;
+  this->UpdateCloud(this->MakeInput(data, settings), settings.MayBeDraft);
 }
 
 //------------------------------------------------------------------------------
@@ -161,6 +192,7 @@ vtkPointSplatSettings vtkPointSplatMapper::vtkInternals::GetSettings() const
   s.AntiAliasing = m.AntiAliasing;
   s.LevelOfDetail = m.LevelOfDetail;
   s.Hybrid = m.Hybrid;
+  s.Progressive = m.Progressive;
   s.Refraction = m.Refraction;
   s.RefractiveIndex = m.RefractiveIndex;
   s.Dispersion = m.Dispersion;
@@ -231,7 +263,7 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   }
   vtkInternals& internals = *this->Internals;
   this->InvokeEvent(vtkCommand::StartEvent, nullptr);
-  const bool some = internals.Update(internals.GetSettings(actor));
+  const bool some = internals.Update(internals.GetSettings(renderer, actor));
   this->InvokeEvent(vtkCommand::EndEvent, nullptr);
   if (!some)
   {
@@ -289,6 +321,7 @@ void vtkPointSplatMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
     }
     drawn.NoEnvironment = noEnvironment;
   }
+  drawn.Frame->AskForNext();
   this->UpdateProgress(1.0);
 }
 
@@ -412,7 +445,7 @@ void vtkPointSplatMapper::GetVertices(vtkActor* actor, vtkPolyData* vertices)
 //------------------------------------------------------------------------------
 double* vtkPointSplatMapper::GetBounds()
 {
-  this->Internals->Update(this->Internals->GetSettings());
+  this->Internals->UpdateInput();
   this->ComputeBounds();
   return this->Bounds;
 }
@@ -428,7 +461,13 @@ void vtkPointSplatMapper::ComputeBounds()
   vtkMath::UninitializeBounds(this->Bounds);
   if (input)
   {
-    this->Internals->UpdateCloud(input, this->Internals->GetSettings());
+    const vtkPointSplatSettings settings = this->Internals->GetSettings();
+    if (const std::array<double, 6>* given = this->Internals->FindGivenBounds(input, settings))
+    {
+      std::copy_n(given->data(), given->at(0) <= given->at(1) ? 6 : 0, this->Bounds);
+      return;
+    }
+    this->Internals->UpdateSplats(input, settings);
     if (this->Internals->GetCloud().GetNumberOfSplats() > 0)
     {
       std::copy_n(this->Internals->GetCloud().GetBounds().data(), 6, this->Bounds);

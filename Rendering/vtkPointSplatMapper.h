@@ -28,8 +28,8 @@
  * (SetTransparencyToSorted(), SetTransparencyToNearestExact()).
  *
  * Input: vtkPolyData (or any vtkPointSet), or a composite data set of them. Only points count;
- * cells serve cell selection and cell scalars, and triangles are drawn where Hybrid says so. Blocks may be hidden, and have colours and opacities
- * of their own: vtkPointSplatBlockMapper.
+ * cells serve cell selection and cell scalars, and triangles are drawn where Hybrid says so. Blocks
+ * may be hidden, and have colours and opacities of their own: vtkPointSplatBlockMapper.
  * - Point normals, 3 components. Missing ones are estimated.
  * - `SplatRadius`, 1 component, world units; or `SplatAxis1` and `SplatAxis2`, 3 components, world
  *   units, in the tangent plane. Missing ones are estimated.
@@ -228,8 +228,7 @@ public:
 
   ///@{
   /**
-   * Hardware selection looks through actors of less opacity than this. 0, the default: it picks
-   * the nearest layer, however faint.
+   * Hardware selection looks through actors of less opacity than this. 0, the default: through none.
    */
   vtkPointSplatSetClampMacro(PickOpacityThreshold, 0.0, 1.0);
   vtkGetMacro(PickOpacityThreshold, double);
@@ -252,25 +251,25 @@ public:
   ///@}
 
   ///@{
-  /// Of refraction: the index of refraction of the body against the air around, 1 to 4. Default:
-  /// 1.5, as glass has it. With 1 nothing is bent or reflected.
+  /**
+   * Of refraction: the index of refraction of the body against the air around, 1 to 4; with 1
+   * nothing is bent or reflected. Default: 1.5, as glass has it. And how much larger it is for blue
+   * light than for red, relative to RefractiveIndex, which is green's: n (1 - Dispersion / 2), n,
+   * n (1 + Dispersion / 2), not less than 1. 0 to 1; glass has 0.01 to 0.04. Default: 0.
+   */
   vtkPointSplatSetClampMacro(RefractiveIndex, 1.0, 4.0);
   vtkGetMacro(RefractiveIndex, double);
-  ///@}
-
-  ///@{
-  /// Of refraction: how much larger the index is for blue light than for red, relative to
-  /// RefractiveIndex, which is green's: n (1 - Dispersion / 2), n, n (1 + Dispersion / 2), not less
-  /// than 1. 0 to 1; glass has 0.01 to 0.04. Default: 0.
   vtkPointSplatSetClampMacro(Dispersion, 0.0, 1.0);
   vtkGetMacro(Dispersion, double);
   ///@}
 
   ///@{
-  /// Of refraction: how much red, green and blue light the body absorbs on its way from one
-  /// interface to the next, in 1 / world units: exp(-a d) of it remains after the distance d.
-  /// Not negative. Default: 0, 0, 0. It acts on the environment's light through peeled layers; the
-  /// layers' own opacity takes (1 - alpha)^l of it besides (Zhang, Pajarola 2006, equation 11).
+  /**
+   * Of refraction: how much red, green and blue light the body absorbs on its way from one
+   * interface to the next, in 1 / world units: exp(-a d) of it remains after the distance d.
+   * Not negative. Default: 0, 0, 0. It acts on the environment's light through peeled layers; the
+   * layers' own opacity takes (1 - alpha)^l of it besides (Zhang, Pajarola 2006, equation 11).
+   */
   void SetAbsorption(double red, double green, double blue);
   void SetAbsorption(const double absorption[3])
   {
@@ -280,25 +279,31 @@ public:
   ///@}
 
   ///@{
-  /// Of deferred blending, where the input has no `SplatGroup`: the factor c on the distance at
-  /// which splats count as overlapping when they are grouped (vtkPointSplatGrouping). 1 gives the
-  /// picture of two passes; less gives fewer groups and small faults. Default: 0.8.
+  /**
+   * Of deferred blending, where the input has no `SplatGroup`: the factor c on the distance at
+   * which splats count as overlapping when they are grouped (vtkPointSplatGrouping). 1 gives the
+   * picture of two passes; less gives fewer groups and small faults. Default: 0.8.
+   */
   vtkPointSplatSetClampMacro(OverlapFactor, 0.01, 1.0);
   vtkGetMacro(OverlapFactor, double);
   ///@}
 
   ///@{
-  /// Of deferred blending: whether splats of a group that overlap meet halfway between their centres
-  /// (Zhang, Pajarola 2006, equation 10; the default), or the nearer one hides the other.
+  /**
+   * Of deferred blending: whether splats of a group that overlap meet halfway between their centres
+   * (Zhang, Pajarola 2006, equation 10; the default), or the nearer one hides the other.
+   */
   vtkSetMacro(VoronoiDepth, bool);
   vtkGetMacro(VoronoiDepth, bool);
   vtkBooleanMacro(VoronoiDepth, bool);
   ///@}
 
   ///@{
-  /// Bytes that the groups' images may take, 20 a pixel and group: past it, two passes are taken,
-  /// with a warning. And bytes that translucent layers may take, 16 to 64 a pixel and layer: past
-  /// it, no further ones are peeled. 0: no bound. Default: 1 GiB.
+  /**
+   * Bytes that the groups' images may take, 20 a pixel and group: past it, two passes are taken,
+   * with a warning. And bytes that translucent layers may take, 16 to 64 a pixel and layer: past
+   * it, no further ones are peeled. 0: no bound. Default: 1 GiB.
+   */
   vtkSetClampMacro(MaximumImageMemory, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(MaximumImageMemory, vtkIdType);
   ///@}
@@ -365,10 +370,23 @@ public:
   ///@}
 
   ///@{
-  /// Whether splats stand for points much denser than pixels: vtkPointSplatOctree. On by default.
+  /**
+   * Whether splats stand for points much denser than pixels: vtkPointSplatOctree. On by default.
+   * And whether a random part of large clouds is drawn first, then more: of a million points whose
+   * sizes must be estimated, of eight million with sizes; not of composite data, nor where colours are
+   * of cells. Only a window on a screen whose interactor was initialized before Render(), and has
+   * timers, is asked for more frames so, and for one when levels are ready; in others Render() draws
+   * all points, however long that takes. Picked ids and bounds are those of all. A thread holds a copy
+   * of the arrays meanwhile, ProgressEvent comes between frames, and AbortExecuteOn() leaves it at what
+   * is drawn. IsProgressing(): the last frame is one before others. On by default.
+   */
   vtkSetMacro(LevelOfDetail, bool);
   vtkGetMacro(LevelOfDetail, bool);
   vtkBooleanMacro(LevelOfDetail, bool);
+  vtkSetMacro(Progressive, bool);
+  vtkGetMacro(Progressive, bool);
+  vtkBooleanMacro(Progressive, bool);
+  bool IsProgressing();
   ///@}
 
   ///@{
@@ -393,8 +411,10 @@ public:
   ///@}
 
   ///@{
-  /// The groups that the splats are divided into, 0 before deferred blending was first used;
-  /// and when that was done, which is once for all frames until points or OverlapFactor change.
+  /**
+   * The groups that the splats are divided into, 0 before deferred blending was first used;
+   * and when that was done, which is once for all frames until points or OverlapFactor change.
+   */
   int GetNumberOfGroups();
   vtkMTimeType GetGroupMTime();
   ///@}
@@ -415,10 +435,12 @@ public:
   ///@}
 
   ///@{
-  /// Of area lights: how many samples are taken of each, 16 by default, and how many while the
-  /// user drags, 1 by default; fewer if they keep to TargetError. Shadows that were computed with
-  /// more stay as long as they are right. The largest numbers of all mappers in the renderer hold.
-  /// GetNumberOfShadowSamplesUsed(): of the last frame; GetNumberOfShadowUpdates() counts them.
+  /**
+   * Of area lights: how many samples are taken of each, 16 by default, and how many while the
+   * user drags, 1 by default; fewer if they keep to TargetError. Shadows that were computed with
+   * more stay as long as they are right. The largest numbers of all mappers in the renderer hold.
+   * GetNumberOfShadowSamplesUsed(): of the last frame; GetNumberOfShadowUpdates() counts them.
+   */
   vtkSetClampMacro(NumberOfShadowSamples, int, 1, 65536);
   vtkGetMacro(NumberOfShadowSamples, int);
   vtkSetClampMacro(NumberOfInteractiveShadowSamples, int, 1, 65536);
@@ -428,8 +450,10 @@ public:
   ///@}
 
   ///@{
-  /// As vtkPointShadowTexture's LightRadius, Seed, LayerDistance and Resolution. The first mapper's
-  /// of a renderer that has Shadows on hold for all.
+  /**
+   * As vtkPointShadowTexture's LightRadius, Seed, LayerDistance and Resolution. The first mapper's
+   * of a renderer that has Shadows on hold for all.
+   */
   vtkPointSplatSetClampMacro(ShadowLightRadius, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ShadowLightRadius, double);
   vtkSetMacro(ShadowSeed, int);
@@ -455,9 +479,11 @@ public:
   ///@}
 
   ///@{
-  /// Of compute shaders: whether the processor or the device lists the splats of each tile. The
-  /// picture is the same. Automatic, the default, takes the processor where the driver runs on it
-  /// anyway, as Mesa's llvmpipe does, else the device.
+  /**
+   * Of compute shaders: whether the processor or the device lists the splats of each tile. The
+   * picture is the same. Automatic, the default, takes the processor where the driver runs on it
+   * anyway, as Mesa's llvmpipe does, else the device.
+   */
   vtkSetClampMacro(TileLists, int, AUTOMATIC_LISTS, DEVICE);
   vtkGetMacro(TileLists, int);
   void SetTileListsToAutomatic() { this->SetTileLists(AUTOMATIC_LISTS); }
@@ -466,8 +492,10 @@ public:
   ///@}
 
   ///@{
-  /// The kernel that weights splats where they overlap. Default: Gaussian. Its sigma, as a fraction
-  /// of the splat's radius. Default: 0.6.
+  /**
+   * The kernel that weights splats where they overlap. Default: Gaussian. Its sigma, as a fraction
+   * of the splat's radius. Default: 0.6.
+   */
   vtkSetClampMacro(Kernel, int, GAUSSIAN, PLATEAU);
   vtkGetMacro(Kernel, int);
   void SetKernelToGaussian() { this->SetKernel(GAUSSIAN); }
@@ -477,32 +505,34 @@ public:
   ///@}
 
   ///@{
-  /// The plateau kernel's a and n: a larger a makes it narrower, a larger n
-  /// flatter in the middle and steeper at the rim. Defaults: 4 and 5.
+  /**
+   * The plateau kernel's a and n: a larger a makes it narrower, a larger n flatter in the middle and
+   * steeper at the rim. Defaults: 4 and 5. And where kernels end, in radii: b of the plateau
+   * kernels. Default: 1.5.
+   */
   vtkPointSplatSetClampMacro(PlateauFalloff, 0.01, 1000.0);
   vtkGetMacro(PlateauFalloff, double);
   vtkPointSplatSetClampMacro(PlateauExponent, 1.0, 100.0);
   vtkGetMacro(PlateauExponent, double);
-  ///@}
-
-  ///@{
-  /// Where kernels end, in radii: b of the plateau kernels. Default: 1.5.
   vtkPointSplatSetClampMacro(KernelSupport, 1.0, 4.0);
   vtkGetMacro(KernelSupport, double);
   ///@}
 
   ///@{
-  /// Multiplies all radii and axes. Default: 1. At most 8: at each pixel some 2 RadiusScale^2 splats
-  /// overlap, and frames take as many times longer, while the picture is but blurred.
+  /**
+   * Multiplies all radii and axes. Default: 1. At most 8: some 2 RadiusScale^2 splats overlap at each
+   * pixel, and frames take as many times longer, while the picture is but blurred.
+   */
   vtkPointSplatSetClampMacro(RadiusScale, 1e-6, 8.0);
   vtkGetMacro(RadiusScale, double);
   ///@}
 
   ///@{
-  /// The least distance between two surface layers, in world units, measured along
-  /// the normal: what is nearer than this belongs to one layer. 0, the default, is
-  /// automatic: a fraction of each splat's own radius. GetLayerDistanceUsed() gives
-  /// the distance for a splat of median size.
+  /**
+   * The least distance between two surface layers, in world units, measured along the normal: what
+   * is nearer than this belongs to one layer. 0, the default, is automatic: a fraction of each splat's
+   * own radius. GetLayerDistanceUsed() gives the distance for a splat of median size.
+   */
   vtkPointSplatSetClampMacro(LayerDistance, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(LayerDistance, double);
   double GetLayerDistanceUsed();
@@ -511,15 +541,14 @@ public:
   ///@{
   /**
    * Of the input when last drawn: splats, and points that are not drawn. Where TargetError or a drag
-   * lets splats be fewer, only every GetStride()-th of them was drawn.
+   * lets splats be fewer, only every GetStride()-th of them was drawn. And bytes of the images that
+   * the last frame used, shared by all splat actors of its renderer.
    */
   vtkIdType GetNumberOfSplats();
   int GetStride();
   vtkIdType GetNumberOfSkippedPoints();
-  ///@}
-
-  /// Bytes of the images that the last frame used, shared by all splat actors of its renderer.
   vtkIdType GetImageMemorySize();
+  ///@}
 
   /// The input, polygonal or composite or any other point set.
   void SetInputDataObject(vtkDataObject* input) { this->SetInputDataObject(0, input); }
@@ -570,6 +599,7 @@ private:
   bool AntiAliasing = true;
   bool LevelOfDetail = true;
   int Hybrid = HYBRID_OFF;
+  bool Progressive = true;
   bool ProjectNoise = true;
   bool Shadows = false;
   int NumberOfShadowSamples = 16;

@@ -29,10 +29,16 @@ public:
   {
   }
   bool Update(const vtkPointSplatSettings& settings) override;
+  /// Brings the pipeline up to date; null without an input.
+  vtkDataObject* UpdateInput();
+  /// The bounds of points as they are given, where their splats are not there and take long; else
+  /// null.
+  const std::array<double, 6>* FindGivenBounds(
+    vtkDataObject* data, const vtkPointSplatSettings& settings);
   using vtkPointSplatSource::GetSettings;
   vtkPointSplatSettings GetSettings() const override;
   /// Brings the splats up to date with an input that is.
-  void UpdateCloud(vtkDataObject* data, const vtkPointSplatSettings& settings);
+  void UpdateSplats(vtkDataObject* data, const vtkPointSplatSettings& settings);
 
   /**
    * A renderer that the mapper was drawn in, and what the user was told of that: once, not at every
@@ -59,6 +65,7 @@ public:
   bool ArePrimitivesShown(vtkRenderer* renderer, vtkActor* actor);
 
 private:
+  vtkPointSplatCloudInput MakeInput(vtkDataObject* data, const vtkPointSplatSettings& settings);
   vtkPointSplatColours MapColours(vtkDataSet* data);
   vtkPointSplatValues MapValues(vtkDataSet* data);
   std::string GetColourKey();
@@ -70,6 +77,8 @@ private:
   std::array<double, 4> ActorColour{ { 1.0, 1.0, 1.0, 1.0 } }; // of the one drawn last
   bool NeedCoordinates = false; // of any that was drawn
   bool NeedTangents = false;
+  vtkPointSplatCloud::Key GivenKey;
+  std::array<double, 6> GivenBounds;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -36,6 +36,7 @@ void vtkPointSplatMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetAntiAliasing(other->AntiAliasing);
     this->SetLevelOfDetail(other->LevelOfDetail);
     this->SetHybrid(other->Hybrid);
+    this->SetProgressive(other->Progressive);
     this->SetProjectNoise(other->ProjectNoise);
     this->SetShadows(other->Shadows);
     this->SetNumberOfShadowSamples(other->NumberOfShadowSamples);
@@ -91,6 +92,7 @@ void vtkPointSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LevelOfDetail: " << (this->LevelOfDetail ? "On" : "Off") << "\n";
   os << indent << "Hybrid: " << (this->Hybrid == HYBRID_OFF ? "Off" : "Automatic") << "\n";
   os << indent << "NumberOfTrianglesProjected: " << this->GetNumberOfTrianglesProjected() << "\n";
+  os << indent << "Progressive: " << (this->Progressive ? "On" : "Off") << "\n";
   os << indent << "AntiAliasing: " << (this->AntiAliasing ? "On" : "Off") << "\n";
   os << indent << "ProjectedSpacing: " << this->GetProjectedSpacing() << "\n";
   os << indent << "NumberOfPointsProjected: " << this->GetNumberOfPointsProjected() << "\n";

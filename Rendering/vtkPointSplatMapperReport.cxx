@@ -4,6 +4,7 @@
 // Of the mapper: what it says of the frame that was drawn last.
 #include "vtkPointSplatMapperInternals.h"
 
+#include <cmath>
 #include <sstream>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -70,8 +71,21 @@ const char* vtkPointSplatMapper::GetChoices()
   }
   text << "\nerror allowed: " << vtkPointSplatChoices::Text(r.Choice.Tolerance) << ", "
        << r.Choice.BudgetReason;
+  const vtkPointSplatDrafts& drafts = this->Internals->GetDrafts();
+  if (drafts.AreDrawn())
+  {
+    const double share = drafts.GetCloud().GetShare();
+    text << "\nprogress: one point of " << std::lround(1.0 / share) << " is drawn, "
+         << (drafts.IsUnderWay() ? "while more are prepared" : "since that was aborted");
+  }
   this->Internals->Choices = text.str();
   return this->Internals->Choices.c_str();
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatMapper::IsProgressing()
+{
+  return this->Internals->GetDrafts().IsUnderWay();
 }
 
 //------------------------------------------------------------------------------

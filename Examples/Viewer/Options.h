@@ -46,6 +46,7 @@ struct Options
   bool Unlit = false;
   bool Lit = false;
   bool Quiet = false;
+  bool InWindow = false; // the picture is shown, and not written
   bool Help = false;
   bool Version = false;
   std::string Output;

@@ -23,6 +23,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSplatEstimation.h"
 #include "vtkPointSplatProjection.h"
+#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
@@ -276,6 +277,15 @@ vtkSmartPointer<vtkDataSet> Project(vtkDataSet* points, int outliers, bool quiet
   return projection->GetOutput();
 }
 
+/// Whether a window does not wait for the points' sizes, and the mapper estimates them while it draws
+/// some of the points.
+bool AreShownAtOnce(const Options& options, vtkDataSet* points)
+{
+  constexpr vtkIdType many = vtkIdType(1) << 20;
+  return options.InWindow && !options.Project && options.Json.empty() &&
+    vtkPointSet::SafeDownCast(points) && points->GetNumberOfPoints() >= many;
+}
+
 void AddPoints(Scene& scene, const Options& options, const std::string& name, vtkDataSet* data)
 {
   if (!options.Isovalues.empty())
@@ -329,23 +339,28 @@ void AddPoints(Scene& scene, const Options& options, const std::string& name, vt
   {
     normals = "estimated";
   }
-  // Here and not in the mapper, so that there are progress bars.
+  // Else here and not in the mapper, so that there are progress bars.
   if (options.Project)
   {
     points = Project(points, vtkPointSplatProjection::Remove, options.Quiet);
   }
   vtkNew<vtkPointSplatEstimation> estimation;
-  estimation->SetInputData(points);
-  ShowProgress(estimation, "normals and splat sizes", options.Quiet);
-  estimation->Update();
-  if (estimation->IsNoisy() && !options.Project)
+  vtkSmartPointer<vtkDataSet> drawn = points;
+  if (!AreShownAtOnce(options, points))
   {
-    // As the mapper does by itself where it estimates.
-    points = Project(points, vtkPointSplatProjection::Keep, options.Quiet);
     estimation->SetInputData(points);
+    ShowProgress(estimation, "normals and splat sizes", options.Quiet);
     estimation->Update();
+    if (estimation->IsNoisy() && !options.Project)
+    {
+      // As the mapper does by itself where it estimates.
+      points = Project(points, vtkPointSplatProjection::Keep, options.Quiet);
+      estimation->SetInputData(points);
+      estimation->Update();
+    }
+    drawn = estimation->GetOutput();
   }
-  Surface& surface = AddSurface(scene, options, name, estimation->GetOutput());
+  Surface& surface = AddSurface(scene, options, name, drawn);
   surface.Normals = normals;
 
   ColourPoints(scene, options, surface, points);

@@ -11,6 +11,7 @@
 
 #include "vtkCamera.h"
 #include "vtkEGLHeadlessRenderWindow.h"
+#include "vtkDataSet.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 #include "vtkRenderWindow.h"
@@ -101,7 +102,9 @@ void PrintSummary(
   vtkIdType points = 0;
   for (const Surface& surface : scene.Surfaces)
   {
-    points += surface.Mapper->GetNumberOfSplats();
+    points += surface.Mapper->IsProgressing()
+      ? vtkDataSet::SafeDownCast(surface.Mapper->GetInputDataObject(0, 0))->GetNumberOfPoints()
+      : surface.Mapper->GetNumberOfSplats();
   }
   std::printf("%lld points in %zu surface%s, %s by %s", static_cast<long long>(points),
     scene.Surfaces.size(), scene.Surfaces.size() == 1 ? "" : "s",
@@ -128,7 +131,9 @@ int Run(const Options& options)
   {
     CheckWritable(options.Json);
   }
-  Scene scene = Scene::Make(options);
+  Options own = options;
+  own.InWindow = interactive;
+  Scene scene = Scene::Make(own);
 
   vtkSmartPointer<vtkRenderWindow> window;
   if (interactive)
@@ -152,6 +157,8 @@ int Run(const Options& options)
     interactor->SetRenderWindow(window);
     interactor->SetInteractorStyle(style);
     style->SetScene(scene, options.Quiet);
+    // Else the first frame would show all of a large cloud, when that is there.
+    interactor->Initialize();
   }
   window->Render();
   if (ShowMessages() != 0)

@@ -23,8 +23,12 @@ constexpr int MostQuadShift = 5;
 constexpr double FilterPixels = 0.6;
 constexpr double SmoothPixels = 2.5;
 // What normals of smooth surfaces may deviate from their linear change over a splat, and colours from
-// their mean. Testing/Benchmark/levels.py measures what these three cost.
+// their mean. Testing/Benchmark/levels.py measures what these cost.
 constexpr double SmoothDeviation = 0.02;
+// In image space, where a pixel averages all points that fall into it, the radii of those that stand
+// for others, which are one and a half times their distance, where it is smooth: some one a pixel.
+// Elsewhere half of it.
+constexpr double PointPixels = 1.8;
 
 // Peeling draws more than this even where time is short.
 constexpr double MostContribution = 1.0 / 8.0;
@@ -208,7 +212,7 @@ void ChooseSplats(const vtkPointSplatFacts& facts, double tolerance, vtkPointSpl
 //------------------------------------------------------------------------------
 void ChooseLevels(const vtkPointSplatFacts& facts, double tolerance, vtkPointSplatChoice& choice)
 {
-  const bool able = choice.Compute && !choice.Deferred && !facts.AsksPoints &&
+  const bool able = choice.Compute && !choice.Deferred &&
     choice.Transparency == vtkPointSplatSettings::Peeling;
   choice.HasLevels = facts.Levels;
   choice.LevelsReason = facts.Selects ? "points are selected"
@@ -225,6 +229,7 @@ void ChooseLevels(const vtkPointSplatFacts& facts, double tolerance, vtkPointSpl
   choice.LevelPixels = std::max(scale * FilterPixels, tolerance / StrideErrorPerPixel);
   choice.SmoothLevelPixels = std::max(scale * SmoothPixels, choice.LevelPixels);
   choice.LevelDeviation = looser * SmoothDeviation;
+  choice.PointLevelPixels = scale * PointPixels;
   choice.LevelsReason = facts.Levels
     ? "splats stand for others up to a radius of " + Number(choice.LevelPixels) +
       " pixels, of " + Number(choice.SmoothLevelPixels) + " where it is smooth"

@@ -11,7 +11,9 @@
 //    tolerance. Errors are rms differences of colour, of 1, over the pixels that surfaces cover,
 //    from the best picture that the module makes of the scene.
 // 4. Where clouds have levels, splats may stand for others as long as a pixel's own filter averages
-//    as much, or surfaces are so smooth that larger ones show the same: then none are left out.
+//    as much, or surfaces are so smooth that larger ones show the same: then none are left out. In
+//    image space pixels are the filter, and points stand for others until there are some two of them in
+//    each, or one where it is smooth.
 // 5. Peeling ends where less than the tolerance of the light is left.
 #ifndef vtkPointSplatChoices_h
 #define vtkPointSplatChoices_h
@@ -76,6 +78,7 @@ struct vtkPointSplatChoice
   /// deviate from their linear change by no more than LevelDeviation, within the second. 0: none.
   double LevelPixels = 0.0;
   double SmoothLevelPixels = 0.0;
+  double PointLevelPixels = 0.0; // of points that are projected as single pixels
   double LevelDeviation = 0.0;
   bool HasLevels = false; // some cloud has some
   ///@}

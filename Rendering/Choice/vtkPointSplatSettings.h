@@ -47,6 +47,9 @@ struct vtkPointSplatSettings
   double TargetError = 1.0 / 256.0;
   bool LevelOfDetail = true;
   int Hybrid = HybridOff;
+  bool Progressive = true;
+  /// Whether another frame will follow, so that this one may show less than all.
+  bool MayBeDraft = false;
   int Method = AutomaticMethod;
   int Transparency = AutomaticTransparency;
   int Projection = AutomaticProjection;

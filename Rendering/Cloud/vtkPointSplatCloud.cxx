@@ -90,16 +90,12 @@ void vtkPointSplatCloud::Update(const vtkPointSplatCloudInput& input)
 {
   std::vector<Block> blocks = vtkPointSplatCloud::Gather(input.Data);
   this->KeepOnly(input, blocks);
-  blocks.erase(std::remove_if(blocks.begin(), blocks.end(),
-                 [&input](const Block& block) {
-                   const auto look = input.Looks.find(block.FlatIndex);
-                   return look != input.Looks.end() && !look->second.Visible;
-                 }),
-    blocks.end());
+  blocks = vtkPointSplatCloud::VisibleOf(input, std::move(blocks));
   this->Composite = vtkCompositeDataSet::SafeDownCast(input.Data) != nullptr;
+  this->Whole = input.Whole;
+  this->WholeIds = input.WholeIds;
   Key splatKey = vtkPointSplatCloud::SplatKey(blocks);
-  if (this->SplatTime == 0 || splatKey != this->SplatsMadeFrom ||
-    (input.NeedSizes && !this->Sized) || input.ProjectNoise != this->MayProject)
+  if (!this->IsMadeFrom(input, splatKey))
   {
     this->Levels.Clear();
     const bool whole = this->BuildSplats(input, blocks);
@@ -115,7 +111,7 @@ void vtkPointSplatCloud::Update(const vtkPointSplatCloudInput& input)
     {
       this->Blocks[b].Data = blocks[b].Data;
     }
-    this->TakeLevels();
+    this->TakeLevels(false);
   }
 
   Key colourKey{ { nullptr, this->SplatTime.GetMTime() } };
@@ -141,7 +137,7 @@ void vtkPointSplatCloud::Update(const vtkPointSplatCloudInput& input)
     this->HasValues()         ? this->Levels.AppendValues(this->Colours)
       : this->HasCellColours() ? this->Levels.AppendFirst(this->Colours)
                                : this->Levels.AppendBytes(this->Colours);
-    this->Levels.MeasureDeviations(this->Colours, this->HasValues());
+    this->ColourDeviations = this->Levels.MeasureDeviations(this->Colours, this->HasValues());
     this->ColoursMadeFrom = std::move(colourKey);
     this->ColourKey = wanted(); // to map colours may change the lookup table's range
     this->ColourTime.Modified();
@@ -150,6 +146,7 @@ void vtkPointSplatCloud::Update(const vtkPointSplatCloudInput& input)
   {
     this->BuildFactors(input.Owner);
     this->Levels.AppendBytes(this->Factors);
+    this->FactorDeviations = this->Levels.MeasureDeviations(this->Factors, false);
     this->FactorsMadeFrom = std::move(factorKey);
     this->FactorTime.Modified();
   }
@@ -219,13 +216,12 @@ bool vtkPointSplatCloud::BuildSplats(
   }
   this->Splats.clear();
   this->ClipLines.clear();
+  this->ForgetRange();
   this->Count = this->Points = this->Skipped = this->Unused = 0;
   this->Circular = true;
   this->Sized = true;
   this->MayProject = input.ProjectNoise;
   this->Projected = false;
-  this->Low = { { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, VTK_DOUBLE_MAX } };
-  this->High = { { -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } };
   std::vector<vtkPointSplatPacking> packings;
   bool given = !blocks.empty();
   for (const Block& block : blocks)
@@ -242,23 +238,9 @@ bool vtkPointSplatCloud::BuildSplats(
     this->Circular = this->Circular && !packings.back().Axis1;
     this->Sized = this->Sized && (packings.back().Radius || packings.back().Axis1);
     this->Points += block.Data->GetNumberOfPoints();
-    for (size_t k = 0; k < 3; ++k)
-    {
-      // Of finite coordinates: vtkPointSet's own bounds swallow NaN and infinity.
-      double range[2];
-      packings.back().Points->GetFiniteRange(range, static_cast<int>(k));
-      if (range[0] <= range[1])
-      {
-        this->Low[k] = std::min(this->Low[k], range[0]);
-        this->High[k] = std::max(this->High[k], range[1]);
-      }
-    }
+    this->AddRange(packings.back().Points);
   }
-  for (size_t k = 0; k < 3; ++k)
-  {
-    this->Origin[k] =
-      this->Low[k] <= this->High[k] ? 0.5 * this->Low[k] + 0.5 * this->High[k] : 0.0;
-  }
+  this->SetOriginToMiddle();
   this->LeaveOutFar(packings);
   this->Splats.resize(this->GetWordsPerSplat() * static_cast<size_t>(this->Points));
   for (size_t b = 0; b < blocks.size(); ++b)
@@ -493,12 +475,14 @@ std::vector<uint32_t> vtkPointSplatCloud::MakeIds(IdKind kind) const
   for (const Block& block : this->Blocks)
   {
     // A cloud without cells: the cell id that VTK's selections carry is the point's.
-    const bool cells = kind == CellIds && block.Data->GetNumberOfCells() > 0;
+    vtkPointSet* data = this->Whole ? this->Whole : block.Data;
+    const bool cells = kind == CellIds && data->GetNumberOfCells() > 0;
     const std::vector<vtkIdType> cellOf =
-      cells ? vtkPointSplatPacking::CellsOfPoints(block.Data) : std::vector<vtkIdType>();
+      cells ? vtkPointSplatPacking::CellsOfPoints(data) : std::vector<vtkIdType>();
     for (vtkIdType i = block.First; i < block.First + block.Count; ++i)
     {
-      const vtkIdType point = this->GetPointId(i);
+      const vtkIdType own = this->GetPointId(i);
+      const vtkIdType point = this->Whole ? (*this->WholeIds)[static_cast<size_t>(own)] : own;
       const vtkIdType id = kind == CompositeIds ? block.FlatIndex
         : cells                                 ? cellOf[static_cast<size_t>(point)]
                                                 : point;
@@ -564,7 +548,8 @@ vtkPointSplatCloud::Buffers& vtkPointSplatCloud::UploadIds(IdKind kind)
   vtkMTimeType changed = this->SplatTime;
   for (const Block& block : this->Blocks)
   {
-    changed = std::max(changed, block.Data->GetMTime()); // of cells
+    changed = std::max( // of cells
+      changed, this->Whole ? this->Whole->GetMTime() : block.Data->GetMTime());
   }
   if (changed > buffers.IdTime || buffers.IdsAre != kind)
   {

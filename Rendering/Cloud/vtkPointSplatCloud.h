@@ -62,6 +62,7 @@
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkDataArray;
 class vtkPointSet;
 class vtkPolyData;
 VTK_ABI_NAMESPACE_END
@@ -111,10 +112,29 @@ public:
   vtkPointSplatCloud(const vtkPointSplatCloud&) = delete;
   void operator=(const vtkPointSplatCloud&) = delete;
 
+  /// The objects that something was made from, and their times.
+  using Key = std::vector<std::pair<const vtkObject*, vtkMTimeType>>;
+
   /**
    * Follows the input, doing anew only what changed.
    */
   void Update(const vtkPointSplatCloudInput& input);
+
+  ///@{
+  /**
+   * What splats are made from: an input with another key gets other splats. IsMadeFrom(): Update()
+   * would keep these. Adopt() says that they were made from a copy of what has the key.
+   */
+  static Key KeyOf(const vtkPointSplatCloudInput& input);
+  bool IsMadeFrom(const vtkPointSplatCloudInput& input) const;
+  void Adopt(Key key) { this->SplatsMadeFrom = std::move(key); }
+  ///@}
+
+  /**
+   * Of one data set's points, as they are given: the bounds of those that can be drawn, which
+   * nothing must be estimated for.
+   */
+  static std::array<double, 6> BoundsOf(vtkPointSet* data);
 
   ///@{
   /**
@@ -150,8 +170,31 @@ public:
    * are from one time that they are wanted to the next, and taken by Update().
    */
   void WantLevels();
+  bool AreLevelsWanted() const { return this->LevelsAskedFor != 0; }
+  ///@{
+  /**
+   * Of which splats, by their time, levels were asked for and not begun; 0: of none. BeginLevels()
+   * does that, where there can be some. Whether they are being made; and are ready for Update().
+   */
+  vtkMTimeType GetLevelsPending() const;
+  bool BeginLevels();
+  bool AreLevelsUnderWay() const { return this->Levels.IsUnderWay(); }
+  bool AreLevelsReady() const { return this->Levels.IsReady(); }
+  ///@}
+  /// Makes levels, if there can be some, and waits for them; until another thread says not to.
+  void MakeLevels();
+  void AbortLevels() { this->Levels.Abort(); }
   /// Of splats that stand for others, which lie behind those of points: see vtkPointSplatLevels.
   const vtkPointSplatLevels& GetLevels() const { return this->Levels; }
+  /// Of the levels' blocks how much colours differ from their means, and factors; or null.
+  const vtkPointSplatLevels::Deviations& GetColourDeviations() const
+  {
+    return this->ColourDeviations;
+  }
+  const vtkPointSplatLevels::Deviations& GetFactorDeviations() const
+  {
+    return this->FactorDeviations;
+  }
 
   /**
    * The points that splats were made from, a vertex each, for what draws no splats: in the input's
@@ -170,7 +213,10 @@ public:
   vtkIdType GetNumberOfUnusedPoints() const { return this->Unused; }
   /// Whether points of some block are drawn where they were projected to.
   bool IsProjected() const { return this->Projected; }
-  vtkIdType GetNumberOfPoints() const { return this->Points; }
+  /// With those that the input's Whole has beside its own.
+  vtkIdType GetNumberOfPoints() const;
+  /// Of those points, how many splats are made from.
+  double GetShare() const;
   /// The point, of its block, that a splat was made from.
   vtkIdType GetPointId(vtkIdType splat) const
   {
@@ -199,6 +245,8 @@ public:
   bool HasCoordinates() const { return !this->Coordinates.empty(); }
   bool HasTangents() const { return !this->Tangents.empty(); }
   double GetMedianRadius() const { return this->MedianRadius; }
+  /// The same; of points without sizes, such that their disks would cover the surface.
+  double GetUsualRadius();
   double GetMaximumRadius() const { return this->MaximumRadius; }
   /// The distance of neighbouring points, world units (vtkPointSplatSpacing.h).
   double GetSpacing();
@@ -218,12 +266,13 @@ private:
     vtkIdType First;
     vtkIdType Count;
   };
-  /// The objects that something was made from, and their times.
-  using Key = std::vector<std::pair<const vtkObject*, vtkMTimeType>>;
   using ContextBuffers = std::list<std::pair<vtkPointSplatContext, Buffers>>;
 
   static std::vector<Block> Gather(vtkDataObject* input);
   static Key SplatKey(const std::vector<Block>& blocks);
+  static std::vector<Block> VisibleOf(
+    const vtkPointSplatCloudInput& input, std::vector<Block> blocks);
+  bool IsMadeFrom(const vtkPointSplatCloudInput& input, const Key& key) const;
   /// False where the estimation of what is missing was aborted: then there are no splats.
   bool BuildSplats(const vtkPointSplatCloudInput& input, std::vector<Block>& blocks);
   /// The arrays of a block; those of blocks with looks are kept, so that hidden ones come back at once.
@@ -253,8 +302,12 @@ private:
   /// RGBA, 8 bits each, whether splats have colours or values.
   uint32_t ColourOf(vtkIdType splat) const;
   Buffers& Fill(ContextBuffers& all, bool grouped);
-  bool CanHaveLevels() const;
-  void TakeLevels();
+  /// Widens Low and High by points' finite coordinates; the middle is the origin then.
+  void AddRange(vtkDataArray* points);
+  void ForgetRange();
+  void SetOriginToMiddle();
+  bool CanHaveLevels();
+  void TakeLevels(bool wait);
 
   std::vector<uint32_t> Splats;
   std::vector<uint32_t> ClipLines; // floats, as their bits
@@ -271,6 +324,8 @@ private:
   std::vector<Block> Blocks;
   vtkIdType Count = 0;
   vtkIdType Points = 0;
+  vtkPointSet* Whole = nullptr; // as the input has them
+  const std::vector<vtkIdType>* WholeIds = nullptr;
   vtkIdType Skipped = 0;
   vtkIdType Unused = 0;
   bool Circular = true;
@@ -290,6 +345,8 @@ private:
   vtkPointSplatGroups Groups;
   vtkPointSplatBlocks SplatBlocks;
   vtkPointSplatLevels Levels;
+  vtkPointSplatLevels::Deviations ColourDeviations;
+  vtkPointSplatLevels::Deviations FactorDeviations;
   vtkMTimeType LevelsAskedFor = 0; // the splats' time
   vtkMTimeType LevelsTriedFor = 0;
   vtkPointSplatTriangles Triangles;

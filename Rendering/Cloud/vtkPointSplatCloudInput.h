@@ -7,6 +7,7 @@
 #include "vtkDataSet.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkPointSet.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -16,6 +17,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 /**
  * What vtkMapper makes of a block's scalars, where colours are blended.
@@ -63,6 +65,9 @@ struct vtkPointSplatCloudInput
 {
   /// Points: a point set, or a composite data set of such.
   vtkDataObject* Data = nullptr;
+  /// Where Data has but some of a data set's points: that data set, and their ids in it; or null.
+  vtkPointSet* Whole = nullptr;
+  const std::vector<vtkIdType>* WholeIds = nullptr;
   /// Who errors and warnings are said to come from.
   vtkObject* Owner = nullptr;
   /// Whether splats need sizes; points that are projected as single pixels do not.

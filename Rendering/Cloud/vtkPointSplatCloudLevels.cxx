@@ -10,14 +10,16 @@ namespace
 {
 // Fewer splats are drawn in a time that is not worth the memory.
 constexpr vtkIdType LeastSplats = vtkIdType(1) << 19;
+// Disks of random points that are so many spacings large leave few gaps.
+constexpr double CoveringSpacings = 1.5;
 constexpr uint32_t BodyBit = 0x40000000u; // as in vtkPointSplatProjection.glsl
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatCloud::CanHaveLevels() const
+bool vtkPointSplatCloud::CanHaveLevels()
 {
   // Splats of several blocks lie block by block.
-  if (this->Blocks.size() != 1 || this->Count < LeastSplats || this->MedianRadius <= 0.0 ||
+  if (this->Blocks.size() != 1 || this->Count < LeastSplats || this->GetUsualRadius() <= 0.0 ||
     this->Count >= std::numeric_limits<int32_t>::max())
   {
     return false;
@@ -33,6 +35,12 @@ bool vtkPointSplatCloud::CanHaveLevels() const
 }
 
 //------------------------------------------------------------------------------
+double vtkPointSplatCloud::GetUsualRadius()
+{
+  return this->MedianRadius > 0.0 ? this->MedianRadius : CoveringSpacings * this->GetSpacing();
+}
+
+//------------------------------------------------------------------------------
 void vtkPointSplatCloud::WantLevels()
 {
   if (this->Levels.AreMade() || this->LevelsTriedFor == this->SplatTime.GetMTime())
@@ -44,18 +52,49 @@ void vtkPointSplatCloud::WantLevels()
     this->LevelsAskedFor = this->SplatTime.GetMTime();
     return;
   }
-  this->LevelsTriedFor = this->LevelsAskedFor;
-  if (this->CanHaveLevels())
+  this->BeginLevels();
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkPointSplatCloud::GetLevelsPending() const
+{
+  const bool pending = !this->Whole && !this->Levels.AreMade() &&
+    this->LevelsTriedFor != this->LevelsAskedFor &&
+    this->LevelsAskedFor == this->SplatTime.GetMTime();
+  return pending ? this->LevelsAskedFor : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatCloud::BeginLevels()
+{
+  if (this->GetLevelsPending() == 0)
   {
-    this->Levels.Begin(
-      this->Splats, this->GetWordsPerSplat(), static_cast<size_t>(this->Count));
+    return false;
+  }
+  this->LevelsTriedFor = this->LevelsAskedFor;
+  if (!this->CanHaveLevels())
+  {
+    return false;
+  }
+  this->Levels.Begin(this->Splats, this->GetWordsPerSplat(), static_cast<size_t>(this->Count),
+    static_cast<float>(this->GetUsualRadius()));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatCloud::MakeLevels()
+{
+  this->LevelsAskedFor = this->SplatTime.GetMTime();
+  if (this->BeginLevels())
+  {
+    this->TakeLevels(true);
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatCloud::TakeLevels()
+void vtkPointSplatCloud::TakeLevels(bool wait)
 {
-  if (this->Levels.IsReady() &&
+  if ((wait || this->Levels.IsReady()) &&
     this->Levels.Take(this->Splats, this->ClipLines, this->GetWordsPerSplat()))
   {
     this->SplatTime.Modified();

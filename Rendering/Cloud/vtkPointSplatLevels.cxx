@@ -26,9 +26,10 @@ double BendOf(uint32_t code, int shift)
 class Packed : public vtkPointSplatHierarchy::Source
 {
 public:
-  Packed(const uint32_t* splats, size_t words)
+  Packed(const uint32_t* splats, size_t words, float radius)
     : Splats(splats)
     , Words(words)
+    , Radius(radius)
   {
   }
 
@@ -37,6 +38,7 @@ public:
     const uint32_t* splat = this->Splats + this->Words * id;
     std::memcpy(point.Position, splat, sizeof(point.Position));
     std::memcpy(&point.Radius, splat + 3, sizeof(float));
+    point.Radius = point.Radius > 0.0f ? point.Radius : this->Radius;
     double n[3];
     vtkPointSplatCodes::DecodeNormal(splat[5], n);
     std::copy_n(n, 3, point.Normal);
@@ -64,6 +66,7 @@ public:
 private:
   const uint32_t* Splats;
   size_t Words;
+  float Radius; // of splats without one
 };
 
 void Pack(const vtkPointSplatHierarchy::Splat& splat, uint32_t id, size_t words, uint32_t* to)
@@ -108,20 +111,20 @@ void vtkPointSplatLevels::Clear()
   }
   this->Hierarchy = vtkPointSplatHierarchy();
   this->Blocks.clear();
-  this->Deviations.clear();
   this->Starts.clear();
   this->Firsts.clear();
   this->Roots = this->Points = 0;
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatLevels::Begin(const std::vector<uint32_t>& splats, size_t words, size_t count)
+void vtkPointSplatLevels::Begin(
+  const std::vector<uint32_t>& splats, size_t words, size_t count, float radius)
 {
   this->Clear();
   this->Stop = false;
   const uint32_t* from = splats.data();
-  this->Work = std::async(std::launch::async, [this, from, words, count] {
-    return this->Hierarchy.Make(Packed(from, words), static_cast<uint32_t>(count), words != 8,
+  this->Work = std::async(std::launch::async, [this, from, words, count, radius] {
+    return this->Hierarchy.Make(Packed(from, words, radius), static_cast<uint32_t>(count), words != 8,
       [this](double) { return !this->Stop; });
   });
 }
@@ -214,12 +217,12 @@ uint32_t vtkPointSplatLevels::GetEnd(int level, uint32_t splat) const
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatLevels::MeasureDeviations(const std::vector<uint32_t>& data, bool values)
+vtkPointSplatLevels::Deviations vtkPointSplatLevels::MeasureDeviations(
+  const std::vector<uint32_t>& data, bool values) const
 {
-  this->Deviations.clear();
   if (data.empty() || this->Blocks.empty())
   {
-    return;
+    return nullptr;
   }
   auto square = [values](uint32_t a, uint32_t b) {
     double sum = 0.0;
@@ -238,7 +241,7 @@ void vtkPointSplatLevels::MeasureDeviations(const std::vector<uint32_t>& data, b
     }
     return sum;
   };
-  this->Deviations.assign(this->Blocks.size(), 0.0f);
+  auto deviations = std::make_shared<std::vector<float>>(this->Blocks.size(), 0.0f);
   vtkSMPTools::For(
     0, static_cast<vtkIdType>(this->Blocks.size()), 64, [&](vtkIdType begin, vtkIdType end) {
       for (size_t b = static_cast<size_t>(begin); b < static_cast<size_t>(end); ++b)
@@ -254,9 +257,10 @@ void vtkPointSplatLevels::MeasureDeviations(const std::vector<uint32_t>& data, b
             ++count;
           }
         }
-        this->Deviations[b] = static_cast<float>(std::sqrt(sum / std::max(count, 1u)));
+        (*deviations)[b] = static_cast<float>(std::sqrt(sum / std::max(count, 1u)));
       }
     });
+  return deviations;
 }
 
 //------------------------------------------------------------------------------

@@ -33,8 +33,10 @@ public:
 
   /// Ends what is under way, and forgets the levels. Splats may change only after that.
   void Clear();
-  /// Begins to make levels of these splats, of some words each.
-  void Begin(const std::vector<uint32_t>& splats, size_t words, size_t count);
+  /// Says, from any thread, that what is under way is not wanted any more.
+  void Abort() { this->Stop = true; }
+  /// Begins to make levels of these splats, of some words each. radius: of those that have none.
+  void Begin(const std::vector<uint32_t>& splats, size_t words, size_t count, float radius);
   bool IsUnderWay() const { return this->Work.valid(); }
   /// Whether what was begun has come to an end.
   bool IsReady() const;
@@ -53,13 +55,10 @@ public:
 
   /**
    * How much what a word a splat holds differs between the splats that one stands for and their
-   * mean: rms over each block's splats, bytes and values as from 0 to 1. Empty without data.
+   * mean: rms over each block's splats, bytes and values as from 0 to 1. Null without data.
    */
-  void MeasureDeviations(const std::vector<uint32_t>& data, bool values);
-  float GetDeviation(size_t block) const
-  {
-    return this->Deviations.empty() ? 0.0f : this->Deviations[block];
-  }
+  using Deviations = std::shared_ptr<const std::vector<float>>;
+  Deviations MeasureDeviations(const std::vector<uint32_t>& data, bool values) const;
 
   ///@{
   /// Appends what the levels' splats have, where data has a word a splat: means of four bytes, means
@@ -81,7 +80,6 @@ private:
   std::vector<Block> Blocks;
   size_t Roots = 0;
   size_t Points = 0;
-  std::vector<float> Deviations; // of blocks
   std::vector<uint32_t> Starts; // of each level in the buffers, and the end
   std::vector<uint32_t> Firsts; // of each splat above the points: the first one below, in the buffers
 };

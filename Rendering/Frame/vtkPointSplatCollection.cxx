@@ -100,17 +100,18 @@ std::vector<vtkProp*> vtkPointSplatCollection::VisibleProps(vtkRenderer* rendere
 }
 
 //------------------------------------------------------------------------------
-vtkPointSplatEntry vtkPointSplatCollection::MakeEntry(
-  vtkActor* actor, vtkPointSplatSource* source, const vtkPointSplatWishes* wishes)
+vtkPointSplatEntry vtkPointSplatCollection::MakeEntry(vtkRenderer* renderer, vtkActor* actor,
+  vtkPointSplatSource* source, const vtkPointSplatWishes* wishes)
 {
   vtkPointSplatEntry entry;
   entry.Actor = actor;
   entry.Source = source;
-  entry.Settings = source->GetSettings(actor);
+  entry.Settings = source->GetSettings(renderer, actor);
   if (wishes)
   {
     wishes->Change(entry.Settings);
   }
+  entry.IsEmpty = !source->Update(entry.Settings);
   entry.Item.Cloud = &source->GetCloud();
   entry.Item.MCWC = vtkPointSplatView::Matrix(actor->GetMatrix());
   return entry;
@@ -132,9 +133,9 @@ vtkPointSplatCollection::Entries vtkPointSplatCollection::Collect(
       continue;
     }
     vtkActor* actor = static_cast<vtkActor*>(prop);
-    vtkPointSplatEntry entry = vtkPointSplatCollection::MakeEntry(actor, source, wishes);
+    vtkPointSplatEntry entry = vtkPointSplatCollection::MakeEntry(renderer, actor, source, wishes);
     const bool selects = renderer->GetSelector() != nullptr;
-    if (!source->Update(entry.Settings) ||
+    if (entry.IsEmpty ||
       !(selects ||
         (translucent ? actor->HasTranslucentPolygonalGeometry() : actor->HasOpaqueGeometry())))
     {
@@ -159,7 +160,8 @@ bool vtkPointSplatCollection::HasOthersBetween(vtkRenderer* renderer, const Entr
     const bool own = std::any_of(entries.begin(), entries.end(),
       [prop](const vtkPointSplatEntry& entry) { return entry.Actor == prop; });
     vtkPointSplatSource* source = vtkPointSplatSource::Of(prop);
-    const bool isEmpty = !own && source && !source->Update(source->GetSettings());
+    const bool isEmpty = !own && source &&
+      !source->Update(source->GetSettings(renderer, nullptr));
     if ((!own && !isEmpty && prop->HasTranslucentPolygonalGeometry()) ||
       (vtkVolume::SafeDownCast(prop) && renderer->GetUseDepthPeelingForVolumes()))
     {
@@ -325,8 +327,8 @@ void vtkPointSplatCollection::UseLevels(
 {
   vtkPointSplatItem& item = entry.Item;
   item.Levels = vtkPointSplatLevelBounds();
-  // Shadows that are cast, and what textures need, are known of points alone.
-  if (choice.LevelPixels <= 0.0 || entry.Settings.Shadows || !item.Look.IsPlain() ||
+  // What textures need is known of points alone.
+  if (choice.LevelPixels <= 0.0 || !item.Look.IsPlain() ||
     !entry.Settings.LevelOfDetail)
   {
     return;
@@ -334,18 +336,25 @@ void vtkPointSplatCollection::UseLevels(
   const glm::dvec2 pixels = view.PixelSizes(item.MCWC, item.Cloud->GetBounds().data());
   if (!item.Cloud->GetLevels().AreMade())
   {
-    const double radius =
-      item.GetMeanStretch() * item.RadiusScale * item.Cloud->GetMedianRadius();
-    if (LevelGrowth * radius <= choice.SmoothLevelPixels * std::sqrt(pixels.x * pixels.y))
+    // As dense as all will be.
+    const double radius = item.GetMeanStretch() * item.RadiusScale *
+      item.Cloud->GetUsualRadius() * std::sqrt(item.Cloud->GetShare());
+    const double most = item.IsPoints ? choice.PointLevelPixels : choice.SmoothLevelPixels;
+    if (LevelGrowth * radius <= most * std::sqrt(pixels.x * pixels.y))
     {
       item.Cloud->WantLevels();
     }
     return;
   }
-  // Nothing is known of how smooth shadows are that points have.
-  item.Levels = { choice.LevelPixels,
-    item.Cloud->GetFactorCount() > 0 ? choice.LevelPixels : choice.SmoothLevelPixels,
-    choice.LevelDeviation };
+  if (item.IsPoints)
+  {
+    if (item.StrideShift == 0) // else they are fewer still
+    {
+      item.Levels = { 0.5 * choice.PointLevelPixels, choice.PointLevelPixels, choice.LevelDeviation };
+    }
+    return;
+  }
+  item.Levels = { choice.LevelPixels, choice.SmoothLevelPixels, choice.LevelDeviation };
   item.StrideShift = 0;
   // What is drawn is larger than the points' splats, but never by more than some pixels.
   const double largest = LevelExcess * choice.SmoothLevelPixels;

@@ -33,6 +33,7 @@ struct vtkPointSplatEntry
 {
   vtkActor* Actor = nullptr;
   vtkPointSplatSource* Source = nullptr;
+  bool IsEmpty = false; // there are no splats
   vtkPointSplatSettings Settings;
   vtkPointSplatItem Item;
 };
@@ -51,8 +52,9 @@ public:
    */
   static Entries Collect(
     vtkRenderer* renderer, bool translucent, const vtkPointSplatWishes* wishes);
-  static vtkPointSplatEntry MakeEntry(
-    vtkActor* actor, vtkPointSplatSource* source, const vtkPointSplatWishes* wishes);
+  /// What an actor is drawn as; the splats are brought up to date.
+  static vtkPointSplatEntry MakeEntry(vtkRenderer* renderer, vtkActor* actor,
+    vtkPointSplatSource* source, const vtkPointSplatWishes* wishes);
 
   /// Whether something translucent that is none of the entries may lie between their layers.
   static bool HasOthersBetween(vtkRenderer* renderer, const Entries& entries);

@@ -60,16 +60,21 @@ class vtkPointSplatFrame::Observer : public vtkCommand
 {
 public:
   static Observer* New() { return new Observer; }
-  void Execute(vtkObject*, unsigned long, void*) override { ++*this->Frame; }
-  unsigned long* Frame = nullptr;
+  void Execute(vtkObject*, unsigned long, void*) override
+  {
+    ++this->Self->Frame;
+    this->Self->Next.Begin(this->Self->Renderer);
+  }
+  vtkPointSplatFrame* Self = nullptr;
 };
 
 //------------------------------------------------------------------------------
 vtkPointSplatFrame::vtkPointSplatFrame(vtkRenderer* renderer)
   : Renderer(renderer)
+  , Next(this->Users)
 {
   vtkNew<Observer> observer;
-  observer->Frame = &this->Frame;
+  observer->Self = this;
   this->ObserverTag = renderer->AddObserver(vtkCommand::StartEvent, observer);
 }
 
@@ -236,8 +241,8 @@ bool vtkPointSplatFrame::PresentAlone(
   pass.SelectionPass = this->Current.SelectionPass;
   pass.Joint = false;
   pass.Batched = pass.SelectionPass < 0;
-  pass.Entries.push_back(vtkPointSplatCollection::MakeEntry(actor, &source, this->Wishes));
-  source.Update(pass.Entries[0].Settings);
+  pass.Entries.push_back(
+    vtkPointSplatCollection::MakeEntry(this->Renderer, actor, &source, this->Wishes));
   if (pass.SelectionPass >= 0 &&
     actor->GetProperty()->GetOpacity() < pass.Entries[0].Settings.PickOpacityThreshold)
   {
@@ -460,6 +465,12 @@ void vtkPointSplatFrame::Report(
   report.ShadowReason = this->Shadows.GetSamplesReason();
   report.ShadowUpdates = this->Shadows.GetNumberOfUpdates();
   report.HasEnvironment = this->HasEnvironment;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatFrame::AskForNext()
+{
+  this->Next.Ask(this->Renderer);
 }
 
 //------------------------------------------------------------------------------

@@ -27,6 +27,7 @@
 #include "vtkPointSplatFlat.h"
 #include "vtkPointSplatFrameShadows.h"
 #include "vtkPointSplatLooks.h"
+#include "vtkPointSplatNextFrame.h"
 #include "vtkPointSplatReconstruction.h"
 #include "vtkPointSplatResolve.h"
 #include "vtkPointSplatSceneDepth.h"
@@ -100,6 +101,9 @@ public:
    * the last one go the images and the programs.
    */
   void Leave(vtkPointSplatSource& source, vtkWindow* window);
+
+  /// Asks for another frame when what sources make in the background is ready, if anything is.
+  void AskForNext();
 
   vtkRenderer* GetRenderer() const { return this->Renderer; }
   const std::string& GetError() const { return this->Error; }
@@ -185,6 +189,7 @@ private:
   bool EnvironmentGood = false;
   bool HasEnvironment = false; // and the pass that is under way wants it
   std::set<vtkPointSplatSource*> Users;
+  vtkPointSplatNextFrame Next;
   std::string Error;
 };
 

@@ -85,7 +85,7 @@ void vtkPointSplatFrameShadows::AddActor(
   vtkMapper* mapper = actor->GetMapper();
   if (vtkPointSplatSource* source = vtkPointSplatSource::Of(actor))
   {
-    const vtkPointSplatSettings settings = source->GetSettings();
+    const vtkPointSplatSettings settings = source->GetSettings(all.Renderer, nullptr);
     if (source->Update(settings))
     {
       vtkPointSplatShadowCloud cloud;
@@ -119,6 +119,7 @@ void vtkPointSplatFrameShadows::AddActor(
 vtkPointSplatFrameShadows::Gathered vtkPointSplatFrameShadows::Gather(vtkRenderer* renderer)
 {
   Gathered all;
+  all.Renderer = renderer;
   all.Interacting = vtkPointSplatStopwatch::IsInteracting(renderer);
   for (vtkProp* prop : vtkPointSplatCollection::VisibleProps(renderer))
   {
@@ -311,7 +312,7 @@ void vtkPointSplatFrameShadows::SetFactors(vtkPointSplatItem& item, bool shadows
 {
   if (shadows)
   {
-    item.Factors = this->Cache.GetFactors(item.Cloud, item.MCWC, grouped);
+    item.Factors = this->Cache.GetFactors(item, grouped, item.FactorDeviations);
     item.FactorCount = item.Factors ? this->Cache.GetNumberOfLights() : 0;
     item.FactorVersion = this->Cache.GetNumberOfUpdates();
   }
@@ -319,5 +320,6 @@ void vtkPointSplatFrameShadows::SetFactors(vtkPointSplatItem& item, bool shadows
   {
     item.Factors = grouped ? &item.Cloud->UploadGrouped().Factors : &item.Cloud->Upload().Factors;
     item.FactorCount = item.Cloud->GetFactorCount();
+    item.FactorDeviations = item.Cloud->GetFactorDeviations();
   }
 }

@@ -55,6 +55,7 @@ private:
   };
   struct Gathered
   {
+    vtkRenderer* Renderer = nullptr;
     vtkPointSplatShadowScene Scene;
     std::vector<Receiver> Receivers;
     bool HasTranslucent = false; // splats that cast

@@ -4,9 +4,11 @@
 
 #include "vtkActor.h"
 #include "vtkMapper.h"
+#include "vtkPointSplatNextFrame.h"
 #include "vtkPointSplatPrimitives.h"
 #include "vtkPointSplatTextures.h"
 #include "vtkProperty.h"
+#include "vtkRenderer.h"
 
 #include <map>
 #include <mutex>
@@ -54,6 +56,49 @@ vtkPointSplatSettings vtkPointSplatSource::GetSettings(vtkActor* actor) const
   settings.NeedCoordinates = !textures.GetAll().empty();
   settings.NeedTangents = textures.NeedTangents();
   return settings;
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatSettings vtkPointSplatSource::GetSettings(vtkRenderer* renderer, vtkActor* actor) const
+{
+  vtkPointSplatSettings settings = actor ? this->GetSettings(actor) : this->GetSettings();
+  settings.MayBeDraft =
+    settings.Progressive && vtkPointSplatNextFrame::CanBeAskedFor(renderer->GetRenderWindow());
+  return settings;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatSource::UpdateCloud(const vtkPointSplatCloudInput& input, bool mayBeDraft)
+{
+  if (mayBeDraft && this->Drafts.Update(input, *this->Cloud))
+  {
+    return;
+  }
+  this->Drafts.Finish(this->Cloud);
+  this->Cloud->Update(input);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatSource::IsUnderWay() const
+{
+  return this->Drafts.IsUnderWay() || this->Cloud->AreLevelsUnderWay() ||
+    this->Cloud->GetLevelsPending() != 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatSource::Advance()
+{
+  if (this->Drafts.AreDrawn())
+  {
+    return this->Drafts.Advance(this->Cloud);
+  }
+  const vtkMTimeType asked = this->Cloud->GetLevelsPending();
+  if (asked != 0 && asked == this->LevelsAskedFor)
+  {
+    this->Cloud->BeginLevels();
+  }
+  this->LevelsAskedFor = asked;
+  return this->Cloud->AreLevelsReady();
 }
 
 //------------------------------------------------------------------------------

@@ -6,12 +6,14 @@
 #define vtkPointSplatSource_h
 
 #include "vtkPointSplatCloud.h"
+#include "vtkPointSplatDrafts.h"
 #include "vtkPointSplatSettings.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkMapper;
 class vtkProp;
+class vtkRenderer;
 VTK_ABI_NAMESPACE_END
 
 class vtkPointSplatSource
@@ -32,15 +34,43 @@ public:
    */
   virtual bool Update(const vtkPointSplatSettings& settings) = 0;
   virtual vtkPointSplatSettings GetSettings() const = 0;
-  /// The same, with what an actor says.
+  ///@{
+  /// The same, with what an actor says, if there is one, and with what a renderer's window allows.
   vtkPointSplatSettings GetSettings(vtkActor* actor) const;
+  vtkPointSplatSettings GetSettings(vtkRenderer* renderer, vtkActor* actor) const;
+  ///@}
 
-  vtkPointSplatCloud& GetCloud() { return this->Cloud; }
+  /// The splats to draw; after Update() they may be others.
+  vtkPointSplatCloud& GetCloud()
+  {
+    return this->Drafts.AreDrawn() ? this->Drafts.GetCloud() : *this->Cloud;
+  }
+  const vtkPointSplatDrafts& GetDrafts() const { return this->Drafts; }
   vtkMapper* GetMapper() const { return this->Mapper; }
+
+  ///@{
+  /**
+   * Whether something is made in the background, or will be; and, between frames, what there is to
+   * do for it: true where another frame will show more, or cost less.
+   */
+  bool IsUnderWay() const;
+  bool Advance();
+  ///@}
+
+protected:
+  /// Brings the splats up to date, or, where that may be, a draft of them.
+  void UpdateCloud(const vtkPointSplatCloudInput& input, bool mayBeDraft);
+  /// Whether the splats are there.
+  bool IsMadeFrom(const vtkPointSplatCloudInput& input) const
+  {
+    return this->Cloud->IsMadeFrom(input);
+  }
 
 private:
   vtkMapper* Mapper;
-  vtkPointSplatCloud Cloud;
+  vtkPointSplatDrafts::CloudPointer Cloud{ new vtkPointSplatCloud };
+  vtkPointSplatDrafts Drafts;
+  vtkMTimeType LevelsAskedFor = 0; // when it was last looked
 };
 
 #endif

@@ -109,6 +109,7 @@ struct vtkPointSplatItem
   glm::ivec4 Window{ 0 };                     // pixels that it can cover
   const vtkPointSplatBuffer* Factors = nullptr; // RGBA, 8 bits each, of as many lights, a splat
   int FactorCount = 0;                        // the lights
+  vtkPointSplatLevels::Deviations FactorDeviations; // of the levels' blocks, or null
   unsigned long FactorVersion = 0;            // counts what was in the buffer
   bool IsFlat = false;                        // a pixel has the normal of one splat
   vtkPointSplatItemLook Look;

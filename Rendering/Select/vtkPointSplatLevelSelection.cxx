@@ -59,10 +59,15 @@ bool vtkPointSplatLevelSelection::IsFine(const Block& block, const Sides& sides)
   const double pixels =
     this->PixelSize.At(block) * this->Item.RadiusScale * block.MeanRadius;
   const vtkPointSplatLevelBounds& bounds = this->Item.Levels;
-  const vtkPointSplatLevels& levels = this->Item.Cloud->GetLevels();
-  const float painted =
-    levels.GetDeviation(static_cast<size_t>(&block - levels.GetBlocks().data()));
-  const bool smooth = std::max(block.Deviation, painted) <= bounds.Deviation;
+  const size_t index =
+    static_cast<size_t>(&block - this->Item.Cloud->GetLevels().GetBlocks().data());
+  double deviation = block.Deviation;
+  for (const vtkPointSplatLevels::Deviations* painted :
+    { &this->Item.Cloud->GetColourDeviations(), &this->Item.FactorDeviations })
+  {
+    deviation = *painted ? std::max<double>(deviation, (**painted)[index]) : deviation;
+  }
+  const bool smooth = deviation <= bounds.Deviation;
   const bool outline = sides.Front && sides.Back;
   const double most = outline ? OutlineShare * bounds.SmoothPixels : bounds.SmoothPixels;
   return pixels <= (smooth ? std::max(most, bounds.Pixels) : bounds.Pixels);

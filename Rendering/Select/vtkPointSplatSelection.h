@@ -11,8 +11,8 @@
 //    that are not drawn are seen by its cone of normals, is left out with all that is below it. Of
 //    the others it is drawn itself, instead of those below, if its splats' radii are within the
 //    item's bounds where it is nearest to the eye: Pixels wherever it is, SmoothPixels where its
-//    normals deviate little from their linear change, and its colours from their means, so that
-//    larger splats show the same; half of that where both sides are seen, along outlines.
+//    normals deviate little from their linear change, and its colours and shadows from their means,
+//    so that larger splats show the same; half of that where both sides are seen, along outlines.
 // 3. Where a mesh's triangles are to be drawn, blocks of points of which these are magnified are left
 //    to them (vtkPointSplatPatches.h); of levels none is drawn that stands for such ones. Boxes are those
 //    of all their triangles then.

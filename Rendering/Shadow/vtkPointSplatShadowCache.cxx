@@ -69,7 +69,10 @@ bool vtkPointSplatShadowCache::Compute()
   {
     if (clouds[i].Receives)
     {
+      const vtkPointSplatLevels& levels = clouds[i].Cloud->GetLevels();
+      levels.AppendBytes(packed[i]);
       this->All[i].Buffer.Upload(packed[i]);
+      this->All[i].Deviations = levels.MeasureDeviations(packed[i], false);
     }
   }
   return true;
@@ -77,16 +80,18 @@ bool vtkPointSplatShadowCache::Compute()
 
 //------------------------------------------------------------------------------
 const vtkPointSplatBuffer* vtkPointSplatShadowCache::GetFactors(
-  const vtkPointSplatCloud* cloud, const glm::dmat4& MCWC, bool grouped)
+  const vtkPointSplatItem& item, bool grouped, vtkPointSplatLevels::Deviations& deviations)
 {
+  const vtkPointSplatCloud* cloud = item.Cloud;
   for (auto& entry : this->All)
   {
     const vtkPointSplatShadowCloud& own = this->Scene.Clouds[entry.first];
-    if (own.Cloud != cloud || own.MCWC != MCWC)
+    if (own.Cloud != cloud || own.MCWC != item.MCWC)
     {
       continue;
     }
     Factors& factors = entry.second;
+    deviations = factors.Deviations;
     const vtkPointSplatGroups& groups = own.Cloud->GetGroups();
     if (grouped && factors.GroupTime != groups.GetMTime())
     {

@@ -22,11 +22,11 @@ public:
     bool interacting);
 
   /**
-   * The factors of a cloud at a place, as vtkPointSplatItem has them; or null. grouped: in the
-   * order of the cloud's groups.
+   * The factors of an item's cloud at its place, or null; grouped: in the order of the cloud's
+   * groups. deviations: gets those of the levels' blocks.
    */
   const vtkPointSplatBuffer* GetFactors(
-    const vtkPointSplatCloud* cloud, const glm::dmat4& MCWC, bool grouped);
+    const vtkPointSplatItem& item, bool grouped, vtkPointSplatLevels::Deviations& deviations);
 
   int GetNumberOfLights() const { return static_cast<int>(this->Scene.Lights.size()); }
   int GetSamplesUsed() const { return this->SamplesUsed; }
@@ -39,6 +39,7 @@ private:
   {
     vtkPointSplatBuffer Buffer{ GL_R32UI };
     vtkPointSplatBuffer Grouped{ GL_R32UI };
+    vtkPointSplatLevels::Deviations Deviations;
     vtkMTimeType GroupTime = 0; // of the groups that it follows
   };
   bool Compute();

@@ -6,6 +6,7 @@
 
 #include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
+#include "vtkLight.h"
 #include "vtkPlane.h"
 
 #include <chrono>
@@ -236,6 +237,45 @@ bool TestRough()
   return IsLike(levels, scene.DrawAll(), Painted, "rough, against all") && good;
 }
 
+bool TestImageSpace(bool coloured)
+{
+  // Of sizes they need none.
+  vtkSmartPointer<vtkPolyData> data = Torus(0.0, coloured);
+  data->GetPointData()->RemoveArray("SplatRadius");
+  Scene scene(data);
+  scene.Mapper->SetMethodToImageSpace();
+  bool good = Expect(scene.Wait(), "levels of points without sizes are made");
+  const Picture levels = scene.Win.Draw();
+  const vtkIdType drawn = scene.Mapper->GetNumberOfPointsProjected();
+  std::cout << "points drawn: " << drawn << " of " << Count << "\n";
+  good = Expect(drawn <= 2 * Count / 5, "points drawn: " + std::to_string(drawn)) && good;
+  const double least = coloured ? Painted : Smooth;
+  good = IsLike(levels, scene.DrawAll(), least, "image space, against all") && good;
+  scene.Actor->GetProperty()->SetOpacity(0.5);
+  return IsLike(scene.Win.Draw(), scene.DrawAll(), least, "and translucent") && good;
+}
+
+bool TestShadows()
+{
+  Scene scene(Torus(0.0, false));
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToSceneLight();
+  light->SetPosition(3.0, -0.5, 0.5);
+  scene.Win.Renderer->AddLight(light);
+  scene.Mapper->ShadowsOn();
+  scene.Mapper->SetNumberOfShadowSamples(1);
+  bool good = Expect(scene.Wait(), "levels beside shadows are made");
+  const Picture levels = scene.Win.Draw();
+  const vtkIdType drawn = scene.Mapper->GetNumberOfPointsProjected();
+  std::cout << "in shadows, drawn: " << drawn << "\n";
+  good = Expect(drawn <= Count / 3, "in shadows, drawn: " + std::to_string(drawn)) && good;
+  good = IsLike(levels, scene.DrawAll(), Painted, "shadows, against all") && good;
+  scene.Mapper->ShadowsOff();
+  const Picture lit = scene.Win.Draw();
+  std::cout << "lit, against shadows: " << Psnr(lit, levels) << " dB\n";
+  return Expect(Psnr(lit, levels) < 30.0, "there are shadows") && good;
+}
+
 bool TestChanges()
 {
   // Points that change with every frame have no levels; those of others are made anew.
@@ -269,6 +309,9 @@ int TestSplatsLevels(int, char*[])
   bool good = TestSmooth();
   good = TestSelection() && good;
   good = TestRough() && good;
+  good = TestImageSpace(false) && good;
+  good = TestImageSpace(true) && good;
+  good = TestShadows() && good;
   good = TestChanges() && good;
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

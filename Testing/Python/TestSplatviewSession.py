@@ -9,6 +9,10 @@ import subprocess
 import time
 import unittest
 
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
 from splatview_tools import PROGRAM, SplatviewTest, main
 from virtual_display import VirtualDisplay, is_available
 
@@ -26,6 +30,18 @@ def globe(turns=60, points=40):
                 f"{r * math.sin(b) * math.cos(a)} {r * math.sin(b) * math.sin(a)} {r * math.cos(b)}\n"
             )
     return "".join(lines)
+
+
+def large_ball():
+    """More points than are drawn at once."""
+    source = vtkSphereSource()
+    source.SetThetaResolution(1300)
+    source.SetPhiResolution(900)
+    source.Update()
+    ball = vtkPolyData()
+    ball.SetPoints(source.GetOutput().GetPoints())
+    ball.GetPointData().SetNormals(source.GetOutput().GetPointData().GetNormals())
+    return ball
 
 
 @unittest.skipUnless(is_available() and shutil.which("xdotool"), "no Xvfb or no xdotool here")
@@ -133,6 +149,25 @@ class TestSession(SplatviewTest):
             self.settled()
             hands("key", "q")
             self.assert_ends_well(viewer, "globe.xyz: point [0-9]+, at .*\nno point here\n")
+
+    def test_a_large_cloud_shows_at_once_and_is_there_later(self):
+        ball = large_ball()
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(self.path("many.vtp"))
+        writer.SetInputData(ball)
+        writer.Write()
+        for done in (False, True):
+            with self.session(files=("many.vtp",)) as viewer:
+                self.assertIn(f"{ball.GetNumberOfPoints()} points", self.first_line)
+                first = self.wait_for(lambda s: self.covered(s) > 5000, "a ball in the window")
+                if done:
+                    # Outlines of all points are not quite those of some.
+                    self.wait_for(lambda s: s != first, "another picture, though nobody moves")
+                    self.display.hands("mousemove", "--window", self.window, 100, 100)
+                    self.display.hands("mousedown", 1, "mousemove_relative", 20, 10, "mouseup", 1)
+                    self.assertGreater(self.covered(self.settled()), 5000)
+                self.display.hands("key", "q")
+                self.assert_ends_well(viewer)
 
     def test_keys_are_listed_and_reach_the_property(self):
         with self.session("--size", "700x400") as viewer:

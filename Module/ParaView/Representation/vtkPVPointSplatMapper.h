@@ -41,7 +41,8 @@ public:
     std::vector<unsigned int>& pixelOffsets, vtkProp* prop) override;
 
 protected:
-  vtkPVPointSplatMapper() = default;
+  // All processes must draw the same points, and ParaView asks for frames itself.
+  vtkPVPointSplatMapper() { this->SetProgressive(false); }
   ~vtkPVPointSplatMapper() override = default;
 
 private:
