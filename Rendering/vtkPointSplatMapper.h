@@ -378,7 +378,8 @@ public:
    * timers, is asked for more frames so, and for one when levels are ready; in others Render() draws
    * all points, however long that takes. Picked ids and bounds are those of all. A thread holds a copy
    * of the arrays meanwhile, ProgressEvent comes between frames, and AbortExecuteOn() leaves it at what
-   * is drawn. IsProgressing(): the last frame is one before others. On by default.
+   * is drawn. IsProgressing(): the last frame is one before others; who writes a picture of a window
+   * on a screen waits for them, or has Progressive off. On by default.
    */
   vtkSetMacro(LevelOfDetail, bool);
   vtkGetMacro(LevelOfDetail, bool);
