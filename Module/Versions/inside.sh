@@ -7,6 +7,8 @@
 set -eu
 root=$1
 shift
+# What helps this system's compilers is not there.
+unset CMAKE_C_COMPILER_LAUNCHER CMAKE_CXX_COMPILER_LAUNCHER
 exec unshare --mount bash -c '
   set -eu
   root=$1
