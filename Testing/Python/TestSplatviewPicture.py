@@ -96,7 +96,7 @@ class TestSplatviewPicture(SplatviewTest):
         self.assertEqual(
             list(best),
             ["method", "projection", "transparency", "layers", "layer distance", "splats",
-             "levels", "fill steps", "shadow samples", "points", "error allowed"],
+             "levels", "triangles", "fill steps", "shadow samples", "points", "error allowed"],
         )  # fmt: skip
         self.assertRegex(best["method"], "^two-pass, no other takes less time")
         self.assertRegex(best["error allowed"], "^1/256, at rest")
