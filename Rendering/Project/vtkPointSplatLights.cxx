@@ -5,6 +5,7 @@
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkPointSplatProgram.h"
+#include "vtkPointSplattingConfigure.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -73,7 +74,8 @@ vtkPointSplatLights::vtkPointSplatLights(vtkRenderer* renderer, const vtkPointSp
 std::string vtkPointSplatLights::GetDefines() const
 {
   return "#define LIGHT_LEVEL " + std::to_string(this->Level) + "\n#define LIGHT_COUNT " +
-    std::to_string(this->Colours.size()) + "\n";
+    std::to_string(this->Colours.size()) +
+    (PointSplatting_HAVE_PHYSICAL_DIRECTIONS ? "\n#define PHYSICAL_DIRECTIONS\n" : "\n");
 }
 
 //------------------------------------------------------------------------------

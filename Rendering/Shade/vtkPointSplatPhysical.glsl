@@ -187,9 +187,22 @@ vec3 reflectedRadiance(Physical p, vec3 albedo, vec3 f0, vec3 f90, vec3 normalVC
   vec3 coatMirrored = normalize(RadianceFromView * reflect(-view, coatNormal));
   float coatNdV = clamp(dot(coatNormal, view), 1e-5, 1.0);
   vec2 split = texture(RadianceTable, vec2(NdV, p.roughness)).rg;
-  vec3 specular = prefilteredAlong(mirrored, p.roughness) * (f0 * split.r + f90 * split.g);
-  vec3 diffuse =
-    (1.0 - f0) * (1.0 - p.metallic) * irradianceAlong(RadianceFromView * normalVC) * albedo;
+  vec3 specular = prefilteredAlong(mirrored, p.roughness);
+  vec3 diffuse = irradianceAlong(RadianceFromView * normalVC);
+#ifdef MULTIPLE_SCATTERING
+  // What is scattered once, and, about alike to all sides, more than once (Fdez-Aguera 2019, A
+  // Multiple-Scattering Microfacet Model for Real-Time Image-Based Lighting).
+  vec3 grazing = max(vec3(1.0 - p.roughness), f0) - f0;
+  vec3 once = (f0 + grazing * pow(1.0 - NdV, 5.0)) * split.r + f90 * split.g;
+  float rest = 1.0 - (split.r + split.g);
+  vec3 mean = f0 + (1.0 - f0) / 21.0;
+  vec3 more = rest * once * mean / max(1.0 - mean * rest, vec3(1e-5));
+  specular *= once;
+  diffuse *= more + (1.0 - p.metallic) * 0.96 * albedo * (1.0 - once - more);
+#else
+  specular *= f0 * split.r + f90 * split.g;
+  diffuse *= (1.0 - f0) * (1.0 - p.metallic) * albedo;
+#endif
   vec2 coatSplit = texture(RadianceTable, vec2(coatNdV, p.coatRoughness)).rg;
   vec3 fc = fresnel(vec3(p.coatF0), vec3(1.0), coatNdV) * p.coat;
   vec3 coat =
@@ -216,8 +229,8 @@ vec3 shadePhysical(Physical p, vec3 albedo, vec3 positionVC, vec3 normalVC)
   {
     vec3 direction;
     float attenuation = lightAt(i, positionVC, direction);
-#if LIGHT_LEVEL > 2
-    // Beside positional lights VTK takes directional ones too from where they stand.
+#if LIGHT_LEVEL > 2 && !defined(PHYSICAL_DIRECTIONS)
+    // Beside positional lights VTK 9.1 takes directional ones too from where they stand.
     direction = normalize(positionVC - LightPosition[i].xyz);
 #endif
     Lobes l = lobesOf(p, normalVC, view, -direction, normalize(view - direction));

@@ -10,6 +10,7 @@
 #include "vtkPointSplatEnvironment.h"
 #include "vtkPointSplatProgram.h"
 #include "vtkPointSplatUnits.h"
+#include "vtkPointSplattingConfigure.h"
 #include "vtkTextureObject.h"
 
 namespace
@@ -71,6 +72,7 @@ bool vtkPointSplatRadiance::Prepare(vtkRenderer* renderer)
 std::string vtkPointSplatRadiance::GetDefines() const
 {
   return std::string("#define RADIANCE\n") +
+    (PointSplatting_HAVE_MULTIPLE_SCATTERING ? "#define MULTIPLE_SCATTERING\n" : "") +
     (this->Harmonics.empty() ? "" : "#define SH_RADIANCE\n");
 }
 
