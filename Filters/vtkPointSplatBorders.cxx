@@ -189,6 +189,16 @@ bool vtkPointSplatBorders::Find(
   return true;
 }
 
+void vtkPointSplatBorders::MakeLines(vtkFloatArray* clips, vtkIdType count)
+{
+  if (clips->GetNumberOfTuples() == 0)
+  {
+    clips->SetNumberOfComponents(6);
+    clips->SetNumberOfTuples(count);
+    clips->FillValue(0);
+  }
+}
+
 void vtkPointSplatBorders::Write(
   const std::vector<Slot>& slotOf, vtkFloatArray* clips) const
 {
@@ -197,12 +207,7 @@ void vtkPointSplatBorders::Write(
   {
     return;
   }
-  if (clips->GetNumberOfTuples() == 0)
-  {
-    clips->SetNumberOfComponents(6);
-    clips->SetNumberOfTuples(count);
-    clips->FillValue(0);
-  }
+  vtkPointSplatBorders::MakeLines(clips, count);
   float* values = clips->GetPointer(0);
   vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType id = begin; id < end; ++id)

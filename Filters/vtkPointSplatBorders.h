@@ -52,6 +52,9 @@ public:
   /// which is made if it has no tuples. slotOf: of each point.
   void Write(const std::vector<Slot>& slotOf, vtkFloatArray* clips) const;
 
+  /// Makes the array of clip lines, of so many points without any, if it has no tuples.
+  static void MakeLines(vtkFloatArray* clips, vtkIdType count);
+
 private:
   using Neighborhood = vtkPointSplatNeighbors::Neighborhood;
 

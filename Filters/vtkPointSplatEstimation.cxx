@@ -71,18 +71,6 @@ float GetUsualSpacing(vtkAlgorithm* self, const vtkPointSplatNeighbors& neighbor
   return spacings.empty() ? 0.0f : vtkPointSplatDisks::GetQuantile(spacings, 0.5);
 }
 
-/// Whether all points that take part have triangles and normals (3 floats a point).
-bool IsMeshAlone(
-  const vtkPointSplatFans& fans, const std::vector<unsigned char>& used, const float* normals)
-{
-  bool alone = !fans.IsEmpty();
-  for (std::size_t id = 0; id < used.size() && alone; ++id)
-  {
-    alone = !used[id] || (fans.Has(static_cast<vtkIdType>(id)) && !IsZero(normals + 3 * id));
-  }
-  return alone;
-}
-
 using Twins = std::vector<vtkPointSplatCreases::Twin>;
 
 /// Points that share a slot with one whose normal is another; normals: of points, as given.
@@ -205,7 +193,7 @@ int vtkPointSplatEstimation::RequestData(
                          "take no part.");
     }
     std::vector<unsigned char> searched = used;
-    const bool meshAlone = IsMeshAlone(fans, used, n);
+    const bool meshAlone = fans.AreAll(used, n);
     std::vector<vtkPointSplatFans::Disk> corners(meshAlone ? numberOfPoints : 0);
     std::atomic<bool> anyCreased{ false };
     vtkSMPTools::For(0, static_cast<vtkIdType>(corners.size()), [&](vtkIdType begin, vtkIdType end) {

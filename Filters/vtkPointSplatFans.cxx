@@ -245,18 +245,30 @@ vtkPointSplatFans::BorderEdges vtkPointSplatFans::GetBorderEdges(vtkIdType id) c
     this->FirstOfBorder[i + 1] - this->FirstOfBorder[i] };
 }
 
+/// In the order of positions.
+bool vtkPointSplatFans::IsBefore(vtkIdType a, vtkIdType b) const
+{
+  const double *x = this->GetPosition(a), *y = this->GetPosition(b);
+  return std::lexicographical_compare(x, x + 3, y, y + 3);
+}
+
+std::vector<vtkIdType> vtkPointSplatFans::GetBorderByPosition() const
+{
+  std::vector<vtkIdType> border = this->Border;
+  std::sort(border.begin(), border.end(),
+    [this](vtkIdType a, vtkIdType b) { return this->IsBefore(a, b); });
+  return border;
+}
+
 /// Of the border's edges, removes those that have both ends where another one has its.
 void vtkPointSplatFans::RemoveSeams()
 {
   // Points in one place have the first one's number in the order of positions.
-  std::vector<vtkIdType> placed = this->Border;
-  const auto isBefore = [&](vtkIdType a, vtkIdType b) {
-    return std::lexicographical_compare(this->GetPosition(a), this->GetPosition(a) + 3,
-      this->GetPosition(b), this->GetPosition(b) + 3);
-  };
-  std::sort(placed.begin(), placed.end(), isBefore);
+  const std::vector<vtkIdType> placed = this->GetBorderByPosition();
   const auto getPlace = [&](vtkIdType id) -> std::ptrdiff_t {
-    return std::lower_bound(placed.begin(), placed.end(), id, isBefore) - placed.begin();
+    return std::lower_bound(placed.begin(), placed.end(), id,
+             [this](vtkIdType a, vtkIdType b) { return this->IsBefore(a, b); }) -
+      placed.begin();
   };
   using Places = std::pair<std::ptrdiff_t, std::ptrdiff_t>;
   std::vector<Places> places; // of both ends of each edge, the lesser one first
@@ -288,13 +300,22 @@ void vtkPointSplatFans::RemoveSeams()
   this->EdgesOfBorder.resize(kept);
 }
 
+bool vtkPointSplatFans::AreAll(
+  const std::vector<unsigned char>& used, const float* normals) const
+{
+  bool all = !this->IsEmpty();
+  for (std::size_t id = 0; id < used.size() && all; ++id)
+  {
+    const float* n = normals + 3 * id;
+    const bool hasNormal = n[0] != 0 || n[1] != 0 || n[2] != 0;
+    all = !used[id] || (this->Has(static_cast<vtkIdType>(id)) && hasNormal);
+  }
+  return all;
+}
+
 bool vtkPointSplatFans::IsSplit(const float* normals) const
 {
-  std::vector<vtkIdType> border = this->Border;
-  std::sort(border.begin(), border.end(), [&](vtkIdType a, vtkIdType b) {
-    return std::lexicographical_compare(this->GetPosition(a), this->GetPosition(a) + 3,
-      this->GetPosition(b), this->GetPosition(b) + 3);
-  });
+  const std::vector<vtkIdType> border = this->GetBorderByPosition();
   return std::adjacent_find(border.begin(), border.end(), [&](vtkIdType a, vtkIdType b) {
     return std::equal(
              this->GetPosition(a), this->GetPosition(a) + 3, this->GetPosition(b)) &&

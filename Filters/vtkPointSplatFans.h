@@ -44,6 +44,10 @@ public:
   void Clear() { *this = vtkPointSplatFans(); }
   bool IsEmpty() const { return this->Corners.empty(); }
 
+  /// Whether all points with used[id] not 0 are triangles' corners and have a normal (3 floats a
+  /// point, 0 where there is none), and there are any triangles.
+  bool AreAll(const std::vector<unsigned char>& used, const float* normals) const;
+
   /**
    * Whether the mesh was split at its creases, as vtkPolyDataNormals does: points at its borders have a
    * position, but not a normal, in common. Then disks have to end at lines, which triangles around
@@ -112,6 +116,8 @@ private:
   void GetSingleEdges(vtkIdType id, std::vector<BorderEdge>& edges) const;
   void FindBorder(vtkIdType numberOfPoints);
   void RemoveSeams();
+  bool IsBefore(vtkIdType a, vtkIdType b) const;
+  std::vector<vtkIdType> GetBorderByPosition() const;
 
   std::vector<double> Positions;    // 3 a point
   std::vector<vtkIdType> Corners;   // 3 a triangle, as read

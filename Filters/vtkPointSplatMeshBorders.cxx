@@ -5,6 +5,7 @@
 #include "vtkFloatArray.h"
 #include "vtkMath.h"
 #include "vtkPointSplatBorderPlane.h"
+#include "vtkPointSplatBorders.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -207,12 +208,7 @@ void vtkPointSplatMeshBorders::Write(vtkFloatArray* clips) const
     {
       continue;
     }
-    if (clips->GetNumberOfTuples() == 0)
-    {
-      clips->SetNumberOfComponents(6);
-      clips->SetNumberOfTuples(this->Radii->GetNumberOfTuples());
-      clips->FillValue(0);
-    }
+    vtkPointSplatBorders::MakeLines(clips, this->Radii->GetNumberOfTuples());
     float* clip = clips->GetPointer(6 * near[i]);
     if (!IsLine(clip) && !IsLine(clip + 3))
     {

@@ -42,7 +42,6 @@ public:
   void Write(vtkFloatArray* clips) const;
 
 private:
-  void FindLines(vtkIdType id, float clip[6]) const;
   bool FindOwnLines(vtkIdType id, float clip[6]) const;
   void AddNearLines(vtkIdType id, float clip[6]) const;
   void GetOffset(vtkIdType from, vtkIdType to, float d[3]) const;
