@@ -4,6 +4,7 @@
 
 #include "vtkCommand.h"
 #include "vtkPointSplatStopwatch.h"
+#include "vtkPointSplatTimers.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
@@ -12,26 +13,7 @@
 
 namespace
 {
-constexpr unsigned long Period = 100; // ms
-constexpr float BeforeStyles = 1.0f;  // of priorities, theirs is 0
-
-/// An interactor without an event loop of its own has timers only if somebody gives it some.
-bool HasTimers(vtkRenderWindowInteractor* interactor)
-{
-  static vtkWeakPointer<vtkRenderWindowInteractor> last;
-  static bool has = false;
-  if (last != interactor || !has)
-  {
-    const int timer = interactor->CreateRepeatingTimer(Period);
-    has = timer > 0;
-    last = interactor;
-    if (has)
-    {
-      interactor->DestroyTimer(timer);
-    }
-  }
-  return has;
-}
+constexpr float BeforeStyles = 1.0f; // of priorities, theirs is 0
 }
 
 class vtkPointSplatNextFrame::Observer : public vtkCommand
@@ -65,14 +47,6 @@ vtkPointSplatNextFrame::~vtkPointSplatNextFrame()
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatNextFrame::CanBeAskedFor(vtkRenderWindow* window)
-{
-  vtkRenderWindowInteractor* interactor = window->GetInteractor();
-  return interactor && interactor->GetInitialized() && window->GetShowWindow() &&
-    HasTimers(interactor);
-}
-
-//------------------------------------------------------------------------------
 void vtkPointSplatNextFrame::Ask(vtkRenderer* renderer)
 {
   vtkRenderWindow* window = renderer->GetRenderWindow();
@@ -80,7 +54,7 @@ void vtkPointSplatNextFrame::Ask(vtkRenderer* renderer)
   this->Drags = wanted && vtkPointSplatStopwatch::IsInteracting(renderer);
   const bool runs = this->Timer > 0 && this->Interactor == window->GetInteractor();
   if (!wanted || this->Drags || runs || this->InEvent ||
-    !vtkPointSplatNextFrame::CanBeAskedFor(window))
+    !vtkPointSplatTimers::AreOf(window))
   {
     return;
   }
@@ -89,7 +63,7 @@ void vtkPointSplatNextFrame::Ask(vtkRenderer* renderer)
   this->Follower.TakeReference(Observer::New());
   this->Follower->Next = this;
   this->Tag = this->Interactor->AddObserver(vtkCommand::TimerEvent, this->Follower, BeforeStyles);
-  this->Timer = this->Interactor->CreateRepeatingTimer(Period);
+  this->Timer = this->Interactor->CreateRepeatingTimer(vtkPointSplatTimers::Period);
 }
 
 //------------------------------------------------------------------------------

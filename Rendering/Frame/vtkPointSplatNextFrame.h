@@ -3,9 +3,7 @@
 // Another frame of a renderer's window, that nobody but its splats wants: what they make in the
 // background is ready.
 //
-// 1. A window can be asked for one where it shows on a screen and has an interactor that was
-//    initialized and whose timers work. Off the screen, and where there is no event loop, nothing
-//    would come of it, or too late for whoever reads the picture.
+// 1. A window can be asked for one where its interactor's timers serve it (vtkPointSplatTimers.h).
 // 2. While anything is under way, a repeating timer of the interactor looks after the sources, on
 //    the thread that draws and never during a frame. Its events are for nobody else.
 // 3. While the user drags there is no timer: a style that drags takes all timers' events, and moves
@@ -39,7 +37,6 @@ public:
   vtkPointSplatNextFrame(const vtkPointSplatNextFrame&) = delete;
   void operator=(const vtkPointSplatNextFrame&) = delete;
 
-  static bool CanBeAskedFor(vtkRenderWindow* window);
   /// After a frame: looks after the sources from now on, if any has something under way.
   void Ask(vtkRenderer* renderer);
   /// Before a frame: ends the timer, where there shall be none; in a drag what is ready is taken.

@@ -4,9 +4,9 @@
 
 #include "vtkActor.h"
 #include "vtkMapper.h"
-#include "vtkPointSplatNextFrame.h"
 #include "vtkPointSplatPrimitives.h"
 #include "vtkPointSplatTextures.h"
+#include "vtkPointSplatTimers.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 
@@ -63,7 +63,7 @@ vtkPointSplatSettings vtkPointSplatSource::GetSettings(vtkRenderer* renderer, vt
 {
   vtkPointSplatSettings settings = actor ? this->GetSettings(actor) : this->GetSettings();
   settings.MayBeDraft =
-    settings.Progressive && vtkPointSplatNextFrame::CanBeAskedFor(renderer->GetRenderWindow());
+    settings.Progressive && vtkPointSplatTimers::AreOf(renderer->GetRenderWindow());
   return settings;
 }
 
