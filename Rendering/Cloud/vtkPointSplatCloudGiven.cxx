@@ -107,12 +107,9 @@ std::array<double, 6> vtkPointSplatCloud::BoundsOf(vtkPointSet* data)
   cloud.AddRange(given[0].Points);
   cloud.SetOriginToMiddle();
   cloud.LeaveOutFar(given);
-  auto ghosts = vtkArrayDownCast<vtkUnsignedCharArray>(
-    data->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  if (ghosts && ghosts->GetNumberOfValues() != data->GetNumberOfPoints())
-  {
-    ghosts = nullptr;
-  }
+  vtkIdType unused = 0;
+  const vtkSmartPointer<vtkUnsignedCharArray> ghosts =
+    vtkPointSplatPacking::GhostsOf(data, unused);
   constexpr unsigned char notDrawn =
     vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT;
   const std::array<double, 6> none{ { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 } };

@@ -16,6 +16,8 @@
 #include "vtkPointSplatArrays.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <atomic>
@@ -90,8 +92,15 @@ vtkSmartPointer<vtkPointSet> CopyForThread(vtkPointSet* data)
   }
   if (vtkPolyData* mesh = vtkPolyData::SafeDownCast(data))
   {
+    copy->SetVerts(CopyOf(mesh->GetVerts()));
+    copy->SetLines(CopyOf(mesh->GetLines()));
     copy->SetPolys(CopyOf(mesh->GetPolys()));
     copy->SetStrips(CopyOf(mesh->GetStrips()));
+  }
+  else if (auto grid = vtkUnstructuredGrid::SafeDownCast(data); grid && grid->GetCells())
+  {
+    // All that its cells say is which points are shown.
+    copy->SetVerts(CopyOf(grid->GetCells()));
   }
   copy->GetFieldData()->DeepCopy(data->GetFieldData());
   return copy;
@@ -268,8 +277,9 @@ void vtkPointSplatDrafts::CopyArrays(vtkPointSet* from, Part& part)
     const bool geometry = name &&
       std::any_of(std::begin(Geometry), std::end(Geometry),
         [name](const char* other) { return std::string(name) == other; });
+    const bool ofGhosts = name && std::string(name) == vtkDataSetAttributes::GhostArrayName();
     // Sizes are those of all points together; and what is too short is refused where it is read.
-    if (geometry || array->GetNumberOfTuples() != from->GetNumberOfPoints())
+    if (geometry || ofGhosts || array->GetNumberOfTuples() != from->GetNumberOfPoints())
     {
       continue;
     }
@@ -278,10 +288,6 @@ void vtkPointSplatDrafts::CopyArrays(vtkPointSet* from, Part& part)
     if (attribute == vtkDataSetAttributes::NORMALS && normals)
     {
       some = normals;
-    }
-    else if (ghosts && name && std::string(name) == vtkDataSetAttributes::GhostArrayName())
-    {
-      some = ghosts;
     }
     else
     {
@@ -301,6 +307,22 @@ void vtkPointSplatDrafts::CopyArrays(vtkPointSet* from, Part& part)
     {
       part.Data->GetPointData()->SetActiveAttribute(index, attribute);
     }
+  }
+  vtkIdType unused = 0;
+  const vtkSmartPointer<vtkUnsignedCharArray> all =
+    ghosts ? nullptr : vtkPointSplatPacking::GhostsOf(from, unused);
+  if (all)
+  {
+    // The part has no cells that could tell.
+    vtkNew<vtkUnsignedCharArray> some;
+    some->SetName(vtkDataSetAttributes::GhostArrayName());
+    some->SetNumberOfTuples(count);
+    all->GetTuples(ids, some);
+    ghosts = some;
+  }
+  if (ghosts)
+  {
+    part.Data->GetPointData()->AddArray(ghosts);
   }
 }
 

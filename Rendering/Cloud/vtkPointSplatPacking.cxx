@@ -251,24 +251,34 @@ struct PackWorker
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatPacking::HideUnused(vtkPointSet* data)
+vtkSmartPointer<vtkUnsignedCharArray> vtkPointSplatPacking::GhostsOf(
+  vtkPointSet* data, vtkIdType& unused)
 {
+  unused = 0;
+  vtkSmartPointer<vtkUnsignedCharArray> given = vtkArrayDownCast<vtkUnsignedCharArray>(
+    data->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  if (given &&
+    (given->GetNumberOfTuples() != data->GetNumberOfPoints() ||
+      given->GetNumberOfComponents() != 1))
+  {
+    given = nullptr;
+  }
   const std::vector<unsigned char> used = vtkPointSplatCells::MarkUsed(data);
   if (used.empty())
   {
-    return;
+    return given;
   }
   vtkNew<vtkUnsignedCharArray> ghosts;
   ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
   ghosts->SetNumberOfTuples(data->GetNumberOfPoints());
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
-    const unsigned char given = this->Ghosts ? this->Ghosts->GetValue(i) : 0;
-    const bool unused = !used[static_cast<size_t>(i)];
-    ghosts->SetValue(i, unused ? given | vtkDataSetAttributes::HIDDENPOINT : given);
-    this->Unused += unused;
+    const unsigned char ghost = given ? given->GetValue(i) : 0;
+    const bool hidden = !used[static_cast<size_t>(i)];
+    ghosts->SetValue(i, hidden ? ghost | vtkDataSetAttributes::HIDDENPOINT : ghost);
+    unused += hidden;
   }
-  this->Ghosts = ghosts;
+  return ghosts;
 }
 
 //------------------------------------------------------------------------------
@@ -278,15 +288,7 @@ vtkPointSplatPacking vtkPointSplatPacking::Collect(
   vtkPointSplatPacking a;
   a.Points = data->GetPoints()->GetData();
   a.Reach = LargestLength;
-  a.Ghosts = vtkArrayDownCast<vtkUnsignedCharArray>(
-    data->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  if (a.Ghosts &&
-    (a.Ghosts->GetNumberOfTuples() != data->GetNumberOfPoints() ||
-      a.Ghosts->GetNumberOfComponents() != 1))
-  {
-    a.Ghosts = nullptr;
-  }
-  a.HideUnused(data);
+  a.Ghosts = vtkPointSplatPacking::GhostsOf(data, a.Unused);
   vtkPointData* given = data->GetPointData();
   a.Normals = Wanted(owner, data, given->GetNormals(), 3);
   a.Radius = Wanted(owner, data, given->GetArray(vtkPointSplatArrays::Radius), 1);

@@ -53,6 +53,12 @@ public:
     vtkObject* owner, vtkPointSet* data, bool needSizes, bool projectNoise);
 
   /**
+   * The ghost array, if it can be used, in which points that no cell uses are hidden where there are
+   * cells; or none. unused: how many those are.
+   */
+  static vtkSmartPointer<vtkUnsignedCharArray> GhostsOf(vtkPointSet* data, vtkIdType& unused);
+
+  /**
    * Packs the block's splats, 8 words each if circular, otherwise 16; without sizes their
    * radius is 0. valid gets 1 for each point that can be drawn; the caller closes the gaps
    * that the others leave.
@@ -82,7 +88,6 @@ public:
 private:
   vtkPointSplatFolds GetFolds(vtkIdType id) const;
   /// Takes what is missing from an estimation of points with what there is of normals.
-  void HideUnused(vtkPointSet* data);
   void Estimate(vtkObject* owner, vtkPolyData* bare, bool projectNoise);
 };
 

@@ -11,6 +11,9 @@ namespace
 constexpr double AngleMargin = 0.01;
 // Outlines show how large splats are: there those of smooth surfaces are smaller by this.
 constexpr double OutlineShare = 0.5;
+// A block's largest splat, of what its mean may be: among smaller ones there may be large ones whose
+// levels have lost their clip lines, as at a few large triangles of a fine mesh.
+constexpr double LargestShare = 2.0;
 }
 
 //------------------------------------------------------------------------------
@@ -56,8 +59,7 @@ vtkPointSplatLevelSelection::Sides vtkPointSplatLevelSelection::SidesOf(const Bl
 //------------------------------------------------------------------------------
 bool vtkPointSplatLevelSelection::IsFine(const Block& block, const Sides& sides) const
 {
-  const double pixels =
-    this->PixelSize.At(block) * this->Item.RadiusScale * block.MeanRadius;
+  const double size = this->PixelSize.At(block) * this->Item.RadiusScale;
   const vtkPointSplatLevelBounds& bounds = this->Item.Levels;
   const size_t index =
     static_cast<size_t>(&block - this->Item.Cloud->GetLevels().GetBlocks().data());
@@ -70,7 +72,8 @@ bool vtkPointSplatLevelSelection::IsFine(const Block& block, const Sides& sides)
   const bool smooth = deviation <= bounds.Deviation;
   const bool outline = sides.Front && sides.Back;
   const double most = outline ? OutlineShare * bounds.SmoothPixels : bounds.SmoothPixels;
-  return pixels <= (smooth ? std::max(most, bounds.Pixels) : bounds.Pixels);
+  const double allowed = smooth ? std::max(most, bounds.Pixels) : bounds.Pixels;
+  return size * block.MeanRadius <= allowed && size * block.Radius <= LargestShare * allowed;
 }
 
 //------------------------------------------------------------------------------

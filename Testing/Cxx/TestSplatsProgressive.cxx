@@ -7,6 +7,7 @@
 #include "SplatScene.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkCellArray.h"
 #include "vtkCommand.h"
 #include "vtkGenericRenderWindowInteractor.h"
 #include "vtkHardwareSelector.h"
@@ -305,6 +306,60 @@ void TestChanges(vtkPolyData* data)
   scene.Win.Draw();
   Expect(scene.Timers == 0, "and no timer");
 }
+
+/// Where there are cells, points that none uses are never drawn, and those of vertices always are.
+void TestCells(vtkPolyData* points)
+{
+  vtkNew<vtkPolyData> data;
+  data->ShallowCopy(points);
+  vtkNew<vtkCellArray> vertices;
+  vtkNew<vtkCellArray> triangles;
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    if (data->GetPoint(i)[1] < 0.0)
+    {
+      vertices->InsertNextCell(1, &i);
+    }
+  }
+  // A small triangle: those of points that lie far apart are not there before the last picture.
+  vtkIdType three[3] = { 0, 0, 0 };
+  double best = 1.0;
+  double corner[3];
+  points->GetPoint(0, corner);
+  for (vtkIdType i = 1; i < data->GetNumberOfPoints(); ++i)
+  {
+    const double square = vtkMath::Distance2BetweenPoints(points->GetPoint(i), corner);
+    if (square < best)
+    {
+      best = square;
+      three[2] = three[1];
+      three[1] = i;
+    }
+  }
+  triangles->InsertNextCell(3, three);
+  data->SetVerts(vertices);
+  data->SetPolys(triangles);
+  Scene script(data, false);
+  const Picture half = script.Win.Draw();
+  Scene scene(data, true);
+  double bounds[6];
+  scene.Mapper->GetBounds(bounds);
+  for (int k = 0; k < 6; ++k)
+  {
+    Expect(bounds[k] == script.Mapper->GetBounds()[k], "the bounds of points that are shown");
+  }
+  scene.Win.Renderer->GetActiveCamera()->DeepCopy(script.Win.Renderer->GetActiveCamera());
+  const Picture first = scene.Win.Draw();
+  Expect(scene.Mapper->IsProgressing(), "with cells: a part is drawn first");
+  std::cout << "half, first: " << Psnr(first, half) << " dB\n";
+  Expect(Psnr(first, half) > 30.0, "with cells: the first picture is like the last");
+  Expect(scene.Wait("stand for others"), "with cells: it comes to an end");
+  const Picture last = Read(scene.Win.Win);
+  std::cout << "half, last: " << Psnr(last, half) << " dB\n";
+  Expect(Psnr(last, half) > 35.0, "with cells: the last picture shows the same");
+  Expect(scene.Mapper->GetNumberOfSplats() == script.Mapper->GetNumberOfSplats(),
+    "with cells: as many splats");
+}
 }
 
 int TestSplatsProgressive(int, char*[])
@@ -321,6 +376,7 @@ int TestSplatsProgressive(int, char*[])
   TestPictures(Torus(Many));
   vtkSmartPointer<vtkPolyData> data = Torus(Enough);
   TestLevelsAskFor(data);
+  TestCells(data);
   TestChanges(data);
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
