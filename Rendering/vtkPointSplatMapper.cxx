@@ -18,6 +18,7 @@
 #include "vtkPlaneCollection.h"
 #include "vtkPointSplatIgnored.h"
 #include "vtkPointSplatMapperInternals.h"
+#include "vtkPointSplatScalars.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
@@ -94,8 +95,9 @@ vtkPointSplatCloudInput vtkPointSplatMapper::vtkInternals::MakeInput(
       input.MapValues = [this](vtkDataSet* block) { return this->MapValues(block); };
     }
     input.FindScalars = [this](vtkDataSet* block, int& cellFlag) {
-      return vtkAbstractMapper::GetAbstractScalars(block, this->Self->ScalarMode,
-        this->Self->ArrayAccessMode, this->Self->ArrayId, this->Self->ArrayName, cellFlag);
+      const vtkPointSplatScalars scalars(this->Self, block);
+      cellFlag = scalars.CellFlag;
+      return scalars.Array;
     };
     input.ColourKey = [this] { return this->GetColourKey(); };
   }
@@ -358,27 +360,20 @@ void vtkPointSplatMapper::ProcessSelectorPixelBuffers(
 //------------------------------------------------------------------------------
 vtkPointSplatColours vtkPointSplatMapper::vtkInternals::MapColours(vtkDataSet* data)
 {
-  // vtkMapper does not survive a lookup table that can make no colours of an array.
   vtkPointSplatMapper* m = this->Self;
-  int cellFlag = 0;
-  vtkAbstractArray* scalars = vtkAbstractMapper::GetAbstractScalars(
-    data, m->ScalarMode, m->ArrayAccessMode, m->ArrayId, m->ArrayName, cellFlag);
-  const bool direct = m->ColorMode == VTK_COLOR_MODE_DIRECT_SCALARS ||
-    (m->ColorMode == VTK_COLOR_MODE_DEFAULT && vtkUnsignedCharArray::SafeDownCast(scalars));
-  if (scalars && direct &&
-    (scalars->GetNumberOfComponents() > 4 || scalars->GetDataType() == VTK_BIT ||
-      scalars->GetDataType() == VTK_CHAR || scalars->GetDataType() == VTK_SIGNED_CHAR))
+  vtkPointSplatScalars scalars(m, data);
+  if (!scalars.CanBeColours)
   {
     vtkErrorWithObjectMacro(m,
-      << "The array " << (scalars->GetName() ? scalars->GetName() : "(without name)")
+      << "The array " << (scalars.Array->GetName() ? scalars.Array->GetName() : "(without name)")
       << " of bits, of signed char, or of more than 4 components, cannot be colours: choose another "
          "one, or SetColorModeToMapScalars().");
     return {};
   }
   // Of field data each cell has a tuple, unless one is chosen for all, as on meshes.
   vtkPointSplatColours colours;
-  colours.Only = cellFlag == 2 ? m->FieldDataTupleId : -1;
-  colours.OfCells = cellFlag != 0 && colours.Only < 0;
+  colours.Only = scalars.CellFlag == 2 ? m->FieldDataTupleId : -1;
+  colours.OfCells = scalars.CellFlag != 0 && colours.Only < 0;
   if (colours.OfCells && data->GetNumberOfCells() == 0)
   {
     return {};
@@ -387,10 +382,10 @@ vtkPointSplatColours vtkPointSplatMapper::vtkInternals::MapColours(vtkDataSet* d
   const vtkTypeBool interpolate = m->InterpolateScalarsBeforeMapping;
   m->InterpolateScalarsBeforeMapping = 0;
   m->ClearColorArrays(); // else those of the block before are taken for this one's
-  m->MapScalars(data, 1.0, cellFlag);
+  m->MapScalars(data, 1.0, scalars.CellFlag);
   m->InterpolateScalarsBeforeMapping = interpolate;
   colours.Array = m->Colors;
-  if (colours.OfCells && !direct && m->LookupTable)
+  if (colours.OfCells && !scalars.AreDirect && m->LookupTable)
   {
     vtkNew<vtkDoubleArray> nan;
     nan->InsertNextValue(vtkMath::Nan());
@@ -408,14 +403,11 @@ vtkPointSplatColours vtkPointSplatMapper::vtkInternals::MapColours(vtkDataSet* d
 vtkPointSplatValues vtkPointSplatMapper::vtkInternals::MapValues(vtkDataSet* data)
 {
   vtkPointSplatMapper* m = this->Self;
-  int cellFlag = 0;
-  auto scalars = vtkDataArray::SafeDownCast(vtkAbstractMapper::GetAbstractScalars(
-    data, m->ScalarMode, m->ArrayAccessMode, m->ArrayId, m->ArrayName, cellFlag));
+  vtkPointSplatScalars given(m, data);
+  auto scalars = vtkDataArray::SafeDownCast(given.Array);
   // What vtkMapper makes coordinates of, but for types and components that it would stumble over.
-  const bool mapped = scalars && cellFlag == 0 && scalars->GetDataType() != VTK_BIT &&
-    scalars->GetNumberOfTuples() == data->GetNumberOfPoints() &&
-    !(m->ColorMode == VTK_COLOR_MODE_DIRECT_SCALARS ||
-      (m->ColorMode == VTK_COLOR_MODE_DEFAULT && vtkUnsignedCharArray::SafeDownCast(scalars)));
+  const bool mapped = scalars && given.CellFlag == 0 && scalars->GetDataType() != VTK_BIT &&
+    scalars->GetNumberOfTuples() == data->GetNumberOfPoints() && !given.AreDirect;
   if (!mapped)
   {
     return {};
@@ -428,7 +420,7 @@ vtkPointSplatValues vtkPointSplatMapper::vtkInternals::MapValues(vtkDataSet* dat
     return {};
   }
   m->ClearColorArrays();
-  m->MapScalars(data, 1.0, cellFlag);
+  m->MapScalars(data, 1.0, given.CellFlag);
   vtkPointSplatValues values;
   values.Coordinates = m->GetColorCoordinates();
   values.Table = m->GetColorTextureMap();

@@ -8,6 +8,7 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkExecutive.h"
+#include "vtkPointSplatScalars.h"
 #include "vtkScalarsToColors.h"
 
 #include <sstream>
@@ -143,11 +144,7 @@ bool vtkPointSplatMapper::HasTranslucentPolygonalGeometry()
     this->GetNumberOfInputConnections(0) > 0 ? this->GetExecutive()->GetInputData(0, 0) : nullptr;
   auto translucent = [this](vtkDataObject* object) {
     vtkDataSet* data = vtkDataSet::SafeDownCast(object);
-    int cellFlag = 0;
-    vtkAbstractArray* scalars = data ? vtkAbstractMapper::GetAbstractScalars(data, this->ScalarMode,
-                                         this->ArrayAccessMode, this->ArrayId, this->ArrayName,
-                                         cellFlag)
-                                     : nullptr;
+    vtkAbstractArray* scalars = data ? vtkPointSplatScalars(this, data).Array : nullptr;
     if (!scalars)
     {
       return false;

@@ -14,6 +14,7 @@
 #include "vtkPointSet.h"
 #include "vtkPointSplatCells.h"
 #include "vtkPointSplatPacking.h"
+#include "vtkPointSplatScalars.h"
 #include "vtkPointSplattingConfigure.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -225,6 +226,7 @@ void vtkPointSplatPrimitives::Render(
     this->SetInput(data);
     this->Data = data;
     this->DataTime = time;
+    this->SettingsTime = 0; // whether there can be colours follows from both
   }
   if (settings->GetMTime() != this->SettingsTime)
   {
@@ -232,6 +234,12 @@ void vtkPointSplatPrimitives::Render(
     this->Mapper->vtkMapper::ShallowCopy(settings);
     this->Mapper->SetSeamlessU(settings->GetSeamlessU());
     this->Mapper->SetSeamlessV(settings->GetSeamlessV());
+    ForEachBlock(data, [this, settings](vtkPointSet* block, vtkCompositeDataIterator*) {
+      if (block && !vtkPointSplatScalars(settings, block).CanBeColours)
+      {
+        this->Mapper->ScalarVisibilityOff();
+      }
+    });
     this->SettingsTime = settings->GetMTime();
   }
   this->Mapper->Render(renderer, actor);

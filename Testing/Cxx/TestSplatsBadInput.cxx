@@ -297,6 +297,18 @@ int TestSplatsBadInput(int, char*[])
   Messages toldOfColours;
   checks.AtLeast(DrawData(eight, toldOfColours).CountDrawn(), 20000, "8 colour components: drawn");
   checks.AtLeast(toldOfColours.Errors, 1, "8 colour components: errors");
+  Window plain(200);
+  vtkNew<vtkPointSplatMapper> ofPoints;
+  ofPoints->SetInputData(Grid(true));
+  vtkProperty* points = plain.Add(ofPoints)->GetProperty();
+  points->SetRepresentationToPoints();
+  points->SetPointSize(4.0);
+  const int drawn = plain.Draw().CountDrawn();
+  Messages toldOfPoints;
+  toldOfPoints.Watch(ofPoints);
+  ofPoints->SetInputData(eight);
+  checks.AtLeast(plain.Draw().CountDrawn(), drawn, "8 colour components, as points: drawn");
+  checks.AtLeast(toldOfPoints.Errors, 1, "8 colour components, as points: errors");
 
   // A translucent actor that draws nothing does not change what others draw.
   Window translucent(200);
