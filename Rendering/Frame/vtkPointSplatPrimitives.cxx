@@ -97,10 +97,12 @@ bool CanBeDrawn(vtkPointSet* data)
 }
 
 /// The points that become vertices.
-std::vector<vtkIdType> VerticesOf(vtkPointSet* data, const std::vector<vtkIdType>& cellOf)
+std::vector<vtkIdType> VerticesOf(vtkPointSet* data)
 {
   std::vector<vtkIdType> vertices;
-  vtkUnsignedCharArray* ghosts = data->GetPointGhostArray();
+  vtkIdType unused = 0;
+  const vtkSmartPointer<vtkUnsignedCharArray> ghosts =
+    vtkPointSplatPacking::GhostsOf(data, unused);
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
     double p[3];
@@ -108,13 +110,24 @@ std::vector<vtkIdType> VerticesOf(vtkPointSet* data, const std::vector<vtkIdType
     const bool ghost = ghosts &&
       (ghosts->GetValue(i) &
         (vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT));
-    if (!ghost && std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]) &&
-      (cellOf.empty() || cellOf[static_cast<size_t>(i)] >= 0))
+    if (!ghost && std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]))
     {
       vertices.push_back(i);
     }
   }
   return vertices;
+}
+
+/// VTK reads as many tuples as there are points or cells.
+void RemoveShort(vtkDataSetAttributes* arrays, vtkIdType count)
+{
+  for (int a = arrays->GetNumberOfArrays() - 1; a >= 0; --a)
+  {
+    if (arrays->GetAbstractArray(a)->GetNumberOfTuples() < count)
+    {
+      arrays->RemoveArray(a);
+    }
+  }
 }
 
 vtkSmartPointer<vtkPolyData> MakePrimitives(vtkPointSet* data)
@@ -123,6 +136,8 @@ vtkSmartPointer<vtkPolyData> MakePrimitives(vtkPointSet* data)
   if (CanBeDrawn(data))
   {
     made->ShallowCopy(data);
+    RemoveShort(made->GetPointData(), made->GetNumberOfPoints());
+    RemoveShort(made->GetCellData(), made->GetNumberOfCells());
     vtkNew<vtkIdTypeArray> ids;
     ids->SetName(CellIds);
     for (vtkIdType c = 0; c < made->GetNumberOfCells(); ++c)
@@ -137,24 +152,32 @@ vtkSmartPointer<vtkPolyData> MakePrimitives(vtkPointSet* data)
     cells ? vtkPointSplatPacking::CellsOfPoints(data) : std::vector<vtkIdType>();
   made->SetPoints(data->GetPoints());
   made->GetPointData()->ShallowCopy(data->GetPointData());
+  RemoveShort(made->GetPointData(), made->GetNumberOfPoints());
   made->GetFieldData()->ShallowCopy(data->GetFieldData());
   vtkNew<vtkCellArray> verts;
   vtkNew<vtkIdTypeArray> ids;
   ids->SetName(CellIds);
   vtkCellData* cellData = made->GetCellData();
+  vtkNew<vtkCellData> given;
   if (cells)
   {
+    given->ShallowCopy(data->GetCellData());
+    RemoveShort(given, data->GetNumberOfCells());
     cellData->CopyAllOn();
-    cellData->CopyAllocate(data->GetCellData());
+    cellData->CopyAllocate(given);
   }
-  for (const vtkIdType point : VerticesOf(data, cellOf))
+  for (const vtkIdType point : VerticesOf(data))
   {
     const vtkIdType cell = cells ? cellOf[static_cast<size_t>(point)] : point;
+    if (cell < 0)
+    {
+      continue;
+    }
     const vtkIdType vertex = verts->InsertNextCell(1, &point);
     ids->InsertNextValue(cell);
     if (cells)
     {
-      cellData->CopyData(data->GetCellData(), cell, vertex);
+      cellData->CopyData(given, cell, vertex);
     }
   }
   made->SetVerts(verts);

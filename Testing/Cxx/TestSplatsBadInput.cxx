@@ -309,6 +309,16 @@ int TestSplatsBadInput(int, char*[])
   ofPoints->SetInputData(eight);
   checks.AtLeast(plain.Draw().CountDrawn(), drawn, "8 colour components, as points: drawn");
   checks.AtLeast(toldOfPoints.Errors, 1, "8 colour components, as points: errors");
+  vtkSmartPointer<vtkPolyData> few = Grid(true);
+  vtkNew<vtkUnsignedCharArray> noGhosts;
+  noGhosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  few->GetPointData()->AddArray(noGhosts);
+  vtkNew<vtkDoubleArray> oneNormal;
+  oneNormal->SetNumberOfComponents(3);
+  oneNormal->InsertNextTuple3(0.0, 0.0, 1.0);
+  few->GetPointData()->SetNormals(oneNormal);
+  ofPoints->SetInputData(few);
+  checks.AtLeast(plain.Draw().CountDrawn(), drawn, "arrays that are too short, as points: drawn");
 
   // A translucent actor that draws nothing does not change what others draw.
   Window translucent(200);

@@ -276,6 +276,10 @@ void FuzzScenes::Implementation::Select(FuzzRandom& random, const std::vector<Sp
     points ? vtkDataObject::FIELD_ASSOCIATION_POINTS : vtkDataObject::FIELD_ASSOCIATION_CELLS);
   selector->SetArea(0, 0, static_cast<unsigned int>(size[0] - 1),
     static_cast<unsigned int>(size[1] - 1));
+  // vtkOpenGLHardwareSelector binds at its end what was bound at its beginning: a vertex buffer of
+  // VTK's own mappers, which may be gone by then.
+  this->Window->MakeCurrent();
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
   auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
   this->ExpectNoError("after a selection");
   for (unsigned int n = 0; selection && n < selection->GetNumberOfNodes(); ++n)
