@@ -484,12 +484,24 @@ void FuzzScenes::Implementation::RunNeighbour(FuzzRandom& random)
   // Left of the middle there is nothing of it.
   constexpr int Margin = 3;
   constexpr int Tolerance = 2;
+  // One of the four samples of an outline's pixel: a neighbour far behind changes the last digits of
+  // depths, and with them which of two pixels a sample takes after.
+  constexpr int Sample = 64;
+  constexpr int MostSamples = 2;
+  const auto isBackground = [&alone, &size](int x, int y) {
+    const size_t at = static_cast<size_t>(3 * (y * size[0] + x));
+    return alone[at] + alone[at + 1] + alone[at + 2] == 0;
+  };
   int worst = 0;
+  int samples = 0;
   long changed = 0;
   for (int y = 0; y < size[1]; ++y)
   {
     for (int x = 0; x < size[0] / 2 - Margin; ++x)
     {
+      const bool outline = !isBackground(x, y) &&
+        ((x > 0 && isBackground(x - 1, y)) || isBackground(x + 1, y) ||
+          (y > 0 && isBackground(x, y - 1)) || (y + 1 < size[1] && isBackground(x, y + 1)));
       int most = 0;
       for (int c = 0; c < 3; ++c)
       {
@@ -497,7 +509,8 @@ void FuzzScenes::Implementation::RunNeighbour(FuzzRandom& random)
         most = std::max(most, std::abs(int(alone[at]) - int(together[at])));
       }
       worst = std::max(worst, most);
-      changed += most > Tolerance;
+      const bool ofSample = outline && most > Tolerance && most <= Sample && ++samples <= MostSamples;
+      changed += most > Tolerance && !ofSample;
     }
   }
   FuzzExpect(changed == 0,
