@@ -27,66 +27,57 @@
  * pixel with holes filled in image space (SetMethodToImageSpace()), sorted layers
  * (SetTransparencyToSorted(), SetTransparencyToNearestExact()).
  *
- * Input: vtkPolyData (or any vtkPointSet), or a composite data set of them. Only points count;
- * cells serve cell selection and cell scalars, and triangles are drawn where Hybrid says so. Blocks
- * may be hidden, and have colours and opacities of their own: vtkPointSplatBlockMapper.
+ * Input: vtkPolyData (or any vtkPointSet), or a composite data set of them. Points become splats, but
+ * for those that no cell uses where there are cells, which VTK does not draw either. Cells serve cell
+ * selection and cell scalars; splats end at a mesh's borders; triangles are drawn where Hybrid says
+ * so. Blocks may be hidden, and have colours and opacities of their own: vtkPointSplatBlockMapper.
  * - Point normals, 3 components. Missing ones are estimated.
  * - `SplatRadius`, 1 component, world units; or `SplatAxis1` and `SplatAxis2`, 3 components, world
  *   units, in the tangent plane. Missing ones are estimated.
  * - `SplatCurvature`, 6 components XX, YY, ZZ, XY, YZ, XZ, 1 / world units, beside `SplatRadius`:
  *   the second fundamental form, whose eigenvalues are 1 / R on a sphere with outward normals. It
  *   is estimated with the radius; where only that is given, and for ellipses, splats are flat.
- * - `SplatClip`, 6 components, two vectors c1 and c2, 1 / world units, in the points' coordinates:
- *   lines at which splats end, at creases and borders, so that edges are straight and sharp and a
- *   pixel has splats of its own face only (Zwicker et al. 2004, Perspective accurate splatting). The
- *   splat at p keeps what fulfils c . (x - p) <= 1: c = n / d for a line at the distance d > 0 whose
- *   unit normal n, in the disk's plane, points to what is cut away; 0 cuts nothing. The line stays
- *   where it is, whatever RadiusScale is. Splats with lines join no layer that shows the other side,
+ * - `SplatClip`, 6 components, two vectors, 1 / world units: lines at which splats end, at creases and
+ *   borders, so that edges are straight and sharp (vtkPointSplatArrays.h has the equations). They stay
+ *   where they are, whatever RadiusScale is. Splats with lines join no layer that shows the other side,
  *   since just behind an edge lies the face that is turned away: best give lines to all within 2.5
- *   times RadiusScale times their size of an edge, which is the layer distance and KernelSupport.
- *   Each splat goes on for a sixteenth of a pixel beyond its lines, where it hardly weighs, so that
- *   there are no gaps at edges. With Method ImageSpace points have no extent, and the array has no
- *   effect.
+ *   times RadiusScale times their size of an edge, the layer distance and KernelSupport. Splats go on
+ *   for a sixteenth of a pixel beyond, where they hardly weigh, so that there are no gaps at edges.
+ *   Method ImageSpace does without.
  * - `SplatFold`, 6 components, two unit vectors or 0, beside `SplatRadius`, `SplatPlaneNormal` and
- *   `SplatClip`: the splat goes on behind its lines in the planes with these normals, as one more splat
- *   each with the point's normal, colour and id (GetNumberOfSplats() counts them).
+ *   `SplatClip`: the splat goes on behind its lines in the planes with these normals, as one more
+ *   each, of the same point (GetNumberOfSplats() counts them).
  * - `SplatGroup`, 1 component, for deferred blending; for sorted transparency where each group
  *   covers the surface (vtkPointSplatGrouping with a Coverage and a Reach of 1). Missing ones are
  *   made.
  * - `ShadowFactor`, 1 to 4 components, 0 in a light's shadow, 1 lit: see Shadows.
  * - Scalars, as vtkMapper takes them: through the lookup table, or direct. Colours of points are
- *   blended; with InterpolateScalarsBeforeMappingOn() values are, and each pixel's is mapped, so that
- *   no colour appears that the table has not. Where vtkMapper cannot do that (direct colours, indexed
- *   tables, a block without scalars) colours are blended with the flag too. A splat whose value is
- *   NaN has the table's colour of NaN, and leaves the values about it as they are.
+ *   blended; with InterpolateScalarsBeforeMappingOn() values are, and each pixel's is mapped, where
+ *   vtkMapper can do that (not direct colours, indexed tables, a block without scalars). A splat
+ *   whose value is NaN has the table's colour of NaN, and leaves the values about it as they are.
  * - Scalars of cells, where there are none of points or ScalarMode asks for them: a splat has the
- *   colour of its point's cell, of several the one with the least id, which is the vertex if there is
- *   one; a pixel has the colour of one splat, and nothing is blended. Of field data each cell has a
- *   tuple, or all have the one of FieldDataTupleId.
- * - Points that no cell uses, where there are cells, are not drawn, as VTK does not draw them.
+ *   colour of its point's cell, of several the one with the least id; a pixel has the colour of one
+ *   splat. Of field data each cell has a tuple, or all have the one of FieldDataTupleId.
  * - Cell normals are not used; a warning says so where there are no others.
  *
  * The property's representation as points or wireframe is VTK's own: its mapper draws the input's
- * cells, or, where there are none that it can draw, each point as a vertex (PointSize,
- * RenderPointsAsSpheres and the rest have their effect), lit and picked as by vtkPolyDataMapper.
- * Flat interpolation gives a splat one tone: a pixel has the normal of the splat with the greatest
- * weight. By quads that is not so where scalars are of cells. Physically based interpolation is that of
- * VTK's meshes without texture coordinates and tangents: metallic, roughness, BaseIOR, edge tint and
- * coat, lights, and the renderer's image-based lighting. What of the actor's looks splats do not show
- * is named in a warning: textures, Anisotropy, EdgeVisibility, VertexVisibility, shader code of its
- * own, and with Method ImageSpace flat interpolation.
+ * cells, or, where there are none that it can draw, each point as a vertex, lit and picked as by
+ * vtkPolyDataMapper. Flat interpolation gives a splat one tone: a pixel has the normal of the splat
+ * with the greatest weight (not by quads where scalars are of cells). Physically based interpolation,
+ * textures, tangents and edges are those of VTK's meshes. What of the actor's looks splats do not
+ * show is named in a warning, once: VertexVisibility, shader code of its own, and, by quads, sorted
+ * layers or another Method than two passes, textures, Anisotropy and EdgeVisibility.
  *
  * Bad input: points that are ghosts, or whose coordinates, normal or size are not finite or not
  * positive, or that lie farther off than a million times what the middle half of all points spans,
  * are left out; their number is reported once, and by GetNumberOfSkippedPoints(). Arrays of a wrong
  * shape are refused with an error that names them. Cells may name points that are not there. Clip
  * lines that are not finite cut nothing; a line counts as at least a millionth of a radius away.
- * Given radii of less than a quarter of the points' spacing, or more than four times that, in the
- * median, and as far off the nearest points' distances, are drawn with a warning: no filter of VTK's
- * scales `SplatRadius` and `SplatCurvature`, so that after a vtkTransformFilter that scales they
- * must be estimated anew. An actor's scale acts on all alike. NaN is refused by all setters. In a
- * window without an OpenGL context nothing is drawn; in one that is not OpenGL's (WebGPU) VTK's own
- * mapper draws as for wireframe, with one warning.
+ * Given radii of less than a quarter of the points' spacing or more than four times that, in the
+ * median, are drawn with a warning: no filter of VTK's scales `SplatRadius` and `SplatCurvature`, which
+ * after a vtkTransformFilter must be estimated anew. An actor's scale acts on all alike. NaN is
+ * refused by all setters. In a window without an OpenGL context nothing is drawn; in one that is not
+ * OpenGL's (WebGPU) VTK's own mapper draws as for wireframe, with one warning.
  *
  * Progress: while sizes and normals are estimated, ProgressEvent tells how much is done, and
  * AbortExecuteOn() ends it; nothing is drawn then, and the next Render() begins anew.
@@ -207,9 +198,8 @@ public:
 
   ///@{
   /**
-   * The most layers that are peeled; the largest of all translucent splat actors' of a renderer
-   * holds. Peeling ends sooner where nothing is left, or where what is left could change no
-   * pixel by TargetError. Default: 32. GetNumberOfLayersDrawn(): those of the last frame.
+   * The most layers that are peeled, 32 by default; the largest of a renderer's splat actors holds.
+   * Peeling ends sooner where what is left could change no pixel by TargetError.
    */
   vtkSetClampMacro(MaximumNumberOfLayers, int, 1, 256);
   vtkGetMacro(MaximumNumberOfLayers, int);
@@ -242,8 +232,7 @@ public:
    * needed). Off by default. Normals must point out of the body. Clear glass has opacity 0; VTK
    * picks no actor of opacity 0, 0.001 shows the same. The surface's own colours come over what is
    * refracted; where the opaque scene lies behind, that is seen straight through. Without an
-   * environment texture, or with a cube map whose faces differ in size or type or must be mapped
-   * to colours first (VTK loads no such ones), it stays off, with a warning.
+   * environment texture, or with a cube map that VTK cannot load, it stays off, with a warning.
    */
   vtkSetMacro(Refraction, bool);
   vtkGetMacro(Refraction, bool);
@@ -282,17 +271,12 @@ public:
   /**
    * Of deferred blending, where the input has no `SplatGroup`: the factor c on the distance at
    * which splats count as overlapping when they are grouped (vtkPointSplatGrouping). 1 gives the
-   * picture of two passes; less gives fewer groups and small faults. Default: 0.8.
+   * picture of two passes; less gives fewer groups and small faults. Default: 0.8. And whether
+   * splats of a group that overlap meet halfway between their centres (Zhang, Pajarola 2006,
+   * equation 10; the default), or the nearer one hides the other.
    */
   vtkPointSplatSetClampMacro(OverlapFactor, 0.01, 1.0);
   vtkGetMacro(OverlapFactor, double);
-  ///@}
-
-  ///@{
-  /**
-   * Of deferred blending: whether splats of a group that overlap meet halfway between their centres
-   * (Zhang, Pajarola 2006, equation 10; the default), or the nearer one hides the other.
-   */
   vtkSetMacro(VoronoiDepth, bool);
   vtkGetMacro(VoronoiDepth, bool);
   vtkBooleanMacro(VoronoiDepth, bool);
@@ -302,18 +286,13 @@ public:
   /**
    * Bytes that the groups' images may take, 20 a pixel and group: past it, two passes are taken,
    * with a warning. And bytes that translucent layers may take, 16 to 64 a pixel and layer: past
-   * it, no further ones are peeled. 0: no bound. Default: 1 GiB.
+   * it, no further ones are peeled. 0: no bound. Default: 1 GiB. MaximumWindowMemory: bytes that
+   * the images of a layer may take, 28 a pixel of the window by tiles (60 with textures), 76 else:
+   * larger windows are drawn in parts of at least 256 x 256 pixels, with the same picture. Not with
+   * depth peeling; rays of Refraction end at parts' rims. 0: no bound. Default: 4 GiB.
    */
   vtkSetClampMacro(MaximumImageMemory, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(MaximumImageMemory, vtkIdType);
-  ///@}
-
-  ///@{
-  /**
-   * Bytes that the images of a layer may take, 28 a pixel of the window by tiles (60 with textures),
-   * 76 else: larger windows are drawn in parts of at least 256 x 256 pixels, with the same picture.
-   * Not with depth peeling; rays of Refraction end at parts' rims. 0: no bound. Default: 4 GiB.
-   */
   vtkSetClampMacro(MaximumWindowMemory, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(MaximumWindowMemory, vtkIdType);
   ///@}
@@ -495,7 +474,9 @@ public:
   ///@{
   /**
    * The kernel that weights splats where they overlap. Default: Gaussian. Its sigma, as a fraction
-   * of the splat's radius. Default: 0.6.
+   * of the splat's radius. Default: 0.6. Of the plateau kernel a and n: a larger a makes it narrower,
+   * a larger n flatter in the middle and steeper at the rim. Defaults: 4 and 5. And where kernels
+   * end, in radii: b of the plateau kernels. Default: 1.5.
    */
   vtkSetClampMacro(Kernel, int, GAUSSIAN, PLATEAU);
   vtkGetMacro(Kernel, int);
@@ -503,14 +484,6 @@ public:
   void SetKernelToPlateau() { this->SetKernel(PLATEAU); }
   vtkPointSplatSetClampMacro(KernelSigma, 0.05, 10.0);
   vtkGetMacro(KernelSigma, double);
-  ///@}
-
-  ///@{
-  /**
-   * The plateau kernel's a and n: a larger a makes it narrower, a larger n flatter in the middle and
-   * steeper at the rim. Defaults: 4 and 5. And where kernels end, in radii: b of the plateau
-   * kernels. Default: 1.5.
-   */
   vtkPointSplatSetClampMacro(PlateauFalloff, 0.01, 1000.0);
   vtkGetMacro(PlateauFalloff, double);
   vtkPointSplatSetClampMacro(PlateauExponent, 1.0, 100.0);
