@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FuzzCase.h"
+#include "FuzzChange.h"
 #include "FuzzData.h"
 #include "FuzzProperties.h"
 
@@ -483,39 +484,10 @@ void FuzzScenes::Implementation::RunNeighbour(FuzzRandom& random)
   const Pixels together = this->Draw("after a frame with a neighbour");
   // Left of the middle there is nothing of it.
   constexpr int Margin = 3;
-  constexpr int Tolerance = 2;
-  // One of the four samples of an outline's pixel: a neighbour far behind changes the last digits of
-  // depths, and with them which of two pixels a sample takes after.
-  constexpr int Sample = 64;
-  constexpr int MostSamples = 2;
-  const auto isBackground = [&alone, &size](int x, int y) {
-    const size_t at = static_cast<size_t>(3 * (y * size[0] + x));
-    return alone[at] + alone[at + 1] + alone[at + 2] == 0;
-  };
-  int worst = 0;
-  int samples = 0;
-  long changed = 0;
-  for (int y = 0; y < size[1]; ++y)
-  {
-    for (int x = 0; x < size[0] / 2 - Margin; ++x)
-    {
-      const bool outline = !isBackground(x, y) &&
-        ((x > 0 && isBackground(x - 1, y)) || isBackground(x + 1, y) ||
-          (y > 0 && isBackground(x, y - 1)) || (y + 1 < size[1] && isBackground(x, y + 1)));
-      int most = 0;
-      for (int c = 0; c < 3; ++c)
-      {
-        const size_t at = static_cast<size_t>(3 * (y * size[0] + x) + c);
-        most = std::max(most, std::abs(int(alone[at]) - int(together[at])));
-      }
-      worst = std::max(worst, most);
-      const bool ofSample = outline && most > Tolerance && most <= Sample && ++samples <= MostSamples;
-      changed += most > Tolerance && !ofSample;
-    }
-  }
-  FuzzExpect(changed == 0,
-    "a neighbour changes " + std::to_string(changed) + " pixels of a good actor, by up to " +
-      std::to_string(worst) + Describe(wild));
+  const FuzzChange change(alone, together, size[0], size[0] / 2 - Margin);
+  FuzzExpect(change.Pixels == 0,
+    "a neighbour changes " + std::to_string(change.Pixels) +
+      " pixels of a good actor, by up to " + std::to_string(change.Worst) + Describe(wild));
 }
 
 void FuzzScenes::Implementation::RunFloats(FuzzRandom& random)
