@@ -240,14 +240,12 @@ void vtkPointSplatTriangles::Order(const std::vector<uint32_t>& patchOf)
   // Within a patch: two keys a patch, the second one of what crosses.
   std::vector<uint32_t> places(2 * this->Patches.size() + 1, 0);
   std::vector<uint32_t> keys(count);
-  size_t crossings = 0;
   for (size_t t = 0; t < count; ++t)
   {
     const std::array<uint32_t, 3> p = patchesOf(t);
     const bool crosses = p[0] != p[2];
     keys[t] = 2 * p[0] + (crosses ? 1 : 0);
     ++places[keys[t] + size_t(1)];
-    crossings += crosses ? 1 : 0;
   }
   std::partial_sum(places.begin(), places.end(), places.begin());
   for (size_t patch = 0; patch < this->Patches.size(); ++patch)
