@@ -155,7 +155,9 @@ Path trace(Interface hit, vec3 ray, float shift)
     }
     if (nesting > 0)
     {
-      path.weight *= exp(-absorptionOf(around[nesting]).rgb * distance(from, hit.position));
+      vec3 lost = absorptionOf(around[nesting]).rgb * distance(from, hit.position);
+      // Nothing is left, but not NaN, which exp() of infinity is with some drivers.
+      path.weight *= exp(-min(lost, vec3(80.0)));
     }
   }
   return path;
