@@ -20,8 +20,9 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 // Those that are fitted by hand are from Testing/Accuracy/fit_constants.py.
-/// At a border these reach as far as half of them do elsewhere, past four spacings.
-constexpr int NumberOfNeighbors = 32;
+/// At a border these reach as far as half of them do elsewhere: past five spacings, and to the next
+/// row of points that are twenty times as dense along rows.
+constexpr int NumberOfNeighbors = 64;
 /// How far, in spacings, points of other sheets say that the surface goes on: less takes creases for
 /// borders, more finds none where the other side of a body is near.
 constexpr float VoidReach = 2.0f;
@@ -95,6 +96,7 @@ bool vtkPointSplatBorders::FindEnd(
     }
   }
   end.At = around.Center;
+  end.Gap = disk.Gap;
   end.Sure = reach > SureReach * alpha;
   for (int k = 0; k < 2; ++k)
   {
@@ -187,6 +189,14 @@ bool vtkPointSplatBorders::Find(
     [](const End& a, const End& b) { return a.At < b.At; });
   this->Confirm();
   return true;
+}
+
+void vtkPointSplatBorders::Widen(vtkPointSplatDisks& disks) const
+{
+  for (const End& end : this->Ends)
+  {
+    disks.Gap[end.At] = std::max(disks.Gap[end.At], end.Gap);
+  }
 }
 
 void vtkPointSplatBorders::MakeLines(vtkFloatArray* clips, vtkIdType count)

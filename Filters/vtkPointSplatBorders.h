@@ -9,7 +9,7 @@
  * Plane), alpha being the distance from which on a vertex of a Voronoi cell lies in a hole
  * (vtkPointSplatDisks::HoleLimit, in the upper quartile of the spacings around).
  *
- * 1. A candidate is looked at with its 32 nearest neighbours. Where just one run of its cell's
+ * 1. A candidate is looked at with its 64 nearest neighbours. Where just one run of its cell's
  *    vertices is farther than alpha, the surface ends between the two neighbours whose bisectors
  *    lead into that run and out of it: they are the next points along the border.
  * 2. Points of other sheets that lie in that sector, within two spacings, say that the surface goes
@@ -20,6 +20,8 @@
  *    between them has a convex corner. Where the corner is reflex, one line cuts across it, as far
  *    off as half of the way to the nearer of the next points, since a splat keeps what all of its
  *    lines do (vtkPointSplatBorderPlane.h).
+ * 5. What is past the lines is not drawn, so the disk may be as large as the triangles inside need: in
+ *    the border row of points that are much denser along rows, as wide as the way to the next row.
  *
  * Memory is 44 bytes a point at a border and a byte a slot; candidates are points whose cells are
  * open or reach into holes, which smooth closed surfaces have hardly any of.
@@ -48,6 +50,10 @@ public:
   /// candidates: of each slot, whether it is one. Returns false if self was aborted.
   bool Find(vtkAlgorithm* self, bool elliptical, const std::vector<unsigned char>& candidates);
 
+  /// Makes disks that are clipped as large as the triangles there need: what is past the line is not
+  /// drawn. To be called before disks are closed.
+  void Widen(vtkPointSplatDisks& disks) const;
+
   /// Adds the lines, if any, of points that have none to the array of clip lines, of 6 components,
   /// which is made if it has no tuples. slotOf: of each point.
   void Write(const std::vector<Slot>& slotOf, vtkFloatArray* clips) const;
@@ -65,6 +71,7 @@ private:
     Slot Next[2];
     bool Sure; // that this is no gap of the sampling
     float Clip[6]; // as in the array
+    float Gap;     // what its disk must at least be to cover the triangles there
   };
 
   bool FindEnd(const Neighborhood& around, bool elliptical, End& end) const;

@@ -396,8 +396,15 @@ bool vtkPointSplatDisk::Estimate(const vtkPointSplatNeighbors::Neighborhood& aro
     this->Farthest(all) <= (this->Sheet.Whole ? WholeReach : 1.0f) * distance(count - 1);
   if (!closed && this->Sheet.Near < count)
   {
-    // What is far counts only where it is all around.
-    count = this->Sheet.Near;
+    // What is far counts only where it is all around, or where it is known how wide triangles are and
+    // it is no farther: so the next row does, of points that are much denser along rows.
+    const bool known = holeLimit < std::numeric_limits<float>::max();
+    const int rank = std::min(vtkPointSplatSheet::SpacingRank, count);
+    const float widest = known ? 2 * holeLimit * distance(rank - 1) : 0.0f;
+    while (count > this->Sheet.Near && distance(count - 1) >= widest)
+    {
+      --count;
+    }
     this->ClipByBisectors(count);
   }
   float radius = 0;

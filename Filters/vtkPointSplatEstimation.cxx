@@ -394,6 +394,7 @@ int vtkPointSplatEstimation::RequestData(
       {
         return 1;
       }
+      borders.Widen(disks);
     }
     vtkPointSplatCreases creases(neighbors, slotNormals.data(),
       elliptical ? nullptr : disks.Curvatures.data(), usual, elliptical);
