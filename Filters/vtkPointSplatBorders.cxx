@@ -6,10 +6,10 @@
 #include "vtkFloatArray.h"
 #include "vtkMath.h"
 #include "vtkPointSplatBorderPlane.h"
-#include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -20,12 +20,19 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 // Those that are fitted by hand are from Testing/Accuracy/fit_constants.py.
-/// At a border these reach as far as half of them do elsewhere: past five spacings, and to the next
-/// row of points that are twenty times as dense along rows.
-constexpr int NumberOfNeighbors = 64;
+/// At a border these reach as far as half of them do elsewhere, past four spacings.
+constexpr int NumberOfNeighbors = 32;
+/// Of a random sampling: what is no gap of it is seen from farther.
+constexpr int NumberAtRandom = 64;
+/// Where so many nearest ones lie in a row, four times as many are looked at, which reach the next row
+/// of points that are thirty times as dense along rows.
+constexpr int NumberInRow = 16;
 /// How far, in spacings, points of other sheets say that the surface goes on: less takes creases for
 /// borders, more finds none where the other side of a body is near.
 constexpr float VoidReach = 2.0f;
+/// But those that face away are another sheet's, of a thin shell that ends with this one: around a
+/// tube there are others between.
+constexpr float AwayCosine = -0.9f;
 /// How far into the sector they are (10 degrees).
 constexpr double VoidMargin = 0.17;
 /// How far, in alphas, a cell reaches that is surely no gap in the sampling, and how many of these a
@@ -35,6 +42,12 @@ constexpr int LeastSure = 8;
 /// Which of the spacings around is taken: a point's own one is larger at a border, where there are
 /// points to one side alone, and the least of all makes holes of uneven samplings.
 constexpr double SpacingQuantile = 0.75;
+/// How far past the outermost of a random sampling's points its surface ends, in spacings.
+constexpr float RandomMargin = 0.3f;
+/// How far, in radii, what draws a disk reaches.
+constexpr float KernelReach = 1.5f;
+/// Ends of one border agree on where it goes on by this mean: beside a narrow gap or strip they don't.
+constexpr float LeastAgreed = 0.8f;
 }
 
 vtkPointSplatBorders::vtkPointSplatBorders(const vtkPointSplatNeighbors& neighbors,
@@ -43,15 +56,14 @@ vtkPointSplatBorders::vtkPointSplatBorders(const vtkPointSplatNeighbors& neighbo
   , Normals(normals)
   , Usual(usual)
   , HoleLimit(disks.HoleLimit)
+  , Number(disks.Regular ? NumberOfNeighbors : NumberAtRandom)
   , Spacings(disks.Spacing)
 {
 }
 
 bool vtkPointSplatBorders::FindEnd(
-  const Neighborhood& around, bool elliptical, End& end) const
+  const Neighborhood& around, const vtkPointSplatDisk& disk, End& end) const
 {
-  vtkPointSplatDisk disk;
-  disk.Estimate(around, this->Normals, elliptical, this->Usual, this->HoleLimit);
   int next[2];
   std::vector<float> spacings;
   for (int i = 0; i < around.Count; ++i)
@@ -90,13 +102,17 @@ bool vtkPointSplatBorders::FindEnd(
        ++i)
   {
     const double turn = vtkPointSplatBorderPlane::Turn(from, getAngle(i));
-    if (!ofSheet[i] && turn > VoidMargin && turn < sector - VoidMargin)
+    const float* other = this->Normals + std::size_t(3) * around.Slots[i];
+    const bool away = vtkMath::Dot(other, disk.Normal) < AwayCosine;
+    if (!ofSheet[i] && !away && turn > VoidMargin && turn < sector - VoidMargin)
     {
       return false;
     }
   }
   end.At = around.Center;
   end.Gap = disk.Gap;
+  // A line as far off as its unit, whose vector is its normal.
+  plane.SetLine(from + 0.5 * sector, 1.0f, end.Out);
   end.Sure = reach > SureReach * alpha;
   for (int k = 0; k < 2; ++k)
   {
@@ -162,24 +178,8 @@ void vtkPointSplatBorders::Confirm()
   this->Ends.swap(confirmed);
 }
 
-bool vtkPointSplatBorders::Find(
-  vtkAlgorithm* self, bool elliptical, const std::vector<unsigned char>& candidates)
+void vtkPointSplatBorders::Take(vtkSMPThreadLocal<std::vector<End>>& found)
 {
-  vtkSMPThreadLocal<std::vector<End>> found;
-  auto find = [&](const Neighborhood& around, int) {
-    End end;
-    if (this->FindEnd(around, elliptical, end))
-    {
-      found.Local().push_back(end);
-    }
-    return true;
-  };
-  const double progress = self->GetProgress();
-  if (!this->Neighbors.Visit(self, progress, progress, NumberOfNeighbors, find,
-        [&](Slot s) { return candidates[s] != 0; }))
-  {
-    return false;
-  }
   this->Ends.clear();
   for (const std::vector<End>& local : found)
   {
@@ -187,16 +187,155 @@ bool vtkPointSplatBorders::Find(
   }
   std::sort(this->Ends.begin(), this->Ends.end(),
     [](const End& a, const End& b) { return a.At < b.At; });
+}
+
+bool vtkPointSplatBorders::Find(
+  vtkAlgorithm* self, bool elliptical, const std::vector<unsigned char>& candidates)
+{
+  vtkSMPThreadLocal<std::vector<End>> found;
+  auto find = [&](const Neighborhood& around, int round) {
+    vtkPointSplatDisk disk;
+    disk.Estimate(around, this->Normals, elliptical, this->Usual, this->HoleLimit);
+    End end;
+    const bool ends = this->FindEnd(around, disk, end);
+    if (ends)
+    {
+      found.Local().push_back(end);
+    }
+    return ends || round > 0 || !disk.InRow(NumberInRow);
+  };
+  const double progress = self->GetProgress();
+  if (!this->Neighbors.Visit(self, progress, progress, this->Number, find,
+        [&](Slot s) { return candidates[s] != 0; }))
+  {
+    return false;
+  }
+  this->Take(found);
   this->Confirm();
   return true;
 }
 
-void vtkPointSplatBorders::Widen(vtkPointSplatDisks& disks) const
+bool vtkPointSplatBorders::Cut(
+  const Neighborhood& around, const vtkPointSplatDisks& disks, End& cut) const
 {
+  const float reach = KernelReach * disks.Length[around.Center];
+  const float* n = this->Normals + std::size_t(3) * around.Center;
+  struct Near
+  {
+    float X[3];
+    const End* Of;
+  };
+  std::vector<Near> ends;
+  if (const End* own = this->GetEnd(around.Center))
+  {
+    ends.push_back({ { 0, 0, 0 }, own });
+  }
+  const float spacing = this->Spacings[around.Center];
+  const float farthest = 2 * reach + spacing;
+  for (int i = 0; i < around.Count && around.SquaredDistance[i] < farthest * farthest; ++i)
+  {
+    if (const End* end = this->GetEnd(around.Slots[i]))
+    {
+      ends.push_back({ { around.X[i], around.Y[i], around.Z[i] }, end });
+    }
+  }
+  float out[3] = { 0, 0, 0 };
+  for (const Near& end : ends)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      out[c] += end.Of->Out[c] / static_cast<float>(ends.size());
+    }
+  }
+  if (!(vtkMath::Norm(out) > LeastAgreed))
+  {
+    return false;
+  }
+  const float along = vtkMath::Dot(out, n);
+  for (int c = 0; c < 3; ++c)
+  {
+    out[c] -= along * n[c];
+  }
+  if (!(vtkMath::Normalize(out) > 0))
+  {
+    return false;
+  }
+  float side[3];
+  vtkMath::Cross(n, out, side);
+  float distance = -std::numeric_limits<float>::max();
+  for (const Near& end : ends)
+  {
+    if (std::abs(vtkMath::Dot(end.X, side)) <= reach)
+    {
+      distance = std::max(distance, vtkMath::Dot(end.X, out));
+    }
+  }
+  distance = std::max(distance, 0.0f) + RandomMargin * spacing;
+  if (!(distance < reach))
+  {
+    return false;
+  }
+  cut = End();
+  cut.At = around.Center;
+  for (int c = 0; c < 3; ++c)
+  {
+    cut.Clip[c] = out[c] / distance;
+  }
+  return true;
+}
+
+bool vtkPointSplatBorders::Straighten(vtkAlgorithm* self, const vtkPointSplatDisks& disks)
+{
+  if (this->Ends.empty())
+  {
+    return true;
+  }
+  std::vector<std::atomic<bool>> near(this->Spacings.size());
+  auto mark = [&](const Neighborhood& around, int) {
+    near[around.Center].store(true, std::memory_order_relaxed);
+    for (int i = 0; i < around.Count; ++i)
+    {
+      const Slot s = around.Slots[i];
+      const float reach = KernelReach * disks.Length[s];
+      if (around.SquaredDistance[i] < reach * reach)
+      {
+        near[s].store(true, std::memory_order_relaxed);
+      }
+    }
+    return true;
+  };
+  vtkSMPThreadLocal<std::vector<End>> found;
+  auto cut = [&](const Neighborhood& around, int) {
+    End end;
+    if (!disks.IsAlone(around.Center) && this->Cut(around, disks, end))
+    {
+      found.Local().push_back(end);
+    }
+    return true;
+  };
+  const double progress = self->GetProgress();
+  if (!this->Neighbors.Visit(self, progress, progress, NumberOfNeighbors, mark,
+        [this](Slot s) { return this->GetEnd(s) != nullptr; }) ||
+    !this->Neighbors.Visit(self, progress, progress, NumberOfNeighbors, cut,
+      [&near](Slot s) { return near[s].load(std::memory_order_relaxed); }))
+  {
+    return false;
+  }
+  this->Take(found);
+  return true;
+}
+
+bool vtkPointSplatBorders::Finish(vtkAlgorithm* self, vtkPointSplatDisks& disks)
+{
+  if (!disks.Regular)
+  {
+    return this->Straighten(self, disks);
+  }
   for (const End& end : this->Ends)
   {
     disks.Gap[end.At] = std::max(disks.Gap[end.At], end.Gap);
   }
+  return true;
 }
 
 void vtkPointSplatBorders::MakeLines(vtkFloatArray* clips, vtkIdType count)

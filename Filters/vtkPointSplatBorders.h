@@ -9,7 +9,7 @@
  * Plane), alpha being the distance from which on a vertex of a Voronoi cell lies in a hole
  * (vtkPointSplatDisks::HoleLimit, in the upper quartile of the spacings around).
  *
- * 1. A candidate is looked at with its 64 nearest neighbours. Where just one run of its cell's
+ * 1. A candidate is looked at with its 32 nearest neighbours, or 128. Where just one run of its cell's
  *    vertices is farther than alpha, the surface ends between the two neighbours whose bisectors
  *    lead into that run and out of it: they are the next points along the border.
  * 2. Points of other sheets that lie in that sector, within two spacings, say that the surface goes
@@ -22,6 +22,10 @@
  *    lines do (vtkPointSplatBorderPlane.h).
  * 5. What is past the lines is not drawn, so the disk may be as large as the triangles inside need: in
  *    the border row of points that are much denser along rows, as wide as the way to the next row.
+ * 6. Random samplings end somewhere between their last points and the surface's border. There alpha is
+ *    as wide as the gaps that are closed, and candidates are looked at with 64 neighbours; each splat
+ *    that reaches over the border ends at one line across the mean of the ways out of the surface there,
+ *    so far off that the outermost point beside it is inside, and a margin more.
  *
  * Memory is 44 bytes a point at a border and a byte a slot; candidates are points whose cells are
  * open or reach into holes, which smooth closed surfaces have hardly any of.
@@ -30,6 +34,8 @@
 #define vtkPointSplatBorders_h
 
 #include "vtkPointSplatDisks.h"
+
+#include "vtkSMPThreadLocal.h"
 
 #include <vector>
 
@@ -50,9 +56,13 @@ public:
   /// candidates: of each slot, whether it is one. Returns false if self was aborted.
   bool Find(vtkAlgorithm* self, bool elliptical, const std::vector<unsigned char>& candidates);
 
-  /// Makes disks that are clipped as large as the triangles there need: what is past the line is not
-  /// drawn. To be called before disks are closed.
-  void Widen(vtkPointSplatDisks& disks) const;
+  /**
+   * Of a regular sampling: makes disks that are clipped as large as the triangles there need; what is
+   * past the line is not drawn. Of a random one: puts one straight line a splat in the place of those
+   * through the points, for all splats that reach over it. To be called before disks are closed.
+   * Returns false if self was aborted.
+   */
+  bool Finish(vtkAlgorithm* self, vtkPointSplatDisks& disks);
 
   /// Adds the lines, if any, of points that have none to the array of clip lines, of 6 components,
   /// which is made if it has no tuples. slotOf: of each point.
@@ -71,17 +81,22 @@ private:
     Slot Next[2];
     bool Sure; // that this is no gap of the sampling
     float Clip[6]; // as in the array
+    float Out[3];  // from the surface, unit length
     float Gap;     // what its disk must at least be to cover the triangles there
   };
 
-  bool FindEnd(const Neighborhood& around, bool elliptical, End& end) const;
+  bool FindEnd(const Neighborhood& around, const vtkPointSplatDisk& disk, End& end) const;
   const End* GetEnd(Slot slot) const;
+  void Take(vtkSMPThreadLocal<std::vector<End>>& found);
   void Confirm();
+  bool Straighten(vtkAlgorithm* self, const vtkPointSplatDisks& disks);
+  bool Cut(const Neighborhood& around, const vtkPointSplatDisks& disks, End& cut) const;
 
   const vtkPointSplatNeighbors& Neighbors;
   const float* Normals;
   float Usual;
   float HoleLimit;
+  int Number; // of neighbours that are looked at
   const std::vector<float>& Spacings; // of the disks
   std::vector<End> Ends; // in order of slots
 };

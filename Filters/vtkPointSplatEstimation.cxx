@@ -375,26 +375,30 @@ int vtkPointSplatEstimation::RequestData(
     // 5. Borders and creases
     Twins twins = FindTwins(n, slotNormals, neighbors);
     vtkPointSplatBorders borders(neighbors, directions, usual, disks);
-    if (disks.Regular && !this->IsRough())
+    if (!this->IsRough())
     {
       std::vector<unsigned char> open(slots, 0);
+      std::vector<unsigned char> closed(slots, 0);
+      std::transform(disks.Opening.begin(), disks.Opening.end(), closed.begin(),
+        [](float opening) { return opening > 0 ? 1 : 0; });
       for (vtkIdType id = 0; id < numberOfPoints; ++id)
       {
         const Slot s = slotOf[id];
         if (s != vtkPointSplatNeighbors::None && !fans.Has(id))
         {
-          open[s] = disks.MayEnd(s);
+          // Beside a border there is a surface; most points of vegetation have no closed cells beside.
+          open[s] = disks.MayEnd(s) &&
+            (disks.Regular || (disks.Opening[s] == 0 && disks.AgreeWitnesses(s, closed)));
         }
       }
       for (const vtkPointSplatCreases::Twin& twin : twins)
       {
         open[twin.At] = 0;
       }
-      if (!borders.Find(this, elliptical, open))
+      if (!borders.Find(this, elliptical, open) || !borders.Finish(this, disks))
       {
         return 1;
       }
-      borders.Widen(disks);
     }
     vtkPointSplatCreases creases(neighbors, slotNormals.data(),
       elliptical ? nullptr : disks.Curvatures.data(), usual, elliptical);

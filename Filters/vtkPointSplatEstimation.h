@@ -24,7 +24,7 @@
  *   not known) if Shape is Circular, or
  * - `SplatAxis1`, `SplatAxis2` (3 floats each, world units) if it is Elliptical: the half axes,
  *   perpendicular to each other and to the normal, the first the longer.
- * Where there are creases and the input has normals, or borders of a regular sampling, also
+ * Where there are creases and the input has normals, or borders, also
  * - `SplatClip` (6 floats, 1 / world units: two vectors c = n / d, each of a line in the disk's
  *   plane at the distance d from the point, where its face ends; n points to what is cut away; 0:
  *   no line), and for creases
@@ -96,11 +96,11 @@
  *    in all of them with the point's own normal it shades as a mesh does, from face to face over a
  *    triangle's width. Without given normals, or where IsRough(), creases are not looked for:
  *    estimated normals turn over the width of their neighbourhood, as on a fillet.
- *    *Borders*, where the sampling is as regular as a mesh's vertices: the surface ends between the
+ *    *Borders*: where the sampling is as regular as a mesh's vertices, the surface ends between the
  *    points that its outline and its holes go through, and lines through these clip their splats
  *    (vtkPointSplatBorders.h). A mesh ends at edges that one triangle alone has. Random samplings
- *    end somewhere between their last points and the surface's border; their splats are not
- *    clipped, and reach 0.6 of a spacing past these.
+ *    end somewhere between their last points and the surface's border: there a line a little past the
+ *    outermost of them clips all splats that reach over it.
  * 6. *Bound.* No disk is larger than two and a half times those of its neighbours, which keeps
  *    outliers small. A point with no neighbour of its own sheet is a body alone, and so are points
  *    that no surface goes through (vtkPointSplatBodies.h): along a curve with nothing beside it;

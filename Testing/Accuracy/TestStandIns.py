@@ -61,6 +61,13 @@ class TestStandIns(unittest.TestCase):
         # 32.6 dB where disks reach past the holes' borders.
         self.check("holed_ball", 4, 0.01, 34, views=1)
 
+    def test_borders_of_random_samplings(self):
+        # 37 dB and a spill of 0.0076 where disks reach past the last points.
+        found = likeness.compare(standins.ALL["shell_03"](), 300, 3)
+        self.assertGreater(found["psnr"][1], 39.5)
+        self.assertLess(found["spill"], 0.002)
+        self.assertEqual(found["holes"], 0)
+
     def test_grid_lines(self):
         # Within rows the points are twenty times as dense as across them.
         standin = standins.along_grid_lines(20)

@@ -36,6 +36,8 @@ CONSTANTS = {
     "VoidReach": ("vtkPointSplatBorders.cxx", (1.5, 2.0, 2.5), ("holed_ball",) + FOLDS),
     "SureReach": ("vtkPointSplatBorders.cxx", (1.5, 2.0, 2.5), ("holed_ball",) + FOLDS),
     "SpacingQuantile": ("vtkPointSplatBorders.cxx", (0.25, 0.5, 0.75), ("holed_ball",) + FOLDS),
+    "RandomMargin": ("vtkPointSplatBorders.cxx", (0.2, 0.25, 0.3, 0.4), ("shell_03", "shell_1")),
+    "LeastAgreed": ("vtkPointSplatBorders.cxx", (0.7, 0.8, 0.9), ("shell_03", "drapery")),
     "LeastSure": ("vtkPointSplatBorders.cxx", (4, 8, 12, 16), ("holed_ball",) + FOLDS),
     "WholeReach": ("vtkPointSplatDisk.cxx", (1.0, 1.1, 1.2, 1.4), FOLDS + ("tubes_edges",)),
     "BorderPerDistance": ("vtkPointSplatDisk.cxx", (0.5, 0.6, 0.7, 0.8), FOLDS + PARTS),

@@ -44,6 +44,22 @@ public:
     this->Points->InsertNextPoint(x);
     this->Normals->InsertNextTuple(n);
     this->EdgesOf.push_back(edges);
+    this->BordersOf.emplace_back();
+  }
+
+  /// Whether a line of a point, with that vector and its length, is where the surface ends, or at
+  /// most one and a half spacings inside, since the points end somewhere before it does.
+  bool IsAtBorder(vtkIdType id, const double c[3], double length) const
+  {
+    for (const Edge& border : this->BordersOf[id])
+    {
+      const double along = vtkMath::Dot(c, border.Direction);
+      if (along > 0.6 * length && 1 / along > border.Distance - 1.5 * this->Spacing)
+      {
+        return true;
+      }
+    }
+    return false;
   }
 
   void Repeat(vtkIdType id)
@@ -109,6 +125,9 @@ public:
         edges.push_back({ std::abs(s), { to * t[0], to * side * t[1], 0 } });
       }
       this->Add(x, n, edges);
+      this->BordersOf.back() = { { z, { 0, 0, -1 } }, { height - z, { 0, 0, 1 } },
+        { s + width, { -t[0], -side * t[1], 0 } },
+        { width + arc - s, { t[0], side * t[1], 0 } } };
     }
   }
 
@@ -193,6 +212,7 @@ public:
         const double z = this->Next(-length, 0);
         const double x[3] = { radius * u[0], radius * u[1], z };
         this->Add(x, u, { { -z, { 0, 0, 1 } } });
+        this->BordersOf.back() = { { z + length, { 0, 0, -1 } } };
       }
       else
       {
@@ -211,8 +231,10 @@ public:
     {
       const double turn = this->Next(0, 2 * vtkMath::Pi());
       const double n[3] = { std::cos(turn), std::sin(turn), 0 };
-      const double x[3] = { radius * n[0], radius * n[1], this->Next(0, length) };
+      const double z = this->Next(0, length);
+      const double x[3] = { radius * n[0], radius * n[1], z };
       this->Add(x, n, {});
+      this->BordersOf.back() = { { z, { 0, 0, -1 } }, { length - z, { 0, 0, 1 } } };
     }
   }
 
@@ -248,15 +270,19 @@ public:
     for (int i = 0; i < 4000; ++i)
     {
       const double side = i % 2 ? 1 : -1;
-      const double x[3] = { this->Next(0, 45), this->Next(0, 45), 0.5 * gap * side };
+      const double width = 45;
+      const double x[3] = { this->Next(0, width), this->Next(0, width), 0.5 * gap * side };
       const double n[3] = { 0, 0, side };
       this->Add(x, n, {});
+      this->BordersOf.back() = { { x[0], { -1, 0, 0 } }, { width - x[0], { 1, 0, 0 } },
+        { x[1], { 0, -1, 0 } }, { width - x[1], { 0, 1, 0 } } };
     }
   }
 
   vtkNew<vtkPoints> Points;
   vtkNew<vtkFloatArray> Normals;
-  std::vector<std::vector<Edge>> EdgesOf; // each point
+  std::vector<std::vector<Edge>> EdgesOf;   // each point
+  std::vector<std::vector<Edge>> BordersOf; // each point: where its surface ends
   double Spacing = 1;
 
 private:

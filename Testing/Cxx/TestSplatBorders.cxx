@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <iostream>
 
 namespace
 {
@@ -149,10 +150,41 @@ void OfClosedSurfaces()
     }
     HasNone(scene, "tube of radius " + std::to_string(radius));
   }
-  // Random points end somewhere before their surface does.
+}
+
+/// Random points end somewhere before their surface does: there lines are, and nowhere else.
+void OfRandomSheets(double gap)
+{
   ScatteredFaces sheets;
-  sheets.AddSheets(20);
-  HasNone(sheets, "random sheets");
+  sheets.AddSheets(gap);
+  const Estimated splats(sheets);
+  int outermost = 0, missed = 0, wrong = 0;
+  for (vtkIdType id = 0; id < sheets.GetNumberOfPoints(); ++id)
+  {
+    double c[3];
+    const double length = splats.GetLine(id, 0, c);
+    wrong += length > 0 && !sheets.IsAtBorder(id, c, length);
+    const std::vector<ScatteredFaces::Edge>& borders = sheets.BordersOf[id];
+    int near = 0;
+    for (const ScatteredFaces::Edge& border : borders)
+    {
+      near += border.Distance < 3 * sheets.Spacing;
+    }
+    // But not at corners, where borders do not agree.
+    const bool counts = near == 1 &&
+      std::any_of(borders.begin(), borders.end(), [](const ScatteredFaces::Edge& border) {
+        return border.Distance < 0.3;
+      });
+    outermost += counts;
+    missed += counts && length == 0;
+  }
+  const std::string what = "random sheets " + std::to_string(gap) + " apart";
+  std::cout << what << ": " << outermost << " outermost points, " << missed << " without a line, "
+            << wrong << " lines elsewhere\n";
+  Expect(outermost > 60, what + ": outermost points");
+  // Beside a sheet as near as its own points some are not seen to be at a border.
+  Expect((gap > 2 ? 20 : 6) * missed <= outermost, what + ": outermost points without a line");
+  Expect(wrong == 0, what + ": lines elsewhere");
 }
 }
 
@@ -161,5 +193,7 @@ int TestSplatBorders(int, char*[])
   OfFlatSheet();
   OfBentSheet();
   OfClosedSurfaces();
+  OfRandomSheets(20);
+  OfRandomSheets(1);
   return failures ? EXIT_FAILURE : EXIT_SUCCESS;
 }
