@@ -18,8 +18,7 @@ constexpr uint32_t BodyBit = 0x40000000u; // as in vtkPointSplatProjection.glsl
 //------------------------------------------------------------------------------
 bool vtkPointSplatCloud::CanHaveLevels()
 {
-  // Splats of several blocks lie block by block.
-  if (this->Blocks.size() != 1 || this->Count < LeastSplats || this->GetUsualRadius() <= 0.0 ||
+  if (this->Count < LeastSplats || this->GetUsualRadius() <= 0.0 ||
     this->Count >= std::numeric_limits<int32_t>::max())
   {
     return false;
@@ -76,7 +75,12 @@ bool vtkPointSplatCloud::BeginLevels()
   {
     return false;
   }
-  this->Levels.Begin(this->Splats, this->GetWordsPerSplat(), static_cast<size_t>(this->Count),
+  std::vector<uint32_t> ends;
+  for (const Block& block : this->Blocks)
+  {
+    ends.push_back(static_cast<uint32_t>(block.First + block.Count));
+  }
+  this->Levels.Begin(this->Splats, this->GetWordsPerSplat(), std::move(ends),
     static_cast<float>(this->GetUsualRadius()));
   return true;
 }

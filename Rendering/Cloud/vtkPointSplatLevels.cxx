@@ -118,14 +118,14 @@ void vtkPointSplatLevels::Clear()
 
 //------------------------------------------------------------------------------
 void vtkPointSplatLevels::Begin(
-  const std::vector<uint32_t>& splats, size_t words, size_t count, float radius)
+  const std::vector<uint32_t>& splats, size_t words, std::vector<uint32_t> ends, float radius)
 {
   this->Clear();
   this->Stop = false;
   const uint32_t* from = splats.data();
-  this->Work = std::async(std::launch::async, [this, from, words, count, radius] {
-    return this->Hierarchy.Make(Packed(from, words, radius), static_cast<uint32_t>(count), words != 8,
-      [this](double) { return !this->Stop; });
+  this->Work = std::async(std::launch::async, [this, from, words, parts = std::move(ends), radius] {
+    return this->Hierarchy.Make(
+      Packed(from, words, radius), parts, words != 8, [this](double) { return !this->Stop; });
   });
 }
 

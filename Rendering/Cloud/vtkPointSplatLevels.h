@@ -6,7 +6,8 @@
 // 1. A thread makes the hierarchy from the packed splats, while these are drawn.
 // 2. When it is there, the cloud's splats are put into its order, and those of all levels appended:
 //    level 1, level 2, ... Their ids are those of one of the points that they stand for. They have
-//    no clip lines: where they are drawn, these would be less than a pixel long.
+//    no clip lines: where they are drawn, these would be less than a pixel long. None stands for
+//    points of two blocks of the input, and each block's splats stay where they were among all.
 // 3. What splats have beside their shape, colours, values and factors of lights, is appended as
 //    means over those below.
 // 4. Blocks name runs of splats in the buffers: Block::First counts from the buffers' beginning.
@@ -35,8 +36,12 @@ public:
   void Clear();
   /// Says, from any thread, that what is under way is not wanted any more.
   void Abort() { this->Stop = true; }
-  /// Begins to make levels of these splats, of some words each. radius: of those that have none.
-  void Begin(const std::vector<uint32_t>& splats, size_t words, size_t count, float radius);
+  /**
+   * Begins to make levels of these splats, of some words each. ends: behind the last one of each
+   * block of the input, in ascending order. radius: of those that have none.
+   */
+  void Begin(const std::vector<uint32_t>& splats, size_t words, std::vector<uint32_t> ends,
+    float radius);
   bool IsUnderWay() const { return this->Work.valid(); }
   /// Whether what was begun has come to an end.
   bool IsReady() const;
