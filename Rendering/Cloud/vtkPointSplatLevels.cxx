@@ -4,6 +4,7 @@
 
 #include "vtkMath.h"
 #include "vtkPointSplatCodes.h"
+#include "vtkPointSplatRims.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -15,6 +16,7 @@ namespace
 {
 constexpr uint32_t BendMask = 0x3fffffffu; // as in vtkPointSplatProjection.glsl
 constexpr double BendSteps = 511.0;
+constexpr float RimDeviation = 1.0f; // none is smooth
 
 double BendOf(uint32_t code, int shift)
 {
@@ -110,6 +112,8 @@ void vtkPointSplatLevels::Clear()
     this->Work.get();
   }
   this->Hierarchy = vtkPointSplatHierarchy();
+  this->Seams = vtkPointSplatSeams();
+  this->Rims.clear();
   this->Blocks.clear();
   this->Starts.clear();
   this->Firsts.clear();
@@ -124,8 +128,15 @@ void vtkPointSplatLevels::Begin(
   this->Stop = false;
   const uint32_t* from = splats.data();
   this->Work = std::async(std::launch::async, [this, from, words, parts = std::move(ends), radius] {
-    return this->Hierarchy.Make(
+    const bool made = this->Hierarchy.Make(
       Packed(from, words, radius), parts, words != 8, [this](double) { return !this->Stop; });
+    if (made && this->Hierarchy.GetNumberOfLevels() > 1)
+    {
+      this->Rims = vtkPointSplatRims::Find({ from, words, this->Hierarchy.GetOrder() },
+        this->Hierarchy.GetBlocks(), this->Hierarchy.GetNumberOfRoots());
+      this->Seams.Make(this->Hierarchy.GetBlocks(), this->Hierarchy.GetNumberOfRoots(), parts);
+    }
+    return made;
   });
 }
 
@@ -181,10 +192,13 @@ bool vtkPointSplatLevels::Take(
   this->AppendSplats(splats, words);
   this->Blocks = this->Hierarchy.GetBlocks();
   this->Roots = this->Hierarchy.GetNumberOfRoots();
-  for (Block& block : this->Blocks)
+  for (size_t b = 0; b < this->Blocks.size(); ++b)
   {
+    Block& block = this->Blocks[b];
     block.First += this->Starts[static_cast<size_t>(block.Level)];
+    block.Deviation = this->Rims[b] ? std::max(block.Deviation, RimDeviation) : block.Deviation;
   }
+  this->Rims = std::vector<bool>();
   this->Hierarchy = vtkPointSplatHierarchy();
   return true;
 }
@@ -260,6 +274,7 @@ vtkPointSplatLevels::Deviations vtkPointSplatLevels::MeasureDeviations(
         (*deviations)[b] = static_cast<float>(std::sqrt(sum / std::max(count, 1u)));
       }
     });
+  this->Seams.Raise(this->Blocks, data, values, *deviations);
   return deviations;
 }
 

@@ -10,11 +10,13 @@
 //    points of two blocks of the input, and each block's splats stay where they were among all.
 // 3. What splats have beside their shape, colours, values and factors of lights, is appended as
 //    means over those below.
-// 4. Blocks name runs of splats in the buffers: Block::First counts from the buffers' beginning.
+// 4. Blocks name runs of splats in the buffers: Block::First counts from the buffers' beginning. Those
+//    where the surface ends are taken to be rough (vtkPointSplatRims.h).
 #ifndef vtkPointSplatLevels_h
 #define vtkPointSplatLevels_h
 
 #include "vtkPointSplatHierarchy.h"
+#include "vtkPointSplatSeams.h"
 
 #include <atomic>
 #include <cstdint>
@@ -60,7 +62,8 @@ public:
 
   /**
    * How much what a word a splat holds differs between the splats that one stands for and their
-   * mean: rms over each block's splats, bytes and values as from 0 to 1. Null without data.
+   * mean: rms over each block's splats, bytes and values as from 0 to 1; and where blocks of the
+   * input meet, how much these differ (vtkPointSplatSeams.h). Null without data.
    */
   using Deviations = std::shared_ptr<const std::vector<float>>;
   Deviations MeasureDeviations(const std::vector<uint32_t>& data, bool values) const;
@@ -82,6 +85,8 @@ private:
   std::future<bool> Work;
   std::atomic<bool> Stop{ false };
   vtkPointSplatHierarchy Hierarchy;
+  vtkPointSplatSeams Seams;
+  std::vector<bool> Rims; // of each block
   std::vector<Block> Blocks;
   size_t Roots = 0;
   size_t Points = 0;
