@@ -12,6 +12,7 @@ namespace
 constexpr vtkIdType LeastSplats = vtkIdType(1) << 19;
 // Disks of random points that are so many spacings large leave few gaps.
 constexpr double CoveringSpacings = 1.5;
+constexpr double MostBodies = 0.01; // a share of the splats
 constexpr uint32_t BodyBit = 0x40000000u; // as in vtkPointSplatProjection.glsl
 }
 
@@ -23,14 +24,14 @@ bool vtkPointSplatCloud::CanHaveLevels()
   {
     return false;
   }
-  // Bodies alone are on no surface.
+  // Bodies alone are on no surface; a scan's outliers keep theirs.
   const size_t words = this->GetWordsPerSplat();
-  bool bodies = false;
-  for (size_t i = 0; i < static_cast<size_t>(this->Count) && !bodies; ++i)
+  vtkIdType bodies = 0;
+  for (size_t i = 0; i < static_cast<size_t>(this->Count); ++i)
   {
-    bodies = (this->Splats[words * i + 6] & BodyBit) != 0u;
+    bodies += (this->Splats[words * i + 6] & BodyBit) != 0u ? 1 : 0;
   }
-  return !bodies;
+  return static_cast<double>(bodies) <= MostBodies * static_cast<double>(this->Count);
 }
 
 //------------------------------------------------------------------------------

@@ -214,8 +214,16 @@ void vtkPointSplatLevels::AppendSplats(std::vector<uint32_t>& splats, size_t wor
     vtkSMPTools::For(0, static_cast<vtkIdType>(from.size()), [&](vtkIdType begin, vtkIdType end) {
       for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
       {
-        const size_t first = this->Firsts[start + i - this->Points];
-        Pack(from[i], splats[words * first + 7], words, splats.data() + words * (start + i));
+        const uint32_t own = start + static_cast<uint32_t>(i);
+        const size_t first = this->Firsts[own - this->Points];
+        uint32_t* to = splats.data() + words * own;
+        if (this->GetEnd(static_cast<int>(level), own) == first + 1)
+        {
+          // What stands for one splat is that one, be it a body that faces the viewer.
+          std::copy_n(splats.data() + words * first, words, to);
+          continue;
+        }
+        Pack(from[i], splats[words * first + 7], words, to);
       }
     });
   }

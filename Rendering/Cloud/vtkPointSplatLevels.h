@@ -8,6 +8,7 @@
 //    level 1, level 2, ... Their ids are those of one of the points that they stand for. They have
 //    no clip lines: where they are drawn, these would be less than a pixel long. None stands for
 //    points of two blocks of the input, and each block's splats stay where they were among all.
+//    What stands for one splat, such as a scan's outlier, is that one.
 // 3. What splats have beside their shape, colours, values and factors of lights, is appended as
 //    means over those below.
 // 4. Blocks name runs of splats in the buffers: Block::First counts from the buffers' beginning. Those

@@ -128,6 +128,38 @@ bool TestRough()
   return IsLike(levels, scene.DrawAll(), Painted, "rough, against all") && good;
 }
 
+bool TestOutliers()
+{
+  // Points that stand alone are bodies that face the viewer. Some do not cost a scan its levels.
+  vtkSmartPointer<vtkPolyData> data = Torus(Count, 0.0, false);
+  vtkNew<vtkFloatArray> planes;
+  planes->DeepCopy(data->GetPointData()->GetNormals());
+  planes->SetName("SplatPlaneNormal");
+  vtkNew<vtkMinimalStandardRandomSequence> sequence;
+  auto random = [&sequence]() {
+    sequence->Next();
+    return sequence->GetRangeValue(-1.0, 1.0);
+  };
+  const double none[3] = { 0.0, 0.0, 0.0 };
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  const float radius = 0.01f;
+  for (int i = 0; i < 500; ++i)
+  {
+    data->GetPoints()->InsertNextPoint(random(), random(), 1.0 + random());
+    data->GetPointData()->GetNormals()->InsertNextTuple(up);
+    data->GetPointData()->GetArray("SplatRadius")->InsertNextTuple(&radius);
+    planes->InsertNextTuple(none);
+  }
+  data->GetPointData()->AddArray(planes);
+  Scene scene(data);
+  bool good = Expect(scene.Wait(), "levels beside outliers are made");
+  const Picture levels = scene.Win.Draw();
+  const vtkIdType drawn = scene.Mapper->GetNumberOfPointsProjected();
+  std::cout << "beside outliers, drawn: " << drawn << "\n";
+  good = Expect(drawn <= Count / 4, "beside outliers, drawn: " + std::to_string(drawn)) && good;
+  return IsLike(levels, scene.DrawAll(), Smooth, "outliers, against all") && good;
+}
+
 bool TestImageSpace(bool coloured)
 {
   // Of sizes they need none.
@@ -200,6 +232,7 @@ int TestSplatsLevels(int, char*[])
   bool good = TestSmooth();
   good = TestSelection() && good;
   good = TestRough() && good;
+  good = TestOutliers() && good;
   good = TestImageSpace(false) && good;
   good = TestImageSpace(true) && good;
   good = TestShadows() && good;
