@@ -51,7 +51,7 @@ public:
   std::vector<Item> Items;
   std::vector<std::vector<Splat>> Levels;
 
-  void Read(Index count);
+  void Read(const std::vector<Index>& ends);
   bool Build(const std::function<bool(double)>& progress);
 
 private:
@@ -95,6 +95,7 @@ private:
   const Source& From;
   bool Ellipses;
   std::vector<double> Caps; // of each level, the most points of a splat
+  std::vector<size_t> Ends; // of the parts, in Items
 };
 
 //------------------------------------------------------------------------------
@@ -134,11 +135,11 @@ bool vtkPointSplatHierarchy::Builder::Extent::IsSheet(size_t count) const
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatHierarchy::Builder::Read(Index count)
+void vtkPointSplatHierarchy::Builder::Read(const std::vector<Index>& ends)
 {
-  this->Items.resize(count);
+  this->Items.resize(ends.empty() ? 0 : ends.back());
   constexpr Index none = std::numeric_limits<Index>::max();
-  vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Items.size()), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
       Item& item = this->Items[static_cast<size_t>(i)];
@@ -156,6 +157,12 @@ void vtkPointSplatHierarchy::Builder::Read(Index count)
   this->Items.erase(std::remove_if(this->Items.begin(), this->Items.end(),
                       [](const Item& item) { return item.Id == none; }),
     this->Items.end());
+  for (const Index end : ends)
+  {
+    const auto found = std::lower_bound(this->Items.begin(), this->Items.end(), end,
+      [](const Item& item, Index id) { return item.Id < id; });
+    this->Ends.push_back(static_cast<size_t>(found - this->Items.begin()));
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -361,7 +368,16 @@ vtkPointSplatMoments vtkPointSplatHierarchy::Builder::Divide(
 //------------------------------------------------------------------------------
 std::vector<vtkPointSplatHierarchy::Builder::Cell> vtkPointSplatHierarchy::Builder::MakeCells()
 {
-  std::vector<Cell> cells{ { 0, this->Items.size(), 0, 0, {} } };
+  std::vector<Cell> cells;
+  size_t begin = 0;
+  for (const size_t end : this->Ends)
+  {
+    if (end > begin)
+    {
+      cells.push_back({ begin, end, 1, 0, {} });
+      begin = end;
+    }
+  }
   const auto large = [this](const Cell& cell) {
     return static_cast<double>(cell.End - cell.Begin) > this->Caps.back();
   };
@@ -470,8 +486,8 @@ void vtkPointSplatHierarchy::Builder::Join(std::vector<Cell>& cells)
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatHierarchy::Make(const Source& source, Index count, bool ellipses,
-  const std::function<bool(double)>& progress)
+bool vtkPointSplatHierarchy::Make(const Source& source, const std::vector<Index>& ends,
+  bool ellipses, const std::function<bool(double)>& progress)
 {
   this->Order.clear();
   this->Levels.clear();
@@ -482,7 +498,7 @@ bool vtkPointSplatHierarchy::Make(const Source& source, Index count, bool ellips
   {
     return false;
   }
-  builder.Read(count);
+  builder.Read(ends);
   if (!builder.Build(progress))
   {
     return false;

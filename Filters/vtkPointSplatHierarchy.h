@@ -12,7 +12,9 @@
  *    but in halves of equal numbers, across the longest side of their bounding box, three halvings
  *    being an octree's one. So a surface's cells have nearly the same number of points, and splats
  *    that stand for them weigh the same in what is blended. Cells of more than 4096 points are
- *    divided at a sample's median.
+ *    divided at a sample's median. Where the points have parts, such as the blocks of a data set,
+ *    each part is a cell at first: no splat stands for points of two, and the parts' points stay
+ *    where they are among all.
  * 2. *Levels.* Cells of some 4 points make the splats of level 1, cells of some 16 those of level
  *    2, and so on: the cells' numbers grow by 4, as a surface is divided by an octree. A cell is no
  *    splat unless its points lie on one sheet: normals within a cone, no gap between them that the
@@ -92,7 +94,8 @@ public:
     float Curvature[6];
     float Variance;    // of the normals, about their linear change over the splat
     Index First;       // of those that it stands for, in the level below
-    unsigned char Cut; // how often the points were divided before it was parted from the one before
+    // How often the points were divided before it was parted from the one before; 0 between parts.
+    unsigned char Cut;
   };
 
   /**
@@ -118,11 +121,11 @@ public:
   static constexpr Index MostInBlock = 160;
 
   /**
-   * Makes levels and blocks of points 0 to count - 1. ellipses: splats have two axes, else one
-   * radius. progress gets the share that is done, from 0 to 1, by the calling thread, and says
-   * whether to go on. False: it did not.
+   * Makes levels and blocks of the points from 0 on; ends: behind each part's last one, in
+   * ascending order. ellipses: splats have two axes, else one radius. progress gets the share that
+   * is done, from 0 to 1, by the calling thread, and says whether to go on. False: it did not.
    */
-  bool Make(const Source& source, Index count, bool ellipses,
+  bool Make(const Source& source, const std::vector<Index>& ends, bool ellipses,
     const std::function<bool(double)>& progress);
 
   /// The points that take part, in the hierarchy's order: their ids.

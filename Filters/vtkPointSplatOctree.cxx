@@ -459,7 +459,7 @@ int vtkPointSplatOctree::RequestData(
   const Reader reader(whole);
   Hierarchy hierarchy;
   const bool made = hierarchy.Make(
-    reader, static_cast<Index>(count), reader.HasAxes(), [this](double share) {
+    reader, { static_cast<Index>(count) }, reader.HasAxes(), [this](double share) {
       this->UpdateProgress(0.1 + 0.6 * share);
       return !vtkPointSplatBatches::IsAborted(this);
     });

@@ -215,10 +215,9 @@ void ChooseLevels(const vtkPointSplatFacts& facts, double tolerance, vtkPointSpl
   const bool able = choice.Compute && !choice.Deferred &&
     choice.Transparency == vtkPointSplatSettings::Peeling;
   choice.HasLevels = facts.Levels;
-  choice.LevelsReason = facts.Selects ? "points are selected"
-    : !able                           ? "the method takes all points"
-    : tolerance <= 0.0                ? "no error is allowed"
-                                      : "";
+  choice.LevelsReason = !able ? "the method takes all points"
+    : tolerance <= 0.0        ? "no error is allowed"
+                              : "";
   if (!choice.LevelsReason.empty())
   {
     return;
@@ -230,6 +229,13 @@ void ChooseLevels(const vtkPointSplatFacts& facts, double tolerance, vtkPointSpl
   choice.SmoothLevelPixels = std::max(scale * SmoothPixels, choice.LevelPixels);
   choice.LevelDeviation = looser * SmoothDeviation;
   choice.PointLevelPixels = scale * PointPixels;
+  if (facts.Selects)
+  {
+    choice.ShownLevelPixels = choice.SmoothLevelPixels;
+    choice.LevelPixels = choice.SmoothLevelPixels = choice.PointLevelPixels = 0.0;
+    choice.LevelsReason = "points are selected";
+    return;
+  }
   choice.LevelsReason = facts.Levels
     ? "splats stand for others up to a radius of " + Number(choice.LevelPixels) +
       " pixels, of " + Number(choice.SmoothLevelPixels) + " where it is smooth"

@@ -80,6 +80,7 @@ struct vtkPointSplatChoice
   double SmoothLevelPixels = 0.0;
   double PointLevelPixels = 0.0; // of points that are projected as single pixels
   double LevelDeviation = 0.0;
+  double ShownLevelPixels = 0.0; // where points are selected: what frames may show of radii
   bool HasLevels = false; // some cloud has some
   ///@}
 

@@ -12,26 +12,26 @@ namespace
 constexpr vtkIdType LeastSplats = vtkIdType(1) << 19;
 // Disks of random points that are so many spacings large leave few gaps.
 constexpr double CoveringSpacings = 1.5;
+constexpr double MostBodies = 0.01; // a share of the splats
 constexpr uint32_t BodyBit = 0x40000000u; // as in vtkPointSplatProjection.glsl
 }
 
 //------------------------------------------------------------------------------
 bool vtkPointSplatCloud::CanHaveLevels()
 {
-  // Splats of several blocks lie block by block.
-  if (this->Blocks.size() != 1 || this->Count < LeastSplats || this->GetUsualRadius() <= 0.0 ||
+  if (this->Count < LeastSplats || this->GetUsualRadius() <= 0.0 ||
     this->Count >= std::numeric_limits<int32_t>::max())
   {
     return false;
   }
-  // Bodies alone are on no surface.
+  // Bodies alone are on no surface; a scan's outliers keep theirs.
   const size_t words = this->GetWordsPerSplat();
-  bool bodies = false;
-  for (size_t i = 0; i < static_cast<size_t>(this->Count) && !bodies; ++i)
+  vtkIdType bodies = 0;
+  for (size_t i = 0; i < static_cast<size_t>(this->Count); ++i)
   {
-    bodies = (this->Splats[words * i + 6] & BodyBit) != 0u;
+    bodies += (this->Splats[words * i + 6] & BodyBit) != 0u ? 1 : 0;
   }
-  return !bodies;
+  return static_cast<double>(bodies) <= MostBodies * static_cast<double>(this->Count);
 }
 
 //------------------------------------------------------------------------------
@@ -76,7 +76,12 @@ bool vtkPointSplatCloud::BeginLevels()
   {
     return false;
   }
-  this->Levels.Begin(this->Splats, this->GetWordsPerSplat(), static_cast<size_t>(this->Count),
+  std::vector<uint32_t> ends;
+  for (const Block& block : this->Blocks)
+  {
+    ends.push_back(static_cast<uint32_t>(block.First + block.Count));
+  }
+  this->Levels.Begin(this->Splats, this->GetWordsPerSplat(), std::move(ends),
     static_cast<float>(this->GetUsualRadius()));
   return true;
 }

@@ -4,6 +4,7 @@
 
 #include "vtkMath.h"
 #include "vtkPointSplatCodes.h"
+#include "vtkPointSplatRims.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -15,6 +16,7 @@ namespace
 {
 constexpr uint32_t BendMask = 0x3fffffffu; // as in vtkPointSplatProjection.glsl
 constexpr double BendSteps = 511.0;
+constexpr float RimDeviation = 1.0f; // none is smooth
 
 double BendOf(uint32_t code, int shift)
 {
@@ -110,6 +112,8 @@ void vtkPointSplatLevels::Clear()
     this->Work.get();
   }
   this->Hierarchy = vtkPointSplatHierarchy();
+  this->Seams = vtkPointSplatSeams();
+  this->Rims.clear();
   this->Blocks.clear();
   this->Starts.clear();
   this->Firsts.clear();
@@ -118,14 +122,21 @@ void vtkPointSplatLevels::Clear()
 
 //------------------------------------------------------------------------------
 void vtkPointSplatLevels::Begin(
-  const std::vector<uint32_t>& splats, size_t words, size_t count, float radius)
+  const std::vector<uint32_t>& splats, size_t words, std::vector<uint32_t> ends, float radius)
 {
   this->Clear();
   this->Stop = false;
   const uint32_t* from = splats.data();
-  this->Work = std::async(std::launch::async, [this, from, words, count, radius] {
-    return this->Hierarchy.Make(Packed(from, words, radius), static_cast<uint32_t>(count), words != 8,
-      [this](double) { return !this->Stop; });
+  this->Work = std::async(std::launch::async, [this, from, words, parts = std::move(ends), radius] {
+    const bool made = this->Hierarchy.Make(
+      Packed(from, words, radius), parts, words != 8, [this](double) { return !this->Stop; });
+    if (made && this->Hierarchy.GetNumberOfLevels() > 1)
+    {
+      this->Rims = vtkPointSplatRims::Find({ from, words, this->Hierarchy.GetOrder() },
+        this->Hierarchy.GetBlocks(), this->Hierarchy.GetNumberOfRoots());
+      this->Seams.Make(this->Hierarchy.GetBlocks(), this->Hierarchy.GetNumberOfRoots(), parts);
+    }
+    return made;
   });
 }
 
@@ -181,10 +192,13 @@ bool vtkPointSplatLevels::Take(
   this->AppendSplats(splats, words);
   this->Blocks = this->Hierarchy.GetBlocks();
   this->Roots = this->Hierarchy.GetNumberOfRoots();
-  for (Block& block : this->Blocks)
+  for (size_t b = 0; b < this->Blocks.size(); ++b)
   {
+    Block& block = this->Blocks[b];
     block.First += this->Starts[static_cast<size_t>(block.Level)];
+    block.Deviation = this->Rims[b] ? std::max(block.Deviation, RimDeviation) : block.Deviation;
   }
+  this->Rims = std::vector<bool>();
   this->Hierarchy = vtkPointSplatHierarchy();
   return true;
 }
@@ -200,8 +214,16 @@ void vtkPointSplatLevels::AppendSplats(std::vector<uint32_t>& splats, size_t wor
     vtkSMPTools::For(0, static_cast<vtkIdType>(from.size()), [&](vtkIdType begin, vtkIdType end) {
       for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
       {
-        const size_t first = this->Firsts[start + i - this->Points];
-        Pack(from[i], splats[words * first + 7], words, splats.data() + words * (start + i));
+        const uint32_t own = start + static_cast<uint32_t>(i);
+        const size_t first = this->Firsts[own - this->Points];
+        uint32_t* to = splats.data() + words * own;
+        if (this->GetEnd(static_cast<int>(level), own) == first + 1)
+        {
+          // What stands for one splat is that one, be it a body that faces the viewer.
+          std::copy_n(splats.data() + words * first, words, to);
+          continue;
+        }
+        Pack(from[i], splats[words * first + 7], words, to);
       }
     });
   }
@@ -260,6 +282,7 @@ vtkPointSplatLevels::Deviations vtkPointSplatLevels::MeasureDeviations(
         (*deviations)[b] = static_cast<float>(std::sqrt(sum / std::max(count, 1u)));
       }
     });
+  this->Seams.Raise(this->Blocks, data, values, *deviations);
   return deviations;
 }
 

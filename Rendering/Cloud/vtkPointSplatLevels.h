@@ -6,14 +6,18 @@
 // 1. A thread makes the hierarchy from the packed splats, while these are drawn.
 // 2. When it is there, the cloud's splats are put into its order, and those of all levels appended:
 //    level 1, level 2, ... Their ids are those of one of the points that they stand for. They have
-//    no clip lines: where they are drawn, these would be less than a pixel long.
+//    no clip lines: where they are drawn, these would be less than a pixel long. None stands for
+//    points of two blocks of the input, and each block's splats stay where they were among all.
+//    What stands for one splat, such as a scan's outlier, is that one.
 // 3. What splats have beside their shape, colours, values and factors of lights, is appended as
 //    means over those below.
-// 4. Blocks name runs of splats in the buffers: Block::First counts from the buffers' beginning.
+// 4. Blocks name runs of splats in the buffers: Block::First counts from the buffers' beginning. Those
+//    where the surface ends are taken to be rough (vtkPointSplatRims.h).
 #ifndef vtkPointSplatLevels_h
 #define vtkPointSplatLevels_h
 
 #include "vtkPointSplatHierarchy.h"
+#include "vtkPointSplatSeams.h"
 
 #include <atomic>
 #include <cstdint>
@@ -35,8 +39,12 @@ public:
   void Clear();
   /// Says, from any thread, that what is under way is not wanted any more.
   void Abort() { this->Stop = true; }
-  /// Begins to make levels of these splats, of some words each. radius: of those that have none.
-  void Begin(const std::vector<uint32_t>& splats, size_t words, size_t count, float radius);
+  /**
+   * Begins to make levels of these splats, of some words each. ends: behind the last one of each
+   * block of the input, in ascending order. radius: of those that have none.
+   */
+  void Begin(const std::vector<uint32_t>& splats, size_t words, std::vector<uint32_t> ends,
+    float radius);
   bool IsUnderWay() const { return this->Work.valid(); }
   /// Whether what was begun has come to an end.
   bool IsReady() const;
@@ -55,7 +63,8 @@ public:
 
   /**
    * How much what a word a splat holds differs between the splats that one stands for and their
-   * mean: rms over each block's splats, bytes and values as from 0 to 1. Null without data.
+   * mean: rms over each block's splats, bytes and values as from 0 to 1; and where blocks of the
+   * input meet, how much these differ (vtkPointSplatSeams.h). Null without data.
    */
   using Deviations = std::shared_ptr<const std::vector<float>>;
   Deviations MeasureDeviations(const std::vector<uint32_t>& data, bool values) const;
@@ -77,6 +86,8 @@ private:
   std::future<bool> Work;
   std::atomic<bool> Stop{ false };
   vtkPointSplatHierarchy Hierarchy;
+  vtkPointSplatSeams Seams;
+  std::vector<bool> Rims; // of each block
   std::vector<Block> Blocks;
   size_t Roots = 0;
   size_t Points = 0;

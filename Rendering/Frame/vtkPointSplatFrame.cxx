@@ -421,11 +421,14 @@ bool vtkPointSplatFrame::PresentSelection(Pass& pass, vtkActor* actor, size_t ow
   {
     return true;
   }
+  const vtkPointSplatEntry& entry = pass.Entries[own];
+  const bool showsLevels = entry.Settings.LevelOfDetail && entry.Item.Cloud->GetLevels().AreMade();
   const vtkPointSplatResolve::Selection selection{ request.HasIds,
     pass.SelectionPass == vtkHardwareSelector::POINT_ID_HIGH24 ||
         pass.SelectionPass == vtkHardwareSelector::CELL_ID_HIGH24
       ? 24
-      : 0 };
+      : 0,
+    showsLevels && this->Renderer->GetPreserveDepthBuffer() ? pass.Choice.ShownLevelPixels : 0.0 };
   const vtkPointSplatResolve::Target target{ this->Renderer, actor,
     pass.Entries[own].Source->GetMapper(), vtkPointSplatFrame::ShownWindow(pass), false, false };
   vtkHardwareSelector* selector = this->Renderer->GetSelector();

@@ -45,6 +45,7 @@ uniform ivec2 ImageOrigin;   // the images' first pixel in the framebuffer
 uniform int Layer;
 uniform vec4 SelectionColour;
 uniform int SelectionShift;
+uniform vec2 SelectionNearer; // to the eye: at depth 0, and its growth with the depth
 uniform bool KeepsDepth;
 
 void main()
@@ -78,7 +79,11 @@ void main()
   {
     discard;
   }
-  gl_FragDepth = windowDepth(-(NearDistance + depth));
+  float shownDepth = NearDistance + depth;
+#if OUTPUT != 0
+  shownDepth -= SelectionNearer.x + SelectionNearer.y * shownDepth;
+#endif
+  gl_FragDepth = windowDepth(-shownDepth);
 
   //VTK::DepthPeeling::PreColor
 

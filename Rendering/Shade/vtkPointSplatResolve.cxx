@@ -249,6 +249,7 @@ bool vtkPointSplatResolve::PresentSelection(const Target& target, const vtkPoint
   target.Renderer->GetSelector()->GetPropColorValue(&colour.x);
   program.Set("SelectionColour", colour);
   program.Set("SelectionShift", selection.Shift);
+  program.Set("SelectionNearer", static_cast<float>(selection.Nearer) * view.GetPixelSize());
   this->Draw(target, view);
   return true;
 }

@@ -59,6 +59,9 @@ public:
   {
     bool Ids;  // or one colour
     int Shift; // bits by which ids are shifted, for the passes that carry their high bits
+    // Pixels: so much nearer to the eye than it is. A frame that a selection draws over, whose depth
+    // it keeps, may show splats that stand for others, and these are not to hide the points.
+    double Nearer;
   };
   bool PresentSelection(const Target& target, const vtkPointSplatView& view,
     const vtkPointSplatLayers& layers, int slot, const Selection& selection);
