@@ -24,13 +24,23 @@
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkEGLHeadlessRenderWindow);
 
+namespace
+{
+const char* const NoContext =
+  "No OpenGL context of version 3.2 or newer can be made by EGL (surfaceless, device and "
+  "pbuffer were tried). Install an EGL driver (Debian: libegl1 and libgl1-mesa-dri), or use "
+  "vtkRenderWindow with an X server.";
+}
+
 #if PointSplatting_VTK_HAS_EGL_WINDOW
 
 struct vtkEGLHeadlessRenderWindow::vtkInternals
 {
+  bool Failed = false;
 };
 
 vtkEGLHeadlessRenderWindow::vtkEGLHeadlessRenderWindow()
+  : Internals(new vtkInternals)
 {
   this->SetOffScreenRendering(1);
 }
@@ -40,6 +50,24 @@ vtkEGLHeadlessRenderWindow::~vtkEGLHeadlessRenderWindow() = default;
 const char* vtkEGLHeadlessRenderWindow::GetPlatform()
 {
   return this->Initialized ? "vtkEGLRenderWindow" : "";
+}
+
+void vtkEGLHeadlessRenderWindow::Render()
+{
+  // VTK's window goes on without OpenGL's functions, and crashes.
+  if (!this->Initialized && !this->Internals->Failed)
+  {
+    this->Initialize();
+    this->Internals->Failed = !this->Initialized;
+    if (this->Internals->Failed)
+    {
+      vtkErrorMacro(<< NoContext);
+    }
+  }
+  if (!this->Internals->Failed)
+  {
+    this->Superclass::Render();
+  }
 }
 
 #else
@@ -307,10 +335,7 @@ void vtkEGLHeadlessRenderWindow::CreateAWindow()
   if (!this->Internals->OpenAny())
   {
     this->Internals->Failed = true;
-    vtkErrorMacro(
-      "No OpenGL context of version 3.2 or newer can be made by EGL (surfaceless, device and "
-      "pbuffer were tried). Install an EGL driver (Debian: libegl1 and libgl1-mesa-dri), or use "
-      "vtkRenderWindow with an X server.");
+    vtkErrorMacro(<< NoContext);
     return;
   }
   if (this->Size[0] <= 0 || this->Size[1] <= 0)

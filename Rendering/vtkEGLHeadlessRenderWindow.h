@@ -33,7 +33,8 @@
  *
  * Where VTK has an EGL window of its own (vtkEGLRenderWindow, every build from
  * VTK 9.4 on), this class is nothing but that window, made off-screen, and shares a
- * thread with other windows as VTK's does.
+ * thread with other windows as VTK's does. Render() draws nothing where there is no context,
+ * with one error; other calls are VTK's, which needs one.
  */
 
 #ifndef vtkEGLHeadlessRenderWindow_h
@@ -70,7 +71,10 @@ public:
    */
   const char* GetPlatform();
 
-#if !PointSplatting_VTK_HAS_EGL_WINDOW
+#if PointSplatting_VTK_HAS_EGL_WINDOW
+  /// Nothing, with one error, where there is no context.
+  void Render() override;
+#else
   ///@{
   /**
    * What vtkRenderWindow asks of a window of its own kind. There is no screen,
