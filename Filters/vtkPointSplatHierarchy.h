@@ -151,6 +151,22 @@ public:
   /// Those of the coarsest level come first.
   const std::vector<Block>& GetBlocks() const { return this->Blocks; }
   Index GetNumberOfRoots() const { return this->Roots; }
+  /**
+   * Calls join(block, child) with the places of each block and each of its children among all, from
+   * the finest level up: a block's own children come before it is one.
+   */
+  template <typename Join>
+  static void JoinUpward(const std::vector<Block>& blocks, const Join& join)
+  {
+    // Children lie behind their parents.
+    for (size_t b = blocks.size(); b-- > 0;)
+    {
+      for (Index child = 0; blocks[b].Level > 0 && child < blocks[b].ChildCount; ++child)
+      {
+        join(b, size_t(blocks[b].FirstChild) + child);
+      }
+    }
+  }
 
 private:
   struct Item;

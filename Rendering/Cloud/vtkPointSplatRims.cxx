@@ -124,13 +124,7 @@ std::vector<bool> vtkPointSplatRims::Find(
         found[b] = blocks[b].Level == 0 && search.IsRim(blocks[b], roots) ? 1 : 0;
       }
     });
-  // A block's children come after it.
-  for (size_t b = blocks.size(); b-- > 0;)
-  {
-    for (uint32_t child = 0; blocks[b].Level > 0 && child < blocks[b].ChildCount; ++child)
-    {
-      found[b] |= found[blocks[b].FirstChild + child];
-    }
-  }
+  vtkPointSplatHierarchy::JoinUpward(
+    blocks, [&found](size_t block, size_t child) { found[block] |= found[child]; });
   return std::vector<bool>(found.begin(), found.end());
 }

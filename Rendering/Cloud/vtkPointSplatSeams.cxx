@@ -77,14 +77,8 @@ public:
       this->Join(runs[r].Block, { { runs[r].Part, runs[r].Part } });
       this->FirstRun[runs[r].Block] = static_cast<uint32_t>(r);
     }
-    // A block's children come after it.
-    for (size_t b = blocks.size(); b-- > 0;)
-    {
-      for (uint32_t child = 0; blocks[b].Level > 0 && child < blocks[b].ChildCount; ++child)
-      {
-        this->Join(b, this->Parts[blocks[b].FirstChild + child]);
-      }
-    }
+    vtkPointSplatHierarchy::JoinUpward(blocks,
+      [this](size_t block, size_t child) { this->Join(block, this->Parts[child]); });
   }
 
   void Visit(uint32_t block, const Run& own, std::vector<uint32_t>& found) const
@@ -197,12 +191,11 @@ void vtkPointSplatSeams::Raise(const std::vector<Block>& blocks,
         static_cast<float>(std::abs(means[run][channel] - means[other][channel])));
     }
   }
-  for (size_t b = blocks.size(); b-- > 0;)
+  vtkPointSplatHierarchy::JoinUpward(blocks, [&differences](size_t block, size_t child) {
+    differences[block] = std::max(differences[block], differences[child]);
+  });
+  for (size_t b = 0; b < blocks.size(); ++b)
   {
-    for (uint32_t child = 0; blocks[b].Level > 0 && child < blocks[b].ChildCount; ++child)
-    {
-      differences[b] = std::max(differences[b], differences[blocks[b].FirstChild + child]);
-    }
     deviations[b] = std::max(deviations[b], differences[b]);
   }
 }

@@ -348,28 +348,26 @@ void vtkPointSplatTriangles::Measure(const Splats& splats)
       }
     });
   this->LongestEdge = *std::max_element(longest.begin(), longest.end());
-  // A block's children come after it.
   const std::vector<vtkPointSplatLevels::Block>& blocks = splats.Levels.GetBlocks();
   this->Extents.assign(blocks.size(), NoExtent());
-  for (size_t b = blocks.size(); b-- > 0;)
+  const auto join = [](Extent& extent, const Extent& other) {
+    Grow(extent, other.Low);
+    Grow(extent, other.High);
+    extent.Edge = std::max(extent.Edge, other.Edge);
+  };
+  for (size_t b = 0; b < blocks.size(); ++b)
   {
     Extent& extent = this->Extents[b];
-    auto join = [&extent](const Extent& other) {
-      Grow(extent, other.Low);
-      Grow(extent, other.High);
-      extent.Edge = std::max(extent.Edge, other.Edge);
-    };
     Grow(extent, { { blocks[b].Low[0], blocks[b].Low[1], blocks[b].Low[2] } });
     Grow(extent, { { blocks[b].High[0], blocks[b].High[1], blocks[b].High[2] } });
     if (blocks[b].Level == 0 && this->Patches[this->PatchOfBlock[b]].Size.Edge > 0.0f)
     {
-      join(this->Patches[this->PatchOfBlock[b]].Size);
-    }
-    for (uint32_t child = 0; blocks[b].Level > 0 && child < blocks[b].ChildCount; ++child)
-    {
-      join(this->Extents[blocks[b].FirstChild + child]);
+      join(extent, this->Patches[this->PatchOfBlock[b]].Size);
     }
   }
+  vtkPointSplatHierarchy::JoinUpward(blocks, [this, &join](size_t block, size_t child) {
+    join(this->Extents[block], this->Extents[child]);
+  });
 }
 
 //------------------------------------------------------------------------------
