@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -262,7 +261,7 @@ bool vtkPointSplatBorders::Cut(
   }
   float side[3];
   vtkMath::Cross(n, out, side);
-  float distance = -std::numeric_limits<float>::max();
+  float distance = 0;
   for (const Near& end : ends)
   {
     if (std::abs(vtkMath::Dot(end.X, side)) <= reach)
@@ -270,7 +269,7 @@ bool vtkPointSplatBorders::Cut(
       distance = std::max(distance, vtkMath::Dot(end.X, out));
     }
   }
-  distance = std::max(distance, 0.0f) + RandomMargin * spacing;
+  distance += RandomMargin * spacing;
   if (!(distance < reach))
   {
     return false;

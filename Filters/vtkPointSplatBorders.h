@@ -9,8 +9,8 @@
  * Plane), alpha being the distance from which on a vertex of a Voronoi cell lies in a hole
  * (vtkPointSplatDisks::HoleLimit, in the upper quartile of the spacings around).
  *
- * 1. A candidate is looked at with its 32 nearest neighbours, or 128. Where just one run of its cell's
- *    vertices is farther than alpha, the surface ends between the two neighbours whose bisectors
+ * 1. A candidate is looked at with its 32 nearest neighbours, or 128 where these lie in a row. Where
+ *    just one run of its cell's vertices is farther than alpha, the surface ends between the two neighbours whose bisectors
  *    lead into that run and out of it: they are the next points along the border.
  * 2. Points of other sheets that lie in that sector, within two spacings, say that the surface goes
  *    on there, at a crease, around a tube or past a seam: then it is no border.
@@ -27,7 +27,7 @@
  *    that reaches over the border ends at one line across the mean of the ways out of the surface there,
  *    so far off that the outermost point beside it is inside, and a margin more.
  *
- * Memory is 44 bytes a point at a border and a byte a slot; candidates are points whose cells are
+ * Memory is 56 bytes a point at a border and two bytes a slot; candidates are points whose cells are
  * open or reach into holes, which smooth closed surfaces have hardly any of.
  */
 #ifndef vtkPointSplatBorders_h

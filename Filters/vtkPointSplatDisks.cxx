@@ -21,6 +21,8 @@ constexpr float RegularSpread = 1.25f;
 constexpr float IrregularSpread = 1.45f;
 constexpr float HoleFactor = 1.3f;
 constexpr float GapFactor = 3.0f;
+/// At a regular sampling's border the spacing is larger than farther inside: of HoleLimit counts this.
+constexpr float HoleShare = 0.667f;
 /// How far the normal may turn from the centre to the rim of a disk: the kernel's rim, a half
 /// farther out, then stays within a tube's silhouette.
 constexpr float LargestBend = 0.6f;
@@ -199,6 +201,21 @@ bool vtkPointSplatDisks::HasClosedWitness(Slot slot) const
   });
 }
 
+bool vtkPointSplatDisks::MayEnd(Slot slot) const
+{
+  const float opening = this->Opening[slot];
+  if (this->IsAlone(slot))
+  {
+    return false;
+  }
+  if (this->Regular)
+  {
+    return opening == 0 || opening > HoleShare * this->HoleLimit * this->Spacing[slot];
+  }
+  return opening == 0 &&
+    this->AreMostWitnesses(slot, [this](Slot witness) { return this->Opening[witness] > 0; });
+}
+
 void vtkPointSplatDisks::Open(Slot slot, float length)
 {
   this->Length[slot] = length;
@@ -208,13 +225,7 @@ void vtkPointSplatDisks::Open(Slot slot, float length)
 bool vtkPointSplatDisks::AgreeWitnesses(
   Slot slot, const std::vector<unsigned char>& marks) const
 {
-  int marked = 0;
-  for (int w = 0; w < NumberOfWitnesses; ++w)
-  {
-    const Slot witness = this->Witnesses[std::size_t(NumberOfWitnesses) * slot + w];
-    marked += witness == vtkPointSplatNeighbors::None || marks[witness];
-  }
-  return 2 * marked >= NumberOfWitnesses;
+  return this->AreMostWitnesses(slot, [&marks](Slot witness) { return marks[witness] != 0; });
 }
 
 void vtkPointSplatDisks::GetBall(Slot slot, float tensor[6]) const

@@ -13,6 +13,7 @@
 #include "vtkPointSplatDisk.h"
 #include "vtkPointSplatFans.h"
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -42,14 +43,12 @@ public:
   bool IsOutlier(Slot slot, float times) const;
   /// Whether the cell of some witness is closed.
   bool HasClosedWitness(Slot slot) const;
-  /// Whether the surface may end at a slot: its cell is open, or may reach into a hole by the spacing
-  /// that there is farther inside, two thirds of that at a border.
-  bool MayEnd(Slot slot) const
-  {
-    const float opening = this->Opening[slot];
-    return !this->IsAlone(slot) &&
-      (opening == 0 || opening > 0.667f * this->HoleLimit * this->Spacing[slot]);
-  }
+  /**
+   * Whether the surface may end at a slot. Of a regular sampling: its cell is open, or may reach into a
+   * hole by the spacing that there is farther inside, two thirds of that at a border. Of a random one:
+   * its cell is open, and those of most witnesses are not, as beside a border and unlike in vegetation.
+   */
+  bool MayEnd(Slot slot) const;
   /// Makes of a closed cell an open one, of a disk of that length.
   void Open(Slot slot, float length);
   /// Whether at least half of the witnesses have a mark, or there are too few neighbours for any.
@@ -88,6 +87,15 @@ public:
 private:
   /// The neighbours, by rank, that bound a disk.
   static constexpr int NumberOfWitnesses = 4;
+  /// Whether at least half of the witnesses are such, or there are too few neighbours for any.
+  template <typename Predicate>
+  bool AreMostWitnesses(Slot slot, const Predicate& isSuch) const
+  {
+    const Slot* first = this->Witnesses.data() + std::size_t(NumberOfWitnesses) * slot;
+    return 2 * std::count_if(first, first + NumberOfWitnesses, [&isSuch](Slot witness) {
+      return witness == vtkPointSplatNeighbors::None || isSuch(witness);
+    }) >= NumberOfWitnesses;
+  }
 
   float GetBound(Slot slot) const;
 

@@ -378,17 +378,12 @@ int vtkPointSplatEstimation::RequestData(
     if (!this->IsRough())
     {
       std::vector<unsigned char> open(slots, 0);
-      std::vector<unsigned char> closed(slots, 0);
-      std::transform(disks.Opening.begin(), disks.Opening.end(), closed.begin(),
-        [](float opening) { return opening > 0 ? 1 : 0; });
       for (vtkIdType id = 0; id < numberOfPoints; ++id)
       {
         const Slot s = slotOf[id];
         if (s != vtkPointSplatNeighbors::None && !fans.Has(id))
         {
-          // Beside a border there is a surface; most points of vegetation have no closed cells beside.
-          open[s] = disks.MayEnd(s) &&
-            (disks.Regular || (disks.Opening[s] == 0 && disks.AgreeWitnesses(s, closed)));
+          open[s] = disks.MayEnd(s);
         }
       }
       for (const vtkPointSplatCreases::Twin& twin : twins)
