@@ -107,9 +107,7 @@ std::array<double, 6> vtkPointSplatCloud::BoundsOf(vtkPointSet* data)
   cloud.AddRange(given[0].Points);
   cloud.SetOriginToMiddle();
   cloud.LeaveOutFar(given);
-  vtkIdType unused = 0;
-  const vtkSmartPointer<vtkUnsignedCharArray> ghosts =
-    vtkPointSplatPacking::GhostsOf(data, unused);
+  const vtkSmartPointer<vtkUnsignedCharArray> ghosts = vtkPointSplatPacking::GhostsOf(data);
   constexpr unsigned char notDrawn =
     vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT;
   const std::array<double, 6> none{ { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 } };

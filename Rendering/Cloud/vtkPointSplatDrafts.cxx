@@ -308,9 +308,8 @@ void vtkPointSplatDrafts::CopyArrays(vtkPointSet* from, Part& part)
       part.Data->GetPointData()->SetActiveAttribute(index, attribute);
     }
   }
-  vtkIdType unused = 0;
   const vtkSmartPointer<vtkUnsignedCharArray> all =
-    ghosts ? nullptr : vtkPointSplatPacking::GhostsOf(from, unused);
+    ghosts ? nullptr : vtkPointSplatPacking::GhostsOf(from);
   if (all)
   {
     // The part has no cells that could tell.

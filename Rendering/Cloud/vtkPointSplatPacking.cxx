@@ -251,18 +251,20 @@ struct PackWorker
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkUnsignedCharArray> vtkPointSplatPacking::GhostsOf(
-  vtkPointSet* data, vtkIdType& unused)
+vtkUnsignedCharArray* vtkPointSplatPacking::GivenGhostsOf(vtkPointSet* data)
 {
-  unused = 0;
-  vtkSmartPointer<vtkUnsignedCharArray> given = vtkArrayDownCast<vtkUnsignedCharArray>(
+  auto given = vtkArrayDownCast<vtkUnsignedCharArray>(
     data->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  if (given &&
-    (given->GetNumberOfTuples() != data->GetNumberOfPoints() ||
-      given->GetNumberOfComponents() != 1))
-  {
-    given = nullptr;
-  }
+  const bool good = given && given->GetNumberOfTuples() == data->GetNumberOfPoints() &&
+    given->GetNumberOfComponents() == 1;
+  return good ? given : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkUnsignedCharArray> vtkPointSplatPacking::GhostsOf(
+  vtkPointSet* data, vtkIdType* unused)
+{
+  vtkUnsignedCharArray* given = vtkPointSplatPacking::GivenGhostsOf(data);
   const std::vector<unsigned char> used = vtkPointSplatCells::MarkUsed(data);
   if (used.empty())
   {
@@ -271,12 +273,17 @@ vtkSmartPointer<vtkUnsignedCharArray> vtkPointSplatPacking::GhostsOf(
   vtkNew<vtkUnsignedCharArray> ghosts;
   ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
   ghosts->SetNumberOfTuples(data->GetNumberOfPoints());
+  vtkIdType count = 0;
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
     const unsigned char ghost = given ? given->GetValue(i) : 0;
     const bool hidden = !used[static_cast<size_t>(i)];
     ghosts->SetValue(i, hidden ? ghost | vtkDataSetAttributes::HIDDENPOINT : ghost);
-    unused += hidden;
+    count += hidden;
+  }
+  if (unused)
+  {
+    *unused = count;
   }
   return ghosts;
 }
@@ -288,7 +295,7 @@ vtkPointSplatPacking vtkPointSplatPacking::Collect(
   vtkPointSplatPacking a;
   a.Points = data->GetPoints()->GetData();
   a.Reach = LargestLength;
-  a.Ghosts = vtkPointSplatPacking::GhostsOf(data, a.Unused);
+  a.Ghosts = vtkPointSplatPacking::GhostsOf(data, &a.Unused);
   vtkPointData* given = data->GetPointData();
   a.Normals = Wanted(owner, data, given->GetNormals(), 3);
   a.Radius = Wanted(owner, data, given->GetArray(vtkPointSplatArrays::Radius), 1);

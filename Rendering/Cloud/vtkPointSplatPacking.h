@@ -52,11 +52,14 @@ public:
   static vtkPointSplatPacking Collect(
     vtkObject* owner, vtkPointSet* data, bool needSizes, bool projectNoise);
 
+  /// The ghost array as it was given, or null if there is none that can be used.
+  static vtkUnsignedCharArray* GivenGhostsOf(vtkPointSet* data);
   /**
-   * The ghost array, if it can be used, in which points that no cell uses are hidden where there are
-   * cells; or none. unused: how many those are.
+   * That array, in which points that no cell uses are hidden where there are cells; or null. unused
+   * gets the number of these.
    */
-  static vtkSmartPointer<vtkUnsignedCharArray> GhostsOf(vtkPointSet* data, vtkIdType& unused);
+  static vtkSmartPointer<vtkUnsignedCharArray> GhostsOf(
+    vtkPointSet* data, vtkIdType* unused = nullptr);
 
   /**
    * Packs the block's splats, 8 words each if circular, otherwise 16; without sizes their

@@ -430,7 +430,7 @@ bool vtkPointSplatFrame::PresentSelection(Pass& pass, vtkActor* actor, size_t ow
       : 0,
     showsLevels && this->Renderer->GetPreserveDepthBuffer() ? pass.Choice.ShownLevelPixels : 0.0 };
   const vtkPointSplatResolve::Target target{ this->Renderer, actor,
-    pass.Entries[own].Source->GetMapper(), vtkPointSplatFrame::ShownWindow(pass), false, false };
+    entry.Source->GetMapper(), vtkPointSplatFrame::ShownWindow(pass), false, false };
   vtkHardwareSelector* selector = this->Renderer->GetSelector();
   selector->BeginRenderProp(); // sets the prop's colour
   if (pass.SelectionPass == vtkHardwareSelector::COMPOSITE_INDEX_PASS && !request.HasIds)

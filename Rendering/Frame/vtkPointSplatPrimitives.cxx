@@ -97,12 +97,10 @@ bool CanBeDrawn(vtkPointSet* data)
 }
 
 /// The points that become vertices.
-std::vector<vtkIdType> VerticesOf(vtkPointSet* data)
+std::vector<vtkIdType> VerticesOf(vtkPointSet* data, const std::vector<vtkIdType>& cellOf)
 {
   std::vector<vtkIdType> vertices;
-  vtkIdType unused = 0;
-  const vtkSmartPointer<vtkUnsignedCharArray> ghosts =
-    vtkPointSplatPacking::GhostsOf(data, unused);
+  vtkUnsignedCharArray* ghosts = vtkPointSplatPacking::GivenGhostsOf(data);
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
     double p[3];
@@ -110,7 +108,8 @@ std::vector<vtkIdType> VerticesOf(vtkPointSet* data)
     const bool ghost = ghosts &&
       (ghosts->GetValue(i) &
         (vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT));
-    if (!ghost && std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]))
+    if (!ghost && std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]) &&
+      (cellOf.empty() || cellOf[static_cast<size_t>(i)] >= 0))
     {
       vertices.push_back(i);
     }
@@ -166,13 +165,9 @@ vtkSmartPointer<vtkPolyData> MakePrimitives(vtkPointSet* data)
     cellData->CopyAllOn();
     cellData->CopyAllocate(given);
   }
-  for (const vtkIdType point : VerticesOf(data))
+  for (const vtkIdType point : VerticesOf(data, cellOf))
   {
     const vtkIdType cell = cells ? cellOf[static_cast<size_t>(point)] : point;
-    if (cell < 0)
-    {
-      continue;
-    }
     const vtkIdType vertex = verts->InsertNextCell(1, &point);
     ids->InsertNextValue(cell);
     if (cells)
