@@ -3,8 +3,8 @@
 // Levels of detail of a composite input: hidden, coloured and translucent blocks are as exact as without
 // levels, where they meet and where the surface ends, and the same points and blocks are picked.
 #include "LevelScene.h"
+#include "PickedPoints.h"
 
-#include "vtkHardwareSelector.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPlane.h"
 
@@ -88,30 +88,6 @@ bool Compare(Scene& scene, const std::string& what)
   return Expect(drawn <= Count / 4, what + ", drawn: " + std::to_string(drawn)) && good;
 }
 
-/// Of each pixel the block and the point.
-std::vector<std::pair<unsigned int, vtkIdType>> Pick(Scene& scene)
-{
-  vtkNew<vtkHardwareSelector> selector;
-  selector->SetRenderer(scene.Win.Renderer);
-  selector->SetArea(0, 0, Pixels - 1, Pixels - 1);
-  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_POINTS);
-  std::vector<std::pair<unsigned int, vtkIdType>> picked;
-  if (!selector->CaptureBuffers())
-  {
-    return picked;
-  }
-  for (unsigned int y = 0; y < Pixels; ++y)
-  {
-    for (unsigned int x = 0; x < Pixels; ++x)
-    {
-      const unsigned int pixel[2] = { x, y };
-      const auto hit = selector->GetPixelInformation(pixel);
-      picked.emplace_back(hit.Valid ? hit.CompositeID : 0u, hit.Valid ? hit.AttributeID : -1);
-    }
-  }
-  return picked;
-}
-
 bool TestLooks()
 {
   vtkSmartPointer<vtkPolyData> whole = Torus(Count, 0.0, false);
@@ -139,18 +115,18 @@ bool TestLooks()
   // selected VTK draws a frame, and keeps its depth.
   good = Expect(scene.Wait(), "levels for picking") && good;
   scene.Win.Draw();
-  const auto picked = Pick(scene);
+  const auto picked = PickPoints(scene.Win);
   scene.Mapper->LevelOfDetailOff();
   scene.Win.Draw();
-  const auto exact = Pick(scene);
+  const auto exact = PickPoints(scene.Win);
   int missed = 0;
   int others = 0;
   int found = 0;
   for (size_t i = 0; i < std::min(picked.size(), exact.size()); ++i)
   {
-    found += exact[i].first != 0;
-    missed += exact[i].first != 0 && picked[i].first == 0;
-    others += picked[i].first != 0 && picked[i] != exact[i];
+    found += exact[i].Block != 0;
+    missed += exact[i].Block != 0 && picked[i].Block == 0;
+    others += picked[i].Block != 0 && picked[i] != exact[i];
   }
   std::cout << "picked: " << found << ", missed beside levels: " << missed << "\n";
   good = Expect(found > 30000, "pixels with a point: " + std::to_string(found)) && good;
@@ -159,7 +135,7 @@ bool TestLooks()
   std::map<unsigned int, int> counts;
   for (const auto& hit : picked)
   {
-    ++counts[hit.first];
+    ++counts[hit.Block];
   }
   good = Expect(counts[Hidden] == 0 && counts[4] == 0, "what is hidden is not picked") && good;
   for (const unsigned int block : { Coloured, Translucent, OfNested })

@@ -3,8 +3,8 @@
 // Levels of detail in frames: points that are much denser than pixels cost what the pixels do, and
 // the picture is that of all of them.
 #include "LevelScene.h"
+#include "PickedPoints.h"
 
-#include "vtkHardwareSelector.h"
 #include "vtkLight.h"
 #include "vtkPlane.h"
 
@@ -76,36 +76,9 @@ bool TestSelection()
   Scene scene(data);
   bool good = Expect(scene.Wait(), "levels are made");
   // What is picked are points, and those that lie there.
-  vtkNew<vtkHardwareSelector> selector;
-  selector->SetRenderer(scene.Win.Renderer);
-  selector->SetArea(0, 0, Pixels - 1, Pixels - 1);
-  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_POINTS);
-  if (!Expect(selector->CaptureBuffers(), "points are selected"))
-  {
-    return false;
-  }
   int picked = 0;
-  double farthest = 0.0;
-  for (unsigned int y = 0; y < Pixels; ++y)
-  {
-    for (unsigned int x = 0; x < Pixels; ++x)
-    {
-      const unsigned int pixel[2] = { x, y };
-      const auto hit = selector->GetPixelInformation(pixel);
-      if (!hit.Valid)
-      {
-        continue;
-      }
-      ++picked;
-      double p[3];
-      data->GetPoint(hit.AttributeID, p);
-      scene.Win.Renderer->SetWorldPoint(p[0], p[1], p[2], 1.0);
-      scene.Win.Renderer->WorldToDisplay();
-      double display[3];
-      scene.Win.Renderer->GetDisplayPoint(display);
-      farthest = std::max(farthest, std::hypot(display[0] - x - 0.5, display[1] - y - 0.5));
-    }
-  }
+  const double farthest = FarthestPicked(scene.Win, data, picked);
+  good = Expect(picked > 0, "points are selected") && good;
   std::cout << "picked: " << picked << ", pixels off: " << farthest << "\n";
   good = Expect(picked > 30000, "pixels with a point: " + std::to_string(picked)) && good;
   return Expect(farthest <= 2.0, "pixels from a picked point: " + std::to_string(farthest)) && good;

@@ -4,13 +4,13 @@
 // A window that can be asked for frames shows some of a large cloud's points at once, and asks for
 // others until it shows all: then with the picture that a window without an interactor has at once.
 #include "Expect.h"
+#include "PickedPoints.h"
 #include "SplatScene.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCommand.h"
 #include "vtkGenericRenderWindowInteractor.h"
-#include "vtkHardwareSelector.h"
 #include "vtkInteractorStyleTrackballCamera.h"
 #include "vtkMath.h"
 
@@ -138,41 +138,6 @@ struct Scene
   }
 };
 
-/// How far from the pixels that show them the picked points lie, at most, and how many there are.
-double FarthestPicked(Scene& scene, vtkPolyData* data, int& picked)
-{
-  vtkNew<vtkHardwareSelector> selector;
-  selector->SetRenderer(scene.Win.Renderer);
-  selector->SetArea(0, 0, Size - 1, Size - 1);
-  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_POINTS);
-  picked = 0;
-  double farthest = 0.0;
-  if (!selector->CaptureBuffers())
-  {
-    return farthest;
-  }
-  for (unsigned int y = 0; y < Size; ++y)
-  {
-    for (unsigned int x = 0; x < Size; ++x)
-    {
-      const unsigned int pixel[2] = { x, y };
-      const auto hit = selector->GetPixelInformation(pixel);
-      if (hit.Valid)
-      {
-        ++picked;
-        double p[3];
-        data->GetPoint(hit.AttributeID, p);
-        scene.Win.Renderer->SetWorldPoint(p[0], p[1], p[2], 1.0);
-        scene.Win.Renderer->WorldToDisplay();
-        double at[3];
-        scene.Win.Renderer->GetDisplayPoint(at);
-        farthest = std::max(farthest, std::hypot(at[0] - x - 0.5, at[1] - y - 0.5));
-      }
-    }
-  }
-  return farthest;
-}
-
 void TestPictures(vtkPolyData* data)
 {
   Scene script(data, false);
@@ -197,7 +162,7 @@ void TestPictures(vtkPolyData* data)
   Expect(Psnr(first, all) > 35.0, "the first picture is like the last");
 
   int picked = 0;
-  const double farthest = FarthestPicked(scene, data, picked);
+  const double farthest = FarthestPicked(scene.Win, data, picked);
   std::cout << "picked: " << picked << ", pixels off: " << farthest << "\n";
   Expect(picked > 5000 && farthest < 2.0, "ids are the input's");
 
