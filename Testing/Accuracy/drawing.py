@@ -38,6 +38,14 @@ def save(path, picture):
     writer.Write()
 
 
+def copied(prop):
+    made = prop.NewInstance()
+    made.DeepCopy(prop)
+    # VTK 9.6 copies another ambient colour than it is given.
+    made.SetAmbientColor(prop.GetAmbientColor())
+    return made
+
+
 class Drawing:
     """One window with one mapper for each of a scene's parts."""
 
@@ -55,7 +63,7 @@ class Drawing:
         for mapper, prop in zip(mappers, scene.properties):
             actor = vtkActor()
             actor.SetMapper(mapper)
-            actor.GetProperty().DeepCopy(prop)
+            actor.SetProperty(copied(prop))
             self.renderer.AddActor(actor)
             self.actors.append(actor)
         self.shared = shared
@@ -132,8 +140,7 @@ class Drawing:
             for light in lights:
                 self.renderer.AddLight(light)
         for actor, prop in zip(self.actors, properties):
-            changed = prop.NewInstance()
-            changed.DeepCopy(prop)
+            changed = copied(prop)
             changed.SetColor(1, 1, 1)
             change(changed)
             actor.SetProperty(changed)
