@@ -271,9 +271,10 @@ public:
   /**
    * Of deferred blending, where the input has no `SplatGroup`: the factor c on the distance at
    * which splats count as overlapping when they are grouped (vtkPointSplatGrouping). 1 gives the
-   * picture of two passes; less gives fewer groups and small faults. Default: 0.8. And whether
-   * splats of a group that overlap meet halfway between their centres (Zhang, Pajarola 2006,
-   * equation 10; the default), or the nearer one hides the other.
+   * picture of two passes; less gives fewer groups and small faults. Default: 0.8. Splats that face
+   * opposite ways, or lie in one plane within a degree and look the same, may share a group (Zhang,
+   * Pajarola 2006, section 4.1). And whether splats of a group that overlap meet halfway between their
+   * centres (after equation 10 there; the default), or the nearer one hides the other.
    */
   vtkPointSplatSetClampMacro(OverlapFactor, 0.01, 1.0);
   vtkGetMacro(OverlapFactor, double);
