@@ -2,8 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatCoverage.h"
 
+#include "vtkIdList.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSMPThreadLocalObject.h"
 #include "vtkSMPTools.h"
+#include "vtkStaticPointLocator.h"
 
 #include <algorithm>
 #include <array>
@@ -19,14 +25,18 @@ namespace
 {
 using Index = vtkPointSplatOverlap::Index;
 
-constexpr std::size_t ManySplats = 50000;
+constexpr std::size_t ManySplats = 2000;
 constexpr int ManySamples = 256;
 constexpr int FewSamples = 64;
 // The cosine of the angle between normals past which disks are of different sheets.
 constexpr double SameSheet = 0.3;
-// How near the covered area must come to the surface's, as a share of it, and in how many steps.
-constexpr double AreaTolerance = 0.0025;
-constexpr int MostSteps = 40;
+// The share of the surface's area that a group whose radii are enlarged may leave bare: the last gaps
+// ask for disks that blur more than the gaps show.
+constexpr double AreaTolerance = 0.0075;
+constexpr Index MostMeasured = 4096;
+// Of a group's splats the nearest this many are looked at to tell which of them covers a point first;
+// those that overlap the point's disk are looked at besides, since they may be large.
+constexpr int Nearest = 16;
 
 using Mask = std::array<std::uint64_t, ManySamples / 64>;
 
@@ -45,25 +55,54 @@ int CountBits(const Mask& mask)
 }
 
 //------------------------------------------------------------------------------
-vtkPointSplatCoverage::vtkPointSplatCoverage(
-  const double* positions, const double* normals, const double* radii, Index count)
+vtkPointSplatCoverage::vtkPointSplatCoverage(const double* positions, const double* normals,
+  const double* radii, const vtkPointSplatOverlap& graph)
   : Positions(positions)
   , Normals(normals)
   , Radii(radii)
-  , Count(count)
+  , Graph(graph)
+  , Count(graph.GetNumberOfSplats())
 {
   // A sunflower: the k-th point at a radius that gives each the same area.
-  const int samples = count > ManySplats ? FewSamples : ManySamples;
+  const std::size_t samples = this->Count > ManySplats ? FewSamples : ManySamples;
   const double golden = vtkMath::Pi() * (3 - std::sqrt(5.0));
-  for (int k = 0; k < samples; ++k)
+  for (std::size_t k = 0; k < samples; ++k)
   {
     const double r = std::sqrt((k + 0.5) / samples);
     this->Samples.push_back(r * std::cos(k * golden));
     this->Samples.push_back(r * std::sin(k * golden));
   }
-  std::vector<Index> all(count);
-  std::iota(all.begin(), all.end(), 0);
-  this->SurfaceArea = this->CoveredArea(all, 1.0);
+  this->Measured.resize(std::min(this->Count, MostMeasured));
+  std::iota(this->Measured.begin(), this->Measured.end(), 0);
+  for (Index m = 0; this->Count > MostMeasured && m < MostMeasured; ++m)
+  {
+    // By the golden section, so that no row of a regular sampling is met again and again.
+    const double part = std::fmod(0.6180339887498949 * (m + 1.0), 1.0);
+    this->Measured[m] = std::min(static_cast<Index>(part * this->Count), this->Count - 1);
+  }
+  this->Weights.resize(this->Measured.size() * samples);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Measured.size()),
+    [this, samples](vtkIdType begin, vtkIdType end) {
+      std::array<int, ManySamples> covers;
+      for (vtkIdType m = begin; m < end; ++m)
+      {
+        const Index i = this->Measured[static_cast<std::size_t>(m)];
+        double axes[2][3];
+        this->Axes(i, axes);
+        covers.fill(1);
+        for (const Index* j = this->Graph.begin(i); j != this->Graph.end(i); ++j)
+        {
+          this->EachDistance(i, *j, axes,
+            [&covers](std::size_t k, double squared) { covers[k] += squared < 1.0 ? 1 : 0; });
+        }
+        for (std::size_t k = 0; k < samples; ++k)
+        {
+          this->Weights[static_cast<std::size_t>(m) * samples + k] =
+            this->Radii[i] * this->Radii[i] / covers[k];
+        }
+      }
+    });
+  this->Area = std::accumulate(this->Weights.begin(), this->Weights.end(), 0.0);
 }
 
 //------------------------------------------------------------------------------
@@ -74,15 +113,15 @@ void vtkPointSplatCoverage::Axes(Index i, double axes[2][3]) const
 
 //------------------------------------------------------------------------------
 template <typename Visit>
-void vtkPointSplatCoverage::EachCovered(
-  Index i, Index j, double scale, const double axes[2][3], const Visit& visit) const
+void vtkPointSplatCoverage::EachDistance(
+  Index i, Index j, const double axes[2][3], const Visit& visit) const
 {
   const double* n = this->Normals + 3 * std::size_t(i);
   const double* m = this->Normals + 3 * std::size_t(j);
   const double* p = this->Positions + 3 * std::size_t(i);
   const double* q = this->Positions + 3 * std::size_t(j);
-  const double r = scale * this->Radii[i];
-  const double R = scale * this->Radii[j];
+  const double r = this->Radii[i];
+  const double R = this->Radii[j];
   const double facing = vtkMath::Dot(n, m);
   const double d[3] = { p[0] - q[0], p[1] - q[1], p[2] - q[2] };
   if (std::abs(facing) < SameSheet || std::abs(vtkMath::Dot(d, n)) > r + R)
@@ -102,108 +141,122 @@ void vtkPointSplatCoverage::EachCovered(
     along[0][k] = r * axes[0][k] + ta * n[k];
     along[1][k] = r * axes[1][k] + tb * n[k];
   }
-  // |base + u along0 + v along1|^2 as a polynomial in u and v.
-  const double c = vtkMath::Dot(base, base) - R * R;
-  const double cu = 2 * vtkMath::Dot(base, along[0]);
-  const double cv = 2 * vtkMath::Dot(base, along[1]);
-  const double cuu = vtkMath::Dot(along[0], along[0]);
-  const double cvv = vtkMath::Dot(along[1], along[1]);
-  const double cuv = 2 * vtkMath::Dot(along[0], along[1]);
+  // |base + u along0 + v along1|^2 / R^2 as a polynomial in u and v.
+  const double unit = 1 / (R * R);
+  const double c = unit * vtkMath::Dot(base, base);
+  const double cu = 2 * unit * vtkMath::Dot(base, along[0]);
+  const double cv = 2 * unit * vtkMath::Dot(base, along[1]);
+  const double cuu = unit * vtkMath::Dot(along[0], along[0]);
+  const double cvv = unit * vtkMath::Dot(along[1], along[1]);
+  const double cuv = 2 * unit * vtkMath::Dot(along[0], along[1]);
   const std::size_t samples = this->Samples.size() / 2;
   for (std::size_t k = 0; k < samples; ++k)
   {
     const double u = this->Samples[2 * k];
     const double v = this->Samples[2 * k + 1];
-    visit(k, c + u * (cu + cuu * u + cuv * v) + v * (cv + cvv * v) < 0 ? 1 : 0);
+    visit(k, c + u * (cu + cuu * u + cuv * v) + v * (cv + cvv * v));
   }
 }
 
 //------------------------------------------------------------------------------
-double vtkPointSplatCoverage::CoveredArea(const std::vector<Index>& group, double scale) const
+vtkPointSplatCoverage::Cover vtkPointSplatCoverage::Measure(const std::vector<Index>& group) const
 {
-  const Index count = static_cast<Index>(group.size());
-  std::vector<double> positions(3 * group.size());
-  std::vector<double> radii(group.size());
-  for (Index g = 0; g < count; ++g)
-  {
-    std::copy_n(this->Positions + 3 * std::size_t(group[g]), 3, &positions[3 * std::size_t(g)]);
-    radii[g] = scale * this->Radii[group[g]];
-  }
-  vtkPointSplatOverlap graph;
-  if (!graph.Build(positions.data(), radii.data(), count, 1.0,
-        std::numeric_limits<std::size_t>::max()))
-  {
-    return 0;
-  }
-  std::vector<double> shares(group.size());
-  vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
-    std::array<int, ManySamples> covers;
-    for (vtkIdType g = begin; g < end; ++g)
-    {
-      const Index i = group[g];
-      double axes[2][3];
-      this->Axes(i, axes);
-      covers.fill(1);
-      for (const Index* j = graph.begin(static_cast<Index>(g));
-           j != graph.end(static_cast<Index>(g)); ++j)
-      {
-        this->EachCovered(
-          i, group[*j], scale, axes, [&covers](std::size_t k, int covered) { covers[k] += covered; });
-      }
-      double sum = 0;
-      const std::size_t samples = this->Samples.size() / 2;
-      for (std::size_t k = 0; k < samples; ++k)
-      {
-        sum += 1.0 / covers[k];
-      }
-      shares[g] = vtkMath::Pi() * radii[g] * radii[g] * sum / samples;
-    }
-  });
-  return std::accumulate(shares.begin(), shares.end(), 0.0);
-}
-
-//------------------------------------------------------------------------------
-double vtkPointSplatCoverage::Enlarge(const std::vector<Index>& group, double mostScale) const
-{
-  // Equation 9, with the clipped area as the difference between the disks' own area n pi r^2 and
-  // what they cover: n pi r'^2 = A + n pi r^2 - Covered(r). Its steps become short long before
-  // the end, so two of them are extended to where the line through them has no difference left.
-  double own = 0;
+  Cover cover;
+  std::vector<unsigned char> inside(this->Count, 0);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
   for (const Index i : group)
   {
-    own += vtkMath::Pi() * this->Radii[i] * this->Radii[i];
+    inside[i] = 1;
+    points->InsertNextPoint(this->Positions + 3 * std::size_t(i));
   }
-  const double most = mostScale * mostScale;
-  double square = 1; // of the scale
-  double before = 0;
-  double missingBefore = 0;
-  for (int step = 0; step < MostSteps && !group.empty(); ++step)
+  if (group.empty())
   {
-    const double missing =
-      this->SurfaceArea - this->CoveredArea(group, std::sqrt(square));
-    if (std::abs(missing) <= AreaTolerance * this->SurfaceArea || (missing < 0 && square <= 1) ||
-      (missing > 0 && square >= most))
-    {
-      break;
-    }
-    double next = square + missing / own;
-    if (step > 0 && missingBefore != missing)
-    {
-      const double secant = square + missing * (square - before) / (missingBefore - missing);
-      // Not past twice the plain step's reach many times over: near full cover the line is flat.
-      next = (secant > square) == (missing > 0) ? std::min(secant, square + 8 * missing / own) : next;
-    }
-    before = square;
-    missingBefore = missing;
-    square = std::clamp(next, 1.0, most);
+    return cover;
   }
-  return std::sqrt(square);
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  vtkNew<vtkStaticPointLocator> locator;
+  locator->SetDataSet(data);
+  locator->BuildLocator();
+
+  // By how much the group's disks must grow, squared.
+  const std::size_t samples = this->Samples.size() / 2;
+  std::vector<double> needed(this->Weights.size(), std::numeric_limits<double>::infinity());
+  vtkSMPThreadLocalObject<vtkIdList> lists;
+  vtkSMPTools::For(
+    0, static_cast<vtkIdType>(this->Measured.size()), [&](vtkIdType begin, vtkIdType end) {
+      vtkIdList* nearest = lists.Local();
+      for (vtkIdType m = begin; m < end; ++m)
+      {
+        const Index i = this->Measured[static_cast<std::size_t>(m)];
+        double* least = &needed[static_cast<std::size_t>(m) * samples];
+        double axes[2][3];
+        this->Axes(i, axes);
+        const auto look = [&](Index j) {
+          this->EachDistance(i, j, axes, [least](std::size_t k, double squared) {
+            least[k] = std::min(least[k], squared);
+          });
+        };
+        if (inside[i])
+        {
+          look(i);
+        }
+        for (const Index* j = this->Graph.begin(i); j != this->Graph.end(i); ++j)
+        {
+          if (inside[*j])
+          {
+            look(*j);
+          }
+        }
+        locator->FindClosestNPoints(Nearest, this->Positions + 3 * std::size_t(i), nearest);
+        for (vtkIdType n = 0; n < nearest->GetNumberOfIds(); ++n)
+        {
+          look(group[static_cast<std::size_t>(nearest->GetId(n))]);
+        }
+      }
+    });
+  std::vector<std::size_t> order(needed.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&needed](std::size_t a, std::size_t b) {
+    return needed[a] != needed[b] ? needed[a] < needed[b] : a < b;
+  });
+  cover.Shares.reserve(order.size());
+  double sum = 0;
+  for (const std::size_t k : order)
+  {
+    sum += this->Weights[k] / this->Area;
+    cover.Shares.emplace_back(std::sqrt(needed[k]), sum);
+  }
+  return cover;
+}
+
+//------------------------------------------------------------------------------
+double vtkPointSplatCoverage::Cover::GetShare(double scale) const
+{
+  const auto behind = std::upper_bound(this->Shares.begin(), this->Shares.end(), scale,
+    [](double value, const std::pair<double, double>& entry) { return value < entry.first; });
+  return behind == this->Shares.begin() ? 0.0 : (behind - 1)->second;
+}
+
+//------------------------------------------------------------------------------
+double vtkPointSplatCoverage::Cover::GetFullScale(double mostScale) const
+{
+  for (const auto& entry : this->Shares)
+  {
+    if (entry.second >= 1.0 - AreaTolerance)
+    {
+      return std::clamp(entry.first, 1.0, mostScale);
+    }
+  }
+  return 1.0; // nothing is there to cover
 }
 
 //------------------------------------------------------------------------------
 std::vector<Index> vtkPointSplatCoverage::Fill(
-  const std::vector<Index>& group, const vtkPointSplatOverlap& graph, double mostClipped) const
+  const std::vector<Index>& group, double mostClipped) const
 {
+  const vtkPointSplatOverlap& graph = this->Graph;
   std::vector<unsigned char> inside(this->Count, 0);
   for (const Index i : group)
   {
@@ -214,8 +267,8 @@ std::vector<Index> vtkPointSplatCoverage::Fill(
     double axes[2][3];
     this->Axes(i, axes);
     Mask& mask = clipped[i];
-    this->EachCovered(i, j, 1.0, axes, [&mask](std::size_t k, int covered) {
-      mask[k / 64] |= static_cast<std::uint64_t>(covered) << (k % 64);
+    this->EachDistance(i, j, axes, [&mask](std::size_t k, double squared) {
+      mask[k / 64] |= static_cast<std::uint64_t>(squared < 1.0 ? 1 : 0) << (k % 64);
     });
   };
   vtkSMPTools::For(0, this->Count, [&](vtkIdType begin, vtkIdType end) {

@@ -237,16 +237,17 @@ void vtkPointSplatGrouping::Cover(const Splats& splats, const std::vector<int>& 
                                                    << " is in the points' unit, or lower Reach.");
     return;
   }
-  const vtkPointSplatCoverage coverage(splats.Positions.data(), splats.Normals.data(),
-    splats.Radii.data(), splats.Count());
+  const vtkPointSplatCoverage coverage(
+    splats.Positions.data(), splats.Normals.data(), splats.Radii.data(), graph);
   std::vector<std::vector<Index>> groups(this->NumberOfGroups);
   for (Index i = 0; i < splats.Count(); ++i)
   {
     groups[colors[i]].push_back(i);
   }
-  const double area = std::max(coverage.GetSurfaceArea(), std::numeric_limits<double>::min());
   this->Figures.assign(this->NumberOfGroups, GroupFigures());
   std::vector<std::pair<vtkIdType, int>> copies; // of a point, to a group
+  vtkNew<vtkDoubleArray> shares;
+  shares->SetName(vtkPointSplatArrays::GroupCoverage);
   for (int k = 0; k < this->NumberOfGroups; ++k)
   {
     this->UpdateProgress(0.7 + 0.2 * k / this->NumberOfGroups);
@@ -255,29 +256,25 @@ void vtkPointSplatGrouping::Cover(const Splats& splats, const std::vector<int>& 
       return;
     }
     GroupFigures& figures = this->Figures[k];
-    figures.Before = coverage.CoveredArea(groups[k], 1.0) / area;
+    vtkPointSplatCoverage::Cover cover = coverage.Measure(groups[k]);
+    figures.Before = cover.GetShare(1.0);
     if (this->Coverage == Duplicate)
     {
-      for (const Index i : coverage.Fill(groups[k], graph, this->MaximumClipped))
+      for (const Index i : coverage.Fill(groups[k], this->MaximumClipped))
       {
         copies.emplace_back(splats.Ids[i], k);
         groups[k].push_back(i);
       }
+      cover = coverage.Measure(groups[k]);
     }
     else
     {
-      figures.Scale = coverage.Enlarge(groups[k], MostScale);
+      figures.Scale = cover.GetFullScale(MostScale);
     }
-    figures.After = coverage.CoveredArea(groups[k], figures.Scale) / area;
+    figures.After = cover.GetShare(figures.Scale);
+    shares->InsertNextValue(cover.GetShare(figures.Scale / this->Reach));
   }
   this->NumberOfDuplicates = static_cast<vtkIdType>(copies.size());
-  vtkNew<vtkDoubleArray> shares;
-  shares->SetName(vtkPointSplatArrays::GroupCoverage);
-  for (int k = 0; k < this->NumberOfGroups; ++k)
-  {
-    shares->InsertNextValue(
-      coverage.CoveredArea(groups[k], this->Figures[k].Scale / this->Reach) / area);
-  }
   output->GetFieldData()->AddArray(shares);
 
   const vtkIdType count = input->GetNumberOfPoints();

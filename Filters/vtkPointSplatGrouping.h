@@ -40,8 +40,9 @@
  * 3. *Coverage.* For transparency each group shall cover the whole surface (section 4.2.2).
  *    Duplicate adds to each group splats of others, by a priority queue on the area that the
  *    group clips of them, as long as that is no more than MaximumClipped of their disk (method
- *    1). Enlarge scales each group's radii by iterating equation 9 (method 2). GetGroupCoverage()
- *    tells each group's share of the surface's area, before and after.
+ *    1). Enlarge scales each group's radii such that it covers the surface's area (method 2,
+ *    equation 8), which is found without the paper's iteration (vtkPointSplatCoverage.h says why).
+ *    GetGroupCoverage() tells each group's share of the surface's area, before and after.
  *
  * The result does not depend on the number of threads. Time and memory are linear in points
  * and overlaps.

@@ -11,14 +11,14 @@
  * The algorithm, each frame, for all splat actors of a renderer together:
  * 1. Select. Blocks of splats out of view are left out; others may be coarser (LevelOfDetail).
  * 2. Project. Each splat is the cap of a paraboloid over its tangent plane, which bends as the
- *    surface does. It is projected perspectively correct (Guennebaud, Barthe, Paulin 2006, section
- *    3, equations 3 to 7), once, and listed in the tiles of the image that it touches.
+ *    surface does. It is projected once, perspectively correct, and listed in the tiles of the image
+ *    that it touches (vtkPointSplatProjection.glsl; after Guennebaud, Barthe, Paulin 2006, section 3).
  * 3. Reconstruct. In each tile the depth of the nearest cap at each pixel is found, and then the
- *    mean of the normals, depths and colours of all splats within the least layer distance of it,
- *    weighted by a kernel (Pajarola, Sainz, Guidotti 2004, equations 9 and 10). Splats narrower
- *    than a pixel are widened (Guennebaud, section 4). Where surfaces are translucent the next
- *    layer is made of what is left (Guennebaud, section 6), until nothing more can be seen.
- * 4. Shade, by VTK's own lighting formulas, once a pixel and layer (Zhang, Pajarola 2006, equation 1).
+ *    mean of the normals, depths and colours of all splats within the least layer distance of it
+ *    (Zhang, Pajarola 2006, equation 1), weighted by a kernel (Pajarola, Sainz, Guidotti 2004,
+ *    equations 9 and 10). Splats narrower than a pixel are widened (after Guennebaud, section 4). Where
+ *    surfaces are translucent the next layer is made of what is left (Guennebaud, section 6).
+ * 4. Shade, by VTK's own lighting formulas, once a pixel and layer.
  * 5. Present. Colour, opacity and depth go to the framebuffer as ordinary geometry does, so that
  *    meshes, volumes, SSAO, EDL, FXAA and depth peeling compose with it.
  *
@@ -209,7 +209,7 @@ public:
   ///@{
   /**
    * Whether the last of MaximumNumberOfLayers gathers all that lies behind the others, weighted by
-   * opacity (Guennebaud 2006, section 6), or only its own surface layer. Off by default.
+   * opacity (Guennebaud 2006, section 6), or has its own surface alone. Off by default.
    */
   vtkSetMacro(GatherRemaining, bool);
   vtkGetMacro(GatherRemaining, bool);
@@ -269,11 +269,11 @@ public:
 
   ///@{
   /**
-   * Of deferred blending, where the input has no `SplatGroup`: the factor c on the distance at
-   * which splats count as overlapping when they are grouped (vtkPointSplatGrouping). 1 gives the
-   * picture of two passes; less gives fewer groups and small faults. Default: 0.8. And whether
-   * splats of a group that overlap meet halfway between their centres (Zhang, Pajarola 2006,
-   * equation 10; the default), or the nearer one hides the other.
+   * Of deferred blending, where the input has no `SplatGroup`: the factor c on the distance at which
+   * splats count as overlapping when they are grouped; those that face opposite ways, or lie in one
+   * plane and look the same, do not (Zhang, Pajarola 2006, section 4.1). 1 gives the picture of two
+   * passes; less gives fewer groups and small faults. Default: 0.8. And whether splats of a group that
+   * overlap meet halfway between their centres (the default), or the nearer one hides the other.
    */
   vtkPointSplatSetClampMacro(OverlapFactor, 0.01, 1.0);
   vtkGetMacro(OverlapFactor, double);
@@ -392,8 +392,8 @@ public:
 
   ///@{
   /**
-   * The groups that the splats are divided into, 0 before deferred blending was first used;
-   * and when that was done, which is once for all frames until points or OverlapFactor change.
+   * The groups that the splats are divided into, 0 before deferred blending was first used; and when
+   * that was done: once until points or OverlapFactor change, or whether they have colours.
    */
   int GetNumberOfGroups();
   vtkMTimeType GetGroupMTime();

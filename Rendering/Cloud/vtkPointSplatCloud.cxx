@@ -465,7 +465,10 @@ bool vtkPointSplatCloud::MakeGroups(const vtkPointSplatGroups::Request& request)
   {
     splats.Blocks.push_back({ block.Data, block.First, block.Count });
   }
-  return this->Groups.Make(splats, this->SplatTime, request);
+  vtkPointSplatGroups::Request whole = request;
+  whole.Alike = !this->HasColours() && !this->HasValues() && this->FactorCount == 0 &&
+    !this->HasClipLines() && !this->HasCoordinates();
+  return this->Groups.Make(splats, this->SplatTime, whole);
 }
 
 //------------------------------------------------------------------------------

@@ -11,6 +11,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPointSplatArrays.h"
+#include "vtkPointSplatCodes.h"
 #include "vtkPointSplatGrouping.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -24,9 +25,9 @@ namespace
 {
 // Splats that are sorted as one.
 constexpr vtkIdType LeafSize = 16;
-// By how much the splats of four groups grow until each group covers the surface, as
-// vtkPointSplatGrouping's equation 9 finds it on scans and tori: 1.9 to 2.2.
-constexpr double CoveringScale = 2.0;
+// Degrees, by which normals of splats in one plane differ at most. TestSplatsDeferred's sheets have a
+// fifth of the groups with it, and pictures as like those of two passes, within 0.1 dB.
+constexpr double CoplanarAngle = 1.0;
 // The share of the surface that a group must cover.
 constexpr double LeastCoverage = 0.95;
 
@@ -83,7 +84,7 @@ bool vtkPointSplatGroups::TakeGiven(
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatGroups::Find(const Splats& splats, std::vector<int>& groups) const
+bool vtkPointSplatGroups::Find(const Splats& splats, std::vector<int>& groups)
 {
   const vtkIdType count = static_cast<vtkIdType>(groups.size());
   vtkNew<vtkPolyData> data;
@@ -98,11 +99,13 @@ bool vtkPointSplatGroups::Find(const Splats& splats, std::vector<int>& groups) c
   for (vtkIdType i = 0; i < count; ++i)
   {
     float splat[4];
-    std::memcpy(splat, &splats.Packed[splats.Words * static_cast<size_t>(i)], sizeof(splat));
+    const uint32_t* packed = &splats.Packed[splats.Words * static_cast<size_t>(i)];
+    std::memcpy(splat, packed, sizeof(splat));
     points->SetPoint(i, splat[0], splat[1], splat[2]);
     radii->SetValue(i, splat[3]);
-    // Colouring by distances alone does not look at them.
-    normals->SetTuple3(i, 0.0, 0.0, 1.0);
+    double normal[3]; // of the disk's plane
+    vtkPointSplatCodes::DecodeNormal(packed[4], normal);
+    normals->SetTuple(i, normal);
   }
   data->SetPoints(points);
   data->GetPointData()->SetNormals(normals);
@@ -115,10 +118,16 @@ bool vtkPointSplatGroups::Find(const Splats& splats, std::vector<int>& groups) c
   grouping->SetInputData(data);
   grouping->SetOverlapFactor(this->Asked.Factor);
   grouping->SetReach(this->Asked.Reach);
+  grouping->IgnoreOppositeOn();
   if (this->Asked.Number > 0)
   {
     grouping->SetColoringToWeighted();
     grouping->SetWantedNumberOfGroups(this->Asked.Number);
+    grouping->SetCoverageToEnlarge();
+  }
+  else
+  {
+    grouping->SetCoplanarAngle(this->Asked.Alike ? CoplanarAngle : 0.0);
   }
   grouping->Update();
   auto found = vtkIntArray::SafeDownCast(
@@ -128,6 +137,10 @@ bool vtkPointSplatGroups::Find(const Splats& splats, std::vector<int>& groups) c
     return false;
   }
   std::copy_n(found->GetPointer(0), count, groups.begin());
+  for (int group = 0; group < grouping->GetNumberOfGroups(); ++group)
+  {
+    this->Scales.push_back(grouping->GetGroupRadiusScale(group));
+  }
   return true;
 }
 
@@ -147,14 +160,12 @@ bool vtkPointSplatGroups::Make(
   this->Order.clear();
   this->Starts.clear();
   this->Leaves.clear();
-  const bool covering = request.Number > 0;
+  this->Scales.clear();
   std::vector<int> groups(count);
-  const bool given = this->TakeGiven(splats, covering, groups);
-  if (!given && !this->Find(splats, groups))
+  if (!this->TakeGiven(splats, request.Number > 0, groups) && !this->Find(splats, groups))
   {
     return false;
   }
-  this->Scale = covering && !given ? CoveringScale : 1.0;
 
   this->Order.resize(count);
   std::iota(this->Order.begin(), this->Order.end(), 0u);
@@ -218,6 +229,26 @@ std::pair<vtkIdType, vtkIdType> vtkPointSplatGroups::GetGroup(int group) const
   }
   const size_t g = static_cast<size_t>(group);
   return { this->Starts[g], this->Starts[g + 1] - this->Starts[g] };
+}
+
+//------------------------------------------------------------------------------
+double vtkPointSplatGroups::GetScale(int group) const
+{
+  // Splats that are in no group make one more, which is not enlarged.
+  return group >= 0 && group < static_cast<int>(this->Scales.size())
+    ? this->Scales[static_cast<size_t>(group)]
+    : 1.0;
+}
+
+//------------------------------------------------------------------------------
+double vtkPointSplatGroups::GetLargestScale() const
+{
+  double largest = 1.0;
+  for (const double scale : this->Scales)
+  {
+    largest = std::max(largest, scale);
+  }
+  return largest;
 }
 
 //------------------------------------------------------------------------------

@@ -246,7 +246,7 @@ void vtkPointSplatCollection::MakeGroups(
   {
     const vtkPointSplatSettings& s = entry.Settings;
     made = made &&
-      entry.Item.Cloud->MakeGroups({ s.OverlapFactor, s.RadiusScale * s.KernelSupport, 0 });
+      entry.Item.Cloud->MakeGroups({ s.OverlapFactor, s.RadiusScale * s.KernelSupport, 0, false });
     facts.Groups = std::max(facts.Groups, entry.Item.Cloud->GetGroups().GetNumberOfGroups());
     bytes = std::max(bytes, s.MaximumImageMemory);
   }
@@ -275,8 +275,8 @@ void vtkPointSplatCollection::MakeItem(vtkPointSplatEntry& entry, int slot,
   if (choice.Transparency > vtkPointSplatSettings::Peeling)
   {
     // So that those nearer than their radii are apart.
-    cloud.MakeGroups({ 1.0, s.RadiusScale, choice.CoveringGroups });
-    item.CoveringScale = cloud.GetGroups().GetScale();
+    cloud.MakeGroups({ 1.0, s.RadiusScale, choice.CoveringGroups, false });
+    item.CoveringScale = cloud.GetGroups().GetLargestScale();
   }
   item.LayerDistance = given ? s.LayerDistance : 0.0;
   item.LayerRadii = given ? 0.0 : choice.LayerRadii;

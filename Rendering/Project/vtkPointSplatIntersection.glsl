@@ -21,8 +21,9 @@ struct Hit
 // What a splat is beside itself where its image is narrower than the prefilter's
 // radius, in pixels, so that it does not fall between pixels: the ellipse that its
 // tangents span in the image, turned to its principal axes so that each may be widened
-// to that radius for itself; a widened axis is parallel to the screen (Guennebaud,
-// section 4). But where a splat turns away from the viewer before its rim (turning:
+// to that radius for itself; a widened axis is parallel to the screen (Guennebaud, section 4; its
+// equations 8 to 10 widen the tangents of circles as they lie, which need not be orthogonal in the
+// image; principal axes are, and serve ellipses as well). But where a splat turns away from the viewer before its rim (turning:
 // how far the normal turns until there), it has the silhouette on it, and such an
 // ellipse would stand out over that: there it is a disk about the centre; and so are disks that show
 // where the surface is, whose radius is less, where no gap can be seen.

@@ -113,7 +113,7 @@ struct vtkPointSplatItem
   unsigned long FactorVersion = 0;            // counts what was in the buffer
   bool IsFlat = false;                        // a pixel has the normal of one splat
   vtkPointSplatItemLook Look;
-  double CoveringScale = 1.0;                 // how much larger group-sorted splats are drawn
+  double CoveringScale = 1.0;                 // how much larger group-sorted splats are drawn at most
   bool IsPoints = false;                      // projected as single pixels
   vtkPointSplatPoints Points;
   vtkPointSplatLevelBounds Levels;

@@ -22,7 +22,8 @@ float decay(float x)
 float kernelWeight(float r2, vec4 kernel)
 {
 #ifdef PLATEAU
-  // Equation 10, over the distance as a fraction of the support.
+  // Equation 10. It is printed with (r - b)^n, which has none of the properties that the paper
+  // asks of it; with (r / b)^n, as here, it falls from 1 at the centre to 0 at the support's end b.
   float x = pow(sqrt(r2) / kernel.z, kernel.y);
   float plateau = x < 1.0 ? exp(-kernel.x * x / (1.0 - x)) : 0.0;
   return kernel.w > 0.5 ? plateau : decay(r2 * kernel.x);

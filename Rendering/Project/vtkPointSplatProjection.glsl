@@ -12,9 +12,17 @@
 // (x w, y w, w), x and y in pixels from the projected centre, the columns R s,
 // R t, R m, R p = (0, 0, w), all over the w of the centre, take (u, v, h, 1) to
 // the image (Sigg, Weyrich, Botsch, Gross 2006, GPU-based ray-casting of quadratic surfaces, and
-// Guennebaud, Barthe, Paulin 2006, equations 3 to 5, have such a matrix). So single precision
+// Guennebaud, Barthe, Paulin 2006, equation 3, have such a matrix). So single precision
 // suffices however far the window's corner is. Nothing in this needs a perspective: in parallel
 // projection all w are 1.
+//
+// From there on this differs from Guennebaud's section 3, whose splats are disks: the adjoint matrix
+// takes pixels back to the disk (equations 4 and 5), and the depth is linear in the image (6 and 7).
+// Pixels of a cap have no such matrix: their rays are met with the paraboloid (vtkPointSplatCap.glsl).
+// What bends along with the surface has no cracks at silhouettes and needs fewer splats. Where bend and
+// perspective move no pixel by more than 1/32 (Flat in vtkPointSplatRecord.glsl) tiles take less than
+// the adjoint does: a quadratic form and a linear depth, without a division at each pixel. Quads meet
+// all splats as caps.
 //
 // A body alone has no plane: its disk is across the ray from the eye, so that it is seen from all
 // sides, and with K it is a small ball. Nothing else covers the pixels beside it, so it is never

@@ -4,9 +4,13 @@
 //
 // The geometry pass of deferred blending (Zhang, Pajarola 2006, Algorithm 1, lines
 // 5 to 10): one group's splats to that group's image. Within a group the depth
-// test decides, by the Voronoi depth of equation 10: what is coarsely at the same depth
+// test decides, by a Voronoi depth: what is coarsely at the same depth
 // is told apart by the distance from the splat's centre, so that splats which
 // overlap meet halfway instead of one lying over the other as a flap.
+// Equation 10 rounds the depth to steps, and adds to it the ratio of distance and radius, times a step.
+// Here the depth is not rounded: the ratio times the greatest layer distance is added to it. Of two
+// splats of one surface that lie on both sides of a step, rounding lets the nearer one win whatever
+// the ratio is, so that flaps stay along each step; without, they meet nearly halfway everywhere.
 // Writes one RGBA32UI texel (see vtkPointSplatCompositeFS) and the depth.
 
 #include "vtkPointSplatQuadFS"

@@ -9,8 +9,9 @@
 //    where buffers are in main memory, or on the device.
 // 3. Reconstruct. Each tile's list is walked, in registers: the nearest surface, then the sums over
 //    what belongs to it (Zhang, Pajarola 2006, equation 1), then the next layer (Guennebaud,
-//    Barthe, Paulin 2006, section 6; triangles weigh what splats leave of 1, section 5.1), until nothing is left, or nothing that could change a pixel
-//    by the target. There are no atomic operations a pixel, and no pass over empty tiles.
+//    Barthe, Paulin 2006, section 6; triangles weigh what splats leave of 1, section 5.1), until
+//    nothing is left, or nothing that could change a pixel by the target. There are no atomic
+//    operations a pixel, and no pass over empty tiles.
 // 4. Smooth outlines: what four samples of each pixel show that one runs through
 //    (vtkPointSplatOutlines.h).
 //

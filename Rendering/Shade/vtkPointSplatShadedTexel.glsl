@@ -35,7 +35,11 @@ Shaded shadeTexel(uvec4 texel, ivec2 at, int layer)
   setLook(kinds.w > 0.0, fetchLayerLook(at, layer, 0));
 #endif
 #endif
-  keptLight = clamp(s.agreement / FullAgreement, 0.0, 1.0);
+  // Gathered splats are of different surfaces. Diffuse light is linear in the normal, so that of a mean
+  // normal as long as it is it is the mean of the splats' own, as if each were lit for itself
+  // (Guennebaud, Barthe, Paulin 2006, section 6, lights them so; highlights are not linear).
+  keptLight = layer == GatheredLayer ? min(s.agreement, 1.0)
+                                     : clamp(s.agreement / FullAgreement, 0.0, 1.0);
   shaded.colour = shadeSurface(shaded.slot, shaded.positionVC, shaded.normalVC, s.colour,
     layer == GatheredLayer, shaded.back);
   shaded.colour.a *= s.coverage;

@@ -34,12 +34,13 @@ std::vector<GLushort> CornersOfQuads()
   return corners;
 }
 
-/// Sets the uniforms of vtkPointSplatSortedVS and vtkPointSplatSortedFS that are an item's.
+/// Sets the uniforms of vtkPointSplatSortedVS and vtkPointSplatSortedFS that are an item's group's.
 void SetItem(vtkPointSplatProgram& program, vtkPointSplatUnits& units,
-  const vtkPointSplatItem& item, const vtkPointSplatView& view)
+  const vtkPointSplatItem& item, const vtkPointSplatView& view, int group)
 {
   item.SetUniforms(program, view);
-  program.Set("RadiusScale", static_cast<float>(item.RadiusScale * item.CoveringScale));
+  program.Set("RadiusScale",
+    static_cast<float>(item.RadiusScale * item.Cloud->GetGroups().GetScale(group)));
   vtkPointSplatCloud::Buffers& buffers = item.Cloud->Upload();
   const bool colours = item.Cloud->HasColours();
   units.Bind(program, "Splats", GL_TEXTURE_BUFFER, buffers.Splats.GetTexture());
@@ -157,7 +158,7 @@ bool vtkPointSplatSorted::DrawGroup(const Scene& scene, int group)
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->Corners.Get());
   for (const Batch& batch : batches)
   {
-    SetItem(*program, units, request.Items[batch.Item], view);
+    SetItem(*program, units, request.Items[batch.Item], view, group);
     for (int first = 0; first < batch.Count; first += QuadsAtOnce)
     {
       program->Set("FirstEntry", batch.First + first);

@@ -9,6 +9,10 @@
 //    back by their distance from the eye: one entry for 16 splats, not a sort of all.
 // 2. They are drawn in this order to one image, blended, shaded a fragment.
 // 3. The image is added to the average of all groups.
+// The nearest layer of Algorithm 3 is the first of the peeled ones, from one visibility pass and the sums
+// over what belongs to it. The paper makes it of K groups' images, as opaque surfaces (Algorithm 1): then
+// groups that cover the surface, whose splats overlap, would serve for deferred blending too, which
+// wants groups whose splats do not. So it is exact whatever the groups are.
 // Images: RGBA16F, premultiplied colour; DEPTH_COMPONENT32F, the coarse depth; R16F, the number of
 // refracting layers; RG16F, that of all groups, and of how many. (Section 5.2.3 has it from the
 // accumulated opacity, which holds for one opacity, and not for none.)

@@ -6,6 +6,7 @@
 #include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
+#include "vtkMath.h"
 #include "vtkParametricFunctionSource.h"
 #include "vtkParametricTorus.h"
 #include "vtkPointSplatGrouping.h"
@@ -277,6 +278,81 @@ void TestChanges(Checks& checks)
 }
 
 /**
+ * A sheet of waves so high, and if wanted its back, a third of the points' distance below.
+ */
+vtkSmartPointer<vtkPolyData> Sheet(double height, bool withBack)
+{
+  constexpr int Side = 60;
+  constexpr double Step = 2.0 / (Side - 1);
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  vtkNew<vtkFloatArray> radii;
+  radii->SetName("SplatRadius");
+  for (int back = 0; back <= (withBack ? 1 : 0); ++back)
+  {
+    for (int i = 0; i < Side * Side; ++i)
+    {
+      const double x = Step * (i % Side) - 1.0;
+      const double y = Step * (i / Side) - 1.0;
+      double n[3] = { -5.0 * height * std::cos(5.0 * x), 0.0, 1.0 };
+      vtkMath::Normalize(n);
+      const double down = back * Step / 3.0;
+      points->InsertNextPoint(
+        x - down * n[0], y, height * std::sin(5.0 * x) - down * n[2]);
+      const double side = back ? -1.0 : 1.0;
+      normals->InsertNextTuple3(side * n[0], side * n[1], side * n[2]);
+      radii->InsertNextValue(1.2 * Step);
+    }
+  }
+  data->SetPoints(points);
+  data->GetPointData()->SetNormals(normals);
+  data->GetPointData()->AddArray(radii);
+  return data;
+}
+
+/**
+ * All three relaxations of section 4.1 hold where the mapper groups splats itself: a sheet's back
+ * asks for no more groups, nor does a plane that looks the same all over; and pictures stay.
+ */
+void TestRelaxations(Checks& checks)
+{
+  const auto groupsOf = [&checks](vtkPolyData* data) {
+    Picture pictures[2];
+    int groups = 0;
+    for (const int method : { vtkPointSplatMapper::TWO_PASS, vtkPointSplatMapper::DEFERRED })
+    {
+      vtkNew<vtkPointSplatMapper> mapper;
+      mapper->SetInputData(data);
+      mapper->SetMethod(method);
+      mapper->SetProjectionToQuads();
+      Window window;
+      window.Add(mapper);
+      Look(window, Views[0]);
+      pictures[method == vtkPointSplatMapper::DEFERRED] = window.Draw();
+      groups = mapper->GetNumberOfGroups();
+    }
+    checks.AtLeast(Psnr(pictures[0], pictures[1]), 39.0, "sheets, against two passes");
+    return groups;
+  };
+  const int single = groupsOf(Sheet(0.05, false));
+  checks.AtLeast(single, 3, "a sheet's groups");
+  checks.AtMost(groupsOf(Sheet(0.05, true)), single + 1, "groups of a sheet with a back");
+
+  const auto plane = Sheet(0.0, false);
+  checks.AtMost(groupsOf(plane), 1, "groups of a plane");
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < plane->GetNumberOfPoints(); ++i)
+  {
+    colours->InsertNextTuple3(2.0 * static_cast<double>(i % 60), 128, 128);
+  }
+  plane->GetPointData()->SetScalars(colours);
+  checks.AtLeast(groupsOf(plane), 4, "groups of a plane of many colours");
+}
+
+/**
  * By hand only: automatic takes two passes, by quads and for a rough target error too.
  */
 void TestAutomatic(Checks& checks)
@@ -331,6 +407,7 @@ int TestSplatsDeferred(int, char*[])
   TestVoronoi(checks);
   TestGivenGroups(checks);
   TestChanges(checks);
+  TestRelaxations(checks);
   TestSeveralActors(checks);
   TestAutomatic(checks);
   return checks.Failures ? EXIT_FAILURE : EXIT_SUCCESS;

@@ -118,6 +118,54 @@ void TestGivenGroups(Checks& checks)
   draw(grouping, vtkPointSplatMapper::SORTED);
   checks.Expect(groups == made, "groups that cover by their kernels alone are not taken");
 }
+
+/**
+ * Groups that are made are enlarged by no more than it takes: splats that are twice as large as need
+ * be grow less, so that they blur no more.
+ */
+void TestEnlarged(Checks& checks)
+{
+  vtkNew<vtkPointSplatEstimation> estimation;
+  estimation->SetInputData(RandomTorus(20000));
+  estimation->Update();
+  vtkPolyData* cloud = estimation->GetOutput();
+  vtkDataArray* radii = cloud->GetPointData()->GetArray("SplatRadius");
+  for (vtkIdType i = 0; i < radii->GetNumberOfTuples(); ++i)
+  {
+    radii->SetComponent(i, 0, 2.0 * radii->GetComponent(i, 0));
+  }
+  radii->Modified();
+  Picture pictures[3];
+  for (int way = 0; way < 3; ++way)
+  {
+    vtkNew<vtkPointSplatGrouping> grouping;
+    grouping->SetInputData(cloud);
+    grouping->SetReach(1.0);
+    grouping->SetColoringToWeighted();
+    grouping->SetWantedNumberOfGroups(4);
+    grouping->SetCoverageToEnlarge();
+    vtkNew<vtkPointSplatMapper> mapper;
+    mapper->SetInputData(cloud);
+    if (way == 2)
+    {
+      mapper->SetInputConnection(grouping->GetOutputPort());
+    }
+    mapper->ScalarVisibilityOff();
+    mapper->SetTransparency(way == 0 ? vtkPointSplatMapper::PEELING : vtkPointSplatMapper::SORTED);
+    Window window;
+    window.Add(mapper)->GetProperty()->SetOpacity(0.5);
+    window.Renderer->ResetCamera();
+    pictures[way] = window.Draw();
+    if (way == 2)
+    {
+      checks.AtMost(grouping->GetGroupRadiusScale(0), 1.5, "by how much large splats grow");
+    }
+  }
+  const double made = PsnrOfAll(pictures[0], pictures[1]);
+  const double given = PsnrOfAll(pictures[0], pictures[2]);
+  checks.AtLeast(made, 30.0, "enlarged groups of large splats, against peeled");
+  checks.AtMost(std::abs(made - given), 1.0, "groups that are made, against those of the filter");
+}
 }
 
 int TestSplatsSorted(int, char*[])
@@ -125,5 +173,6 @@ int TestSplatsSorted(int, char*[])
   Checks checks;
   TestSorted(checks);
   TestGivenGroups(checks);
+  TestEnlarged(checks);
   return checks.Failures ? EXIT_FAILURE : EXIT_SUCCESS;
 }

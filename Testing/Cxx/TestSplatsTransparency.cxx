@@ -386,6 +386,27 @@ void TestGather(Checks& checks)
     checks.Expect(mappers[0]->GetNumberOfLayersDrawn() == 2, "gathered in two layers");
   }
 
+  // A sphere's front and back are as bright as each other by a headlight, and so is their mean.
+  Window lit;
+  vtkNew<vtkPointSplatMapper> sphere;
+  sphere->SetInputData(Cloud(MakeSphereMesh()));
+  sphere->ScalarVisibilityOff();
+  sphere->SetMaximumNumberOfLayers(1);
+  vtkProperty* property = lit.Add(sphere)->GetProperty();
+  property->SetOpacity(0.5);
+  property->SetSpecular(0.0);
+  property->SetAmbient(0.0);
+  lit.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  lit.Renderer->ResetCamera();
+  for (const int projection : { vtkPointSplatMapper::COMPUTE, vtkPointSplatMapper::QUADS })
+  {
+    sphere->SetProjection(projection);
+    sphere->GatherRemainingOff();
+    const Picture front = lit.Draw();
+    sphere->GatherRemainingOn();
+    checks.AtLeast(Psnr(front, lit.Draw()), 40.0, "light of a gathered front and back");
+  }
+
   // A wall behind the first layer hides the others, which are not gathered then, in whatever way
   // layers are made.
   vtkNew<vtkPlaneSource> wall;
