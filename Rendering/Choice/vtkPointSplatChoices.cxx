@@ -33,7 +33,7 @@ constexpr double PointPixels = 1.8;
 
 // Layers that are left out have an error of at most this share of the light that is left behind the
 // last one drawn.
-constexpr double LayerError = 0.4;
+constexpr double LayerError = 0.41;
 
 // Points at most this far apart, in pixels, leave holes of single pixels only, be they spread at
 // random. A second step would widen silhouettes.
