@@ -8,7 +8,7 @@
 
 namespace
 {
-// Testing/Benchmark/fit_choices.py fits the constants that name nothing else, and prints residuals.
+// Testing/Benchmark/fit_choices.py fits the constants of errors, and OneStepPixels, and prints residuals.
 
 // Fewer splats against all of them, of smooth clouds: of splats that are then this many pixels apart
 // the error is at most this much, and proportional to it.
@@ -19,12 +19,13 @@ constexpr double LeastStrideError = 0.015;
 // OpenGL promises strides of 2048 bytes; a splat takes 64.
 constexpr int MostStrideShift = 5;
 
+// Testing/Benchmark/levels.py measures what the next four cost.
 // Pixels, of the radii of splats that stand for others, at full quality: wherever they are, as much
 // as the prefilter averages; and of smooth surfaces.
 constexpr double FilterPixels = 0.6;
 constexpr double SmoothPixels = 2.5;
 // What normals of smooth surfaces may deviate from their linear change over a splat, and colours from
-// their mean. Testing/Benchmark/levels.py measures what these cost.
+// their mean.
 constexpr double SmoothDeviation = 0.02;
 // In image space, where a pixel averages all points that fall into it, the radii of those that stand
 // for others, which are one and a half times their distance, where it is smooth: some one a pixel.

@@ -8,7 +8,8 @@
 Of each constant, or of those named, it draws clouds of formulas (bench/shapes.py), forces what the
 constant decides, whatever the sources have, and prints what each scene asks for, what they ask for
 together, and what the sources have. Errors are rms differences of colour, of 1, over covered pixels.
-FOLDER gets the pictures, each beside the best one. All constants take eight minutes, the first two five of them.
+FOLDER gets the pictures, each beside the best one. All constants take eight minutes, the first two,
+which have their pictures in common, five of them.
 
 StrideErrorPerPixel: every 2^n-th splat, larger by as much, against all of them. The error over the
     distance in pixels of the splats that are drawn; the greatest of smooth clouds counts, of splats
