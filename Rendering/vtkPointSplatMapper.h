@@ -199,7 +199,7 @@ public:
   ///@{
   /**
    * The most layers that are peeled, 32 by default; the largest of a renderer's splat actors holds.
-   * Peeling ends sooner where what is left could change no pixel by TargetError.
+   * Peeling ends sooner where what is left could not change the picture by TargetError.
    */
   vtkSetClampMacro(MaximumNumberOfLayers, int, 1, 256);
   vtkGetMacro(MaximumNumberOfLayers, int);

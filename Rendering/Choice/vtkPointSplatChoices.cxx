@@ -8,39 +8,42 @@
 
 namespace
 {
+// Testing/Benchmark/fit_choices.py fits the constants of errors, and OneStepPixels, and prints residuals.
+
 // Fewer splats against all of them, of smooth clouds: of splats that are then this many pixels apart
-// the error is at most this much, and proportional to it. Testing/Benchmark/fit_strides.py fits it.
+// the error is at most this much, and proportional to it.
 constexpr double StrideErrorPerPixel = 0.012;
 // Outlines change sides here and there, however dense splats are: of bodies of 200 pixels that is an
-// error of 0.018.
+// error of 0.009, of smaller ones more; and noise of normals, of which fewer splats average less, has 0.03
+// and more for each pixel, which strides at smaller targets would miss far more often.
 constexpr double LeastStrideError = 1.0 / 32.0;
-constexpr int MostStrideShift = 6;
-// By quads, splats of 64 bytes: OpenGL promises strides of 2048.
-constexpr int MostQuadShift = 5;
+// OpenGL promises strides of 2048 bytes; a splat takes 64.
+constexpr int MostStrideShift = 5;
 
+// Testing/Benchmark/levels.py measures what the next four cost.
 // Pixels, of the radii of splats that stand for others, at full quality: wherever they are, as much
 // as the prefilter averages; and of smooth surfaces.
 constexpr double FilterPixels = 0.6;
 constexpr double SmoothPixels = 2.5;
 // What normals of smooth surfaces may deviate from their linear change over a splat, and colours from
-// their mean. Testing/Benchmark/levels.py measures what these cost.
+// their mean.
 constexpr double SmoothDeviation = 0.02;
 // In image space, where a pixel averages all points that fall into it, the radii of those that stand
 // for others, which are one and a half times their distance, where it is smooth: some one a pixel.
 // Elsewhere half of it.
 constexpr double PointPixels = 1.8;
 
-// Peeling draws more than this even where time is short.
-constexpr double MostContribution = 1.0 / 8.0;
+// Layers that are left out have an error of at most this share of the light that is left behind the
+// last one drawn.
+constexpr double LayerError = 0.41;
 
 // Points at most this far apart, in pixels, leave holes of single pixels only, be they spread at
-// random. A second step would widen silhouettes; from 1.3 pixels on it is needed.
+// random. A second step would widen silhouettes.
 constexpr double OneStepPixels = 1.0;
 
 // Of one jittered sample of an area light that shines on white, against many; n samples have it over
-// the root of n. A ball over a torus has 0.02 to 0.055, by lamps of a tenth to eight tenths of the
-// torus' radius.
-constexpr double ShadowSampleError = 0.06;
+// the root of n. Low and wide lamps have most.
+constexpr double ShadowSampleError = 0.08;
 
 std::string Number(double value)
 {
@@ -57,7 +60,7 @@ bool vtkPointSplatChoice::IsLike(const vtkPointSplatChoice& other) const
   return this->Compute == other.Compute && this->Deferred == other.Deferred &&
     this->Transparency == other.Transparency && this->MaximumLayers == other.MaximumLayers &&
     this->LeastContribution == other.LeastContribution && this->FillSteps == other.FillSteps &&
-    this->StrideShifts == other.StrideShifts && 
+    this->StrideShifts == other.StrideShifts &&
     (this->LevelPixels == other.LevelPixels || !this->HasLevels);
 }
 
@@ -140,7 +143,8 @@ void ChooseLayers(const vtkPointSplatFacts& facts, double tolerance, vtkPointSpl
     return;
   }
   choice.MaximumLayers = facts.MaximumLayers;
-  choice.LeastContribution = std::min(tolerance, std::max(facts.TargetError, MostContribution));
+  choice.LeastContribution =
+    tolerance > vtkPointSplatChoices::FullQuality ? tolerance / LayerError : tolerance;
   choice.LayersReason = "until nothing is left, or less than " +
     vtkPointSplatChoices::Text(choice.LeastContribution) + " of the light behind";
   if (facts.Transparency <= vtkPointSplatSettings::Peeling)
@@ -196,10 +200,9 @@ void ChooseSplats(const vtkPointSplatFacts& facts, double tolerance, vtkPointSpl
     choice.Deferred || choice.Transparency != vtkPointSplatSettings::Peeling || facts.AsksPoints;
   for (const vtkPointSplatFacts::Cloud& cloud : facts.Clouds)
   {
-    const int shift =
-      whole || cloud.Painted ? 0
-                             : std::min(choice.Compute ? MostStrideShift : MostQuadShift,
-                                 vtkPointSplatChoices::StrideShift(cloud.SpacingPixels, tolerance));
+    const int shift = whole || cloud.Painted
+      ? 0
+      : vtkPointSplatChoices::StrideShift(cloud.SpacingPixels, tolerance);
     choice.StrideShifts.push_back(shift);
     all += cloud.Splats;
     drawn += std::ldexp(cloud.Splats, -shift);

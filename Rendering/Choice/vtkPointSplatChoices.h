@@ -14,7 +14,7 @@
 //    as much, or surfaces are so smooth that larger ones show the same: then none are left out. In
 //    image space pixels are the filter, and points stand for others until there are some two of them in
 //    each, or one where it is smooth.
-// 5. Peeling ends where less than the tolerance of the light is left.
+// 5. Peeling ends where so little light is left that what is behind differs by the tolerance.
 #ifndef vtkPointSplatChoices_h
 #define vtkPointSplatChoices_h
 
@@ -84,12 +84,11 @@ struct vtkPointSplatChoice
   bool HasLevels = false; // some cloud has some
   ///@}
 
-  ///@{ The automatic least layer distance: of splats in radii; of points in spacings, and in
-  /// pixels if that is more.
+  ///@{ The automatic least layer distance: of splats in radii; of points their spacing, or so many
+  /// pixels if that is more. Testing/Stability/stability.py sweeps what they must bear.
   // Disks that cover a smooth surface stay much nearer to it than a radius; on rough ones they do
   // not, and a narrower distance leaves neighbours out of the mean.
   double LayerRadii = 1.0;
-  double LayerSpacings = 1.0;
   // Within a pixel points of one surface lie up to 1.4 pixels' width apart along the normal, and as
   // much again where the pixel was filled from a neighbour's depth.
   double LayerPixels = 3.0;

@@ -295,7 +295,7 @@ void vtkPointSplatCollection::MakeItem(vtkPointSplatEntry& entry, int slot,
   {
     const Spacing spacing = SpacingOf(entry, view);
     vtkPointSplatPoints& points = item.Points;
-    points.Layer = given ? s.LayerDistance : choice.LayerSpacings * spacing.World;
+    points.Layer = given ? s.LayerDistance : spacing.World;
     points.LayerPixels = given ? 0.0 : choice.LayerPixels;
     points.Spacing = spacing.World;
     points.SpacingPixels = spacing.Pixels;
@@ -415,6 +415,6 @@ double vtkPointSplatCollection::LayerDistanceOf(const vtkPointSplatSettings& set
   const vtkPointSplatChoice& choice, vtkPointSplatCloud& cloud)
 {
   return settings.LayerDistance > 0.0                       ? settings.LayerDistance
-    : settings.Method == vtkPointSplatSettings::ImageSpace ? choice.LayerSpacings * cloud.GetSpacing()
+    : settings.Method == vtkPointSplatSettings::ImageSpace ? cloud.GetSpacing()
     : choice.LayerRadii * settings.RadiusScale * cloud.GetMedianRadius();
 }

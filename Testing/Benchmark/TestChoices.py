@@ -57,8 +57,8 @@ class TestChoices(unittest.TestCase):
         best, _, fair, rough = rows
         self.assertEqual([row["did"][2] for row in rows], 4 * ["peeling"])
         self.strides(rows, [1, 1, 1, 8])
-        self.assertEqual(fair["did"][6], best["did"][6])
-        self.assertLess(rough["did"][6], best["did"][6])
+        self.assertLess(fair["did"][6], best["did"][6])
+        self.assertLess(rough["did"][6], fair["did"][6])
         self.assertLess(rough["ms"], 0.8 * best["ms"])
 
     def test_crowded(self):
@@ -71,7 +71,7 @@ class TestChoices(unittest.TestCase):
         self.strides(rows, [1, 1, 1, 8])
 
     def test_bright_shadows(self):
-        """On white two samples, which do for the colours of the scene, would have an error of 0.025."""
+        """On white three samples, which do for the colours of the scene, might have an error of 0.046."""
         scene = shadow_scene()
         for prop in scene.properties:
             prop.SetColor(1, 1, 1)
@@ -80,12 +80,12 @@ class TestChoices(unittest.TestCase):
             prop.SetSpecular(0)
         rows = self.chosen(scene, 4000, 128, choosing.SHADED[:1],
                            choosing.shadows(choosing.SAMPLES, (choosing.TWO_PASS,)))
-        self.assertEqual([row["did"][4] for row in rows], [16, 16, 15, 1])
+        self.assertEqual([row["did"][4] for row in rows], [16, 16, 16, 2])
 
     def test_shadows(self):
         rows = self.chosen(shadow_scene(), 4000, 128, choosing.SHADED[:1],
                            choosing.shadows(choosing.SAMPLES))
-        self.assertEqual([row["did"][4] for row in rows], [16, 16, 2, 1])
+        self.assertEqual([row["did"][4] for row in rows], [16, 16, 3, 1])
 
     def test_verdict(self):
         """The fastest that keeps to the target counts; doing the same is no miss."""

@@ -22,7 +22,7 @@ from vtkmodules.vtkRenderingUI import vtkGenericRenderWindowInteractor
 import pointsplatting
 import vtkmodules.vtkInteractionStyle  # the interactor wants one
 
-from fit_strides import torus
+from bench.shapes import torus
 
 LONGEST_WAIT = 600.0  # seconds
 

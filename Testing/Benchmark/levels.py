@@ -23,11 +23,11 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkRenderer
 import pointsplatting
 
-from fit_strides import rough, sphere, torus
+from bench.shapes import bumpy, rough, torus
 
 SCENES = {
     "torus": torus,
-    "bumpy ball": lambda count, generator: sphere(count, generator, 0.15),
+    "bumpy ball": bumpy,
     "noisy ball": rough,
     "painted torus": torus,
 }

@@ -20,7 +20,8 @@ points, pixels, layers and shadow samples.
 
 --choices holds what the mapper chooses by itself for target errors of 1/256, 1/64 and 1/16 against every
 setting that it could have chosen: choices.md and choices.json list the fastest that keeps to the
-target, what was chosen instead, and where that takes more than 15 % longer.
+target, what was chosen instead, and where that takes more than 15 % longer. The scenes are not those
+that fit_choices.py fits the choices' constants to (bench/unseen.py).
 
 Frames of all settings are taken in turn; times are medians with quartiles, with read-back. Errors
 are against Testing/Accuracy/reference, supersampled 3 x 3.
