@@ -50,8 +50,9 @@ inside() {
   "${as_root[@]}" bash "$top/Module/Versions/inside.sh" "$root" env "${environment[@]}" "$@"
 }
 mesa=$(inside dpkg-query -W -f '${Version}' libgl1-mesa-dri)
-# From Mesa 26 on the cache of shaders ends programs by a bus error now and then.
-[ "${mesa%%.*}" -lt 26 ] || environment+=(MESA_SHADER_CACHE_DISABLE=true)
+# From Mesa 26 on the cache of shaders, which is one file for all processes, ends programs by a bus error
+# now and then; one of many files, as before, does not, and without any the tests take hours.
+[ "${mesa%%.*}" -lt 26 ] || environment+=(MESA_DISK_CACHE_MULTI_FILE=true)
 if [ -n "$paraview" ]; then
   inside bash /source/Module/ParaView/test.sh "$@"
   exit
