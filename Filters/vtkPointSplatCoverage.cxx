@@ -30,9 +30,9 @@ constexpr int ManySamples = 256;
 constexpr int FewSamples = 64;
 // The cosine of the angle between normals past which disks are of different sheets.
 constexpr double SameSheet = 0.3;
-// The share of the surface's area that a group whose radii are enlarged may leave bare: the last gaps
-// ask for disks that blur more than the gaps show.
-constexpr double AreaTolerance = 0.0075;
+// The share of the surface's area that a group whose radii are enlarged may leave bare: with three times
+// that, gaps show as spots in the shadows of TestSplatsShadows.
+constexpr double AreaTolerance = 0.0025;
 constexpr Index MostMeasured = 4096;
 // Of a group's splats the nearest this many are looked at to tell which of them covers a point first;
 // those that overlap the point's disk are looked at besides, since they may be large.

@@ -45,7 +45,7 @@ public:
   public:
     /// The share of the surface's area at a scale.
     double GetShare(double scale) const;
-    /// The scale at which all but three quarters of a percent are covered; from 1 to mostScale.
+    /// The scale at which all but a quarter of a percent is covered; from 1 to mostScale.
     double GetFullScale(double mostScale) const;
 
   private:

@@ -18,6 +18,7 @@ from drawing import window
 
 SIZE = (900, 600)
 TIME_TITLE = "frame time, ms (bars: quartiles)"
+ERROR_TITLES = TIME_TITLE, "colour error within the outline, rms, % of white"
 # The module's settings are cool and round, peers warm, dark and pointed.
 OURS = ((30, 120, 220), (0, 165, 120), (120, 60, 200), (90, 190, 240), (20, 40, 150), (130, 200, 60),
         (0, 110, 60), (190, 110, 230), (70, 90, 110), (0, 190, 190))
@@ -167,8 +168,8 @@ def spelled(value):
     return f"{value:.3g}"
 
 
-def error_over_time(path, title, rows, front, colours):
-    chart = Chart(title, TIME_TITLE, "colour error within the outline, rms, % of white")
+def error_over_time(path, title, rows, front, colours, error="rms_inside", titles=ERROR_TITLES):
+    chart = Chart(title, *titles)
     if len(front) > 1:
         # Staircase: at each time the least error to be had in it.
         x, y = [], []
@@ -177,17 +178,17 @@ def error_over_time(path, title, rows, front, colours):
                 x.append(row["ms"])
                 y.append(y[-1])
             x.append(row["ms"])
-            y.append(row["rms_inside"])
+            y.append(row[error])
         chart.line(x, y, (150, 150, 150), 1.5, "Pareto front")
     families = {}
     for row in rows:
-        if row["status"] == "measured" and row.get("rms_inside"):
+        if row["status"] == "measured" and row.get(error):
             families.setdefault(row["family"], []).append(row)
     for family, own in families.items():
         colour = colours.of[family]
-        x, y = [row["ms"] for row in own], [row["rms_inside"] for row in own]
+        x, y = [row["ms"] for row in own], [row[error] for row in own]
         for row in own:
-            chart.line([row["ms_q1"], row["ms_q3"]], 2 * [row["rms_inside"]], colour, 1.5)
+            chart.line([row["ms_q1"], row["ms_q3"]], 2 * [row[error]], colour, 1.5)
         if len(own) > 1:
             chart.line(x, y, colour, 1)
         chart.points(x, y, colour, family, own[0]["peer"])

@@ -19,7 +19,7 @@ if (dot(offsetVCVSOutput.xy, offsetVCVSOutput.xy) > 1.0) { discard; }
 
 
 class Setting:
-    """kind: opaque, translucent or shadows. draws: splats, mesh, points or disks. calls: methods
+    """kind: opaque, translucent or shadows. draws: splats, hybrid, mesh, points or disks. calls: methods
     of the splat mapper with their arguments. layers, samples: how many are asked for, where
     that is what the setting is about; family: of settings that differ in nothing else."""
 
@@ -31,7 +31,7 @@ class Setting:
 
     @property
     def peer(self):
-        return self.draws != "splats"
+        return self.draws not in ("splats", "hybrid")
 
     def missing(self):
         """Why it cannot be drawn, or None."""
@@ -55,6 +55,11 @@ class Setting:
         mapper.SetInputData(cloud.splats()[i])
         for method, *arguments in self.calls:
             getattr(mapper, method)(*arguments)
+        return mapper
+
+    def hybrid(self, cloud, i):
+        mapper = self.splats(cloud, i)
+        mapper.SetInputData(cloud.meshes[i])
         return mapper
 
     def mesh(self, cloud, i):
