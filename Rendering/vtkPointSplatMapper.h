@@ -70,9 +70,9 @@
  *
  * Bad input: points that are ghosts, or whose coordinates, normal or size are not finite or not
  * positive, or that lie farther off than a million times what the middle half of all points spans,
- * are left out; their number is reported once, and by GetNumberOfSkippedPoints(). Arrays of a wrong
- * shape are refused with an error that names them. Cells may name points that are not there. Clip
- * lines that are not finite cut nothing; a line counts as at least a millionth of a radius away.
+ * are left out; their number is reported once, and by GetNumberOfSkippedPoints(). So are points of ghost
+ * or blanked cells alone. Arrays of a wrong shape are refused with an error that names them. Cells may
+ * name points that are not there. Clip lines that are not finite cut nothing; a line counts as at least a millionth of a radius away.
  * Given radii of less than a quarter of the points' spacing or more than four times that, in the
  * median, are drawn with a warning: no filter of VTK's scales `SplatRadius` and `SplatCurvature`, which
  * after a vtkTransformFilter must be estimated anew. An actor's scale acts on all alike. NaN is
@@ -379,7 +379,7 @@ public:
    * 0 where splats end, so that no seam shows. Edges and creases are the mesh's, and a cell is selected
    * as itself. Vertices without a triangle are splats, so that a mesh may patch a scan. All is drawn as
    * splats with scalars of cells, textures, tangents, visible edges, GatherRemaining and without
-   * compute shaders, and by the other methods. Shadows are known at points, and cast by splats.
+   * compute shaders, and by the other methods. Shadows are known at points, and cast by coarse triangles.
    * Off by default: the first frame takes 0.1 us a triangle longer, and memory is 40 bytes a triangle.
    * GetNumberOfTrianglesProjected(): of the last frame, as GetNumberOfPointsProjected().
    */

@@ -5,8 +5,11 @@
 #define vtkPointSplatCells_h
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -45,8 +48,31 @@ inline bool CanBeRead(vtkPointSet* data)
 }
 
 /**
+ * The array that blanks cells, or null if there is none that can be used.
+ */
+inline vtkUnsignedCharArray* GetGhosts(vtkPointSet* data)
+{
+  auto ghosts = vtkArrayDownCast<vtkUnsignedCharArray>(
+    data->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  const bool good = ghosts && ghosts->GetNumberOfTuples() == data->GetNumberOfCells() &&
+    ghosts->GetNumberOfComponents() == 1;
+  return good ? ghosts : nullptr;
+}
+
+/**
+ * Whether a cell is blanked, or another rank's to draw.
+ */
+inline bool IsGhost(vtkUnsignedCharArray* ghosts, vtkIdType cell)
+{
+  return ghosts &&
+    (ghosts->GetValue(cell) &
+      (vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL)) != 0;
+}
+
+/**
  * The points that cells use, a byte each, where there are cells and they leave any out: those are
- * not shown, as vtkPolyDataMapper does not. Nothing where they use all, or, being bad, none.
+ * not shown, as vtkPolyDataMapper does not, nor are those of ghost cells alone. Nothing where cells
+ * use all points, or, being bad, none.
  */
 inline std::vector<unsigned char> MarkUsed(vtkPointSet* data)
 {
@@ -58,10 +84,18 @@ inline std::vector<unsigned char> MarkUsed(vtkPointSet* data)
     return used;
   }
   used.resize(static_cast<std::size_t>(count), 0);
+  vtkUnsignedCharArray* ghosts = GetGhosts(data);
+  bool ghost = false;
+  vtkIdType id = 0; // of a cell, in all lists
   for (vtkCellArray* cells : lists)
   {
-    for (vtkIdType cell = 0; cells && cell < cells->GetNumberOfCells(); ++cell)
+    for (vtkIdType cell = 0; cells && cell < cells->GetNumberOfCells(); ++cell, ++id)
     {
+      if (IsGhost(ghosts, id))
+      {
+        ghost = true;
+        continue;
+      }
       vtkIdType size;
       const vtkIdType* ids;
       cells->GetCellAtId(cell, size, ids);
@@ -75,7 +109,7 @@ inline std::vector<unsigned char> MarkUsed(vtkPointSet* data)
     }
   }
   const auto shown = std::count(used.begin(), used.end(), 1);
-  return shown == 0 || shown == count ? std::vector<unsigned char>() : used;
+  return (shown == 0 && !ghost) || shown == count ? std::vector<unsigned char>() : used;
 }
 
 /**

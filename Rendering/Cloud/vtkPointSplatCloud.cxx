@@ -81,6 +81,8 @@ vtkPointSplatCloud::Key vtkPointSplatCloud::SplatKey(const std::vector<Block>& b
         key.emplace_back(cells, cells->GetMTime());
       }
     }
+    vtkUnsignedCharArray* ghosts = vtkPointSplatCells::GetGhosts(block.Data);
+    key.emplace_back(ghosts, ghosts ? ghosts->GetMTime() : 0);
   }
   return key;
 }

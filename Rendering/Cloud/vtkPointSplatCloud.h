@@ -209,7 +209,7 @@ public:
     return this->Count + static_cast<vtkIdType>(this->Levels.GetNumberOfSplats());
   }
   vtkIdType GetNumberOfSkippedPoints() const { return this->Skipped; }
-  /// Those of no cell, where there are cells; they are not among the skipped ones.
+  /// Those of no cell but ghosts, where there are cells; they are not among the skipped ones.
   vtkIdType GetNumberOfUnusedPoints() const { return this->Unused; }
   /// Whether points of some block are drawn where they were projected to.
   bool IsProjected() const { return this->Projected; }

@@ -4,9 +4,7 @@
 // Of the cloud: the triangles between its splats.
 #include "vtkPointSplatCloud.h"
 
-#include "vtkCellData.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 
 //------------------------------------------------------------------------------
 void vtkPointSplatCloud::MakeTriangles()
@@ -16,8 +14,6 @@ void vtkPointSplatCloud::MakeTriangles()
   for (const Block& block : this->Blocks)
   {
     auto mesh = vtkPolyData::SafeDownCast(block.Data);
-    vtkUnsignedCharArray* ghosts = mesh ? mesh->GetCellGhostArray() : nullptr;
-    key.emplace_back(ghosts, ghosts ? ghosts->GetMTime() : 0);
     // Ids of polygons follow those of vertices and lines.
     key.emplace_back(nullptr, mesh ? mesh->GetNumberOfVerts() + mesh->GetNumberOfLines() : 0);
     meshes.push_back({ mesh, block.First, block.Count });

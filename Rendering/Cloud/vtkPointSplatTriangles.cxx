@@ -4,8 +4,6 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
-#include "vtkCellData.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointSplatCells.h"
@@ -14,7 +12,6 @@
 #include "vtkPolygon.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -125,7 +122,7 @@ void vtkPointSplatTriangles::Collect(
     const uint32_t point = splats.Words[splats.WordsPerSplat * static_cast<size_t>(i) + 7];
     splatOf[point] = splatOf[point] == None ? static_cast<uint32_t>(i) : splatOf[point];
   }
-  vtkUnsignedCharArray* ghosts = mesh.Data->GetCellGhostArray();
+  vtkUnsignedCharArray* ghosts = vtkPointSplatCells::GetGhosts(mesh.Data);
   std::vector<bool> isCorner(static_cast<size_t>(points), false);
   auto add = [&](const vtkIdType* ids, vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell) {
     const vtkIdType three[3] = { ids[a], ids[b], ids[c] };
@@ -156,10 +153,8 @@ void vtkPointSplatTriangles::Collect(
       vtkIdType count = 0;
       const vtkIdType* ids = nullptr;
       it->GetCurrentCell(count, ids);
-      const bool ghost = ghosts && cell < ghosts->GetNumberOfTuples() &&
-        (ghosts->GetValue(cell) &
-          (vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL));
-      if (ghost || count < 3 || !vtkPointSplatCells::ArePoints(ids, count, points))
+      if (vtkPointSplatCells::IsGhost(ghosts, cell) || count < 3 ||
+        !vtkPointSplatCells::ArePoints(ids, count, points))
       {
         continue;
       }

@@ -32,6 +32,11 @@ double Rms(const double* colour)
     (colour[0] * colour[0] + colour[1] * colour[1] + colour[2] * colour[2]) / 3.0);
 }
 
+// Of the scene's splats, which have a map's pixel or two: how long the edges are of triangles that cast
+// shadows in the place of splats. Shorter ones cast the same and take longer: a torus of 2 million in
+// moving light 719 ms of processor time a frame instead of 398.
+constexpr double TriangleRadii = 4.0;
+
 // Of translucent splats that a light sees. Behind so many next to nothing of it is left.
 constexpr int MostLayers = 16;
 
@@ -93,6 +98,11 @@ void vtkPointSplatFrameShadows::AddActor(
       cloud.MCWC = matrix;
       cloud.ClipPlanes = vtkPointSplatItem::ClipPlanesOf(mapper);
       cloud.Casts = !actor->HasTranslucentPolygonalGeometry();
+      cloud.CastsTriangles = settings.Hybrid != vtkPointSplatSettings::HybridOff;
+      if (cloud.CastsTriangles)
+      {
+        cloud.Cloud->MakeTriangles();
+      }
       cloud.Receives = settings.Shadows;
       all.HasTranslucent = all.HasTranslucent || !cloud.Casts;
       all.Scene.Clouds.push_back(cloud);
@@ -144,6 +154,13 @@ vtkPointSplatFrameShadows::Gathered vtkPointSplatFrameShadows::Gather(vtkRendere
   if (all.Receivers.empty())
   {
     return all;
+  }
+  const double radius = vtkPointSplatShadows::RadiusOf(all.Scene);
+  for (vtkPointSplatShadowCloud& cloud : all.Scene.Clouds)
+  {
+    cloud.CastsTriangles = cloud.HasTriangles() &&
+      cloud.GetMeanStretch() * cloud.Cloud->GetTriangles().GetLongestEdge() >=
+        TriangleRadii * radius;
   }
   const double intensity = this->AddLights(renderer, all);
   const vtkPointSplatSettings& first = all.Receivers[0].Settings;

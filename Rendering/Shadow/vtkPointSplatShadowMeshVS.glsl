@@ -2,12 +2,18 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Projects the triangles of a mesh that stands in the light. There is no far plane, and of
+// Projects the triangles of a mesh that stands in the light, or, with CORNERS, of a cloud. There is no far plane, and of
 // parallel light no near one: what lies in front of all points casts on them too.
 
 #include "vtkPointSplatShadowMap"
 
+#ifdef CORNERS
+uniform usamplerBuffer Splats;  // RGBA32UI: see vtkPointSplatCloud.h
+uniform usamplerBuffer Corners; // RGBA32UI, a triangle: three splats, cell
+uniform int TexelsPerSplat;
+#else
 layout(location = 0) in vec3 positionMC;
+#endif
 
 uniform mat4 MCLC;
 uniform vec2 MapScale;
@@ -21,6 +27,10 @@ out float cut;
 
 void main()
 {
+#ifdef CORNERS
+  int splat = int(texelFetch(Corners, gl_VertexID / 3)[gl_VertexID % 3]);
+  vec3 positionMC = uintBitsToFloat(texelFetch(Splats, splat * TexelsPerSplat).xyz);
+#endif
   vec3 p = (MCLC * vec4(positionMC, 1.0)).xyz;
   if (Face >= 0)
   {

@@ -50,7 +50,13 @@ struct vtkPointSplatShadows::Face
 bool vtkPointSplatShadowCloud::operator==(const vtkPointSplatShadowCloud& other) const
 {
   return vtkPointSplatItem::operator==(other) && this->Casts == other.Casts &&
-    this->Receives == other.Receives;
+    this->CastsTriangles == other.CastsTriangles && this->Receives == other.Receives;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatShadowCloud::HasTriangles() const
+{
+  return this->CastsTriangles && this->Cloud->GetTriangles().AreMade();
 }
 
 //------------------------------------------------------------------------------
@@ -68,6 +74,7 @@ std::vector<vtkMTimeType> vtkPointSplatShadowScene::GetTimes() const
   for (const vtkPointSplatShadowCloud& cloud : this->Clouds)
   {
     times.push_back(cloud.Cloud->GetSplatTime());
+    times.push_back(cloud.HasTriangles() ? cloud.Cloud->GetTriangleTime() : 0);
   }
   for (const vtkPointSplatShadowMesh& mesh : this->Meshes)
   {
@@ -119,14 +126,17 @@ void vtkPointSplatShadows::AddCorners(
 double vtkPointSplatShadows::RadiusOf(const vtkPointSplatShadowScene& scene)
 {
   double radius = 0.0;
+  double ofTriangles = 0.0; // whose depth is exact between points, however coarse they are
   for (const vtkPointSplatShadowCloud& cloud : scene.Clouds)
   {
     if (cloud.Cloud->GetNumberOfSplats() > 0)
     {
-      radius = std::max(radius, cloud.GetRadius());
+      const bool exact = cloud.HasTriangles() && cloud.Cloud->GetTriangles().GetLoose().empty();
+      double& largest = exact ? ofTriangles : radius;
+      largest = std::max(largest, cloud.GetRadius());
     }
   }
-  return radius;
+  return radius > 0.0 ? radius : ofTriangles;
 }
 
 //------------------------------------------------------------------------------
@@ -146,6 +156,8 @@ vtkPointSplatProgram* vtkPointSplatShadows::Use(Program which)
       { GL_FRAGMENT_SHADER, "vtkPointSplatShadowPointFS" } },
     { { GL_VERTEX_SHADER, "vtkPointSplatShadowMeshVS" },
       { GL_FRAGMENT_SHADER, "vtkPointSplatShadowMeshFS" } },
+    { { GL_VERTEX_SHADER, "vtkPointSplatShadowMeshVS" },
+      { GL_FRAGMENT_SHADER, "vtkPointSplatShadowMeshFS" } },
     { { GL_VERTEX_SHADER, "vtkPointSplatScreenVS" },
       { GL_FRAGMENT_SHADER, "vtkPointSplatShadowTestFS" } },
     { { GL_COMPUTE_SHADER, "vtkPointSplatShadowProjectCS" } },
@@ -156,7 +168,10 @@ vtkPointSplatProgram* vtkPointSplatShadows::Use(Program which)
   };
   const bool clipped = which == ProjectComputeClipped || which == ProjectPointsClipped;
   vtkPointSplatProgram& program = this->Programs[which];
-  if (!program.Build(stages[which], clipped ? "#define CLIP_LINES\n" : ""))
+  if (!program.Build(stages[which],
+        clipped                     ? "#define CLIP_LINES\n"
+          : which == ProjectTriangles ? "#define CORNERS\n"
+                                      : ""))
   {
     this->Error = program.GetLog();
     return nullptr;
@@ -213,8 +228,7 @@ void vtkPointSplatShadows::SetCloud(
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatShadows::DrawMeshes(
-  const Face& face, const std::vector<vtkPointSplatShadowMesh>& meshes)
+void vtkPointSplatShadows::Clear(const Face& face)
 {
   vtkOpenGLState* state = vtkPointSplatContext::Entered().GetWindow()->GetState();
   // Samples of one light have maps of slightly different sizes: images only grow.
@@ -231,6 +245,12 @@ bool vtkPointSplatShadows::DrawMeshes(
   const GLfloat farthest = 1.0f;
   glClearBufferuiv(GL_COLOR, 0, none);
   glClearBufferfv(GL_DEPTH, 0, &farthest);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatShadows::DrawMeshes(
+  const Face& face, const std::vector<vtkPointSplatShadowMesh>& meshes)
+{
   if (meshes.empty())
   {
     return true;
@@ -254,20 +274,61 @@ bool vtkPointSplatShadows::DrawMeshes(
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatShadows::DrawPoints(bool clipped, const Face& face,
+bool vtkPointSplatShadows::DrawTriangles(
+  const Face& face, const std::vector<vtkPointSplatShadowCloud>& clouds)
+{
+  const auto isMine = [](const vtkPointSplatShadowCloud& cloud) {
+    return cloud.Casts && cloud.HasTriangles();
+  };
+  if (std::none_of(clouds.begin(), clouds.end(), isMine))
+  {
+    return true;
+  }
+  vtkPointSplatProgram* program = this->Use(ProjectTriangles);
+  if (!program)
+  {
+    return false;
+  }
+  vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
+  vtkPointSplatShadows::SetMap(*program, face);
+  for (const vtkPointSplatShadowCloud& cloud : clouds)
+  {
+    if (!isMine(cloud))
+    {
+      continue;
+    }
+    // Buffers are uploaded before any is bound: a new one's texture takes the unit that is active.
+    const vtkPointSplatBuffer& corners = cloud.Cloud->UploadTriangles();
+    const vtkPointSplatCloud::Buffers& buffers = cloud.Cloud->Upload();
+    units.Bind(*program, "Splats", GL_TEXTURE_BUFFER, buffers.Splats.GetTexture());
+    units.Bind(*program, "Corners", GL_TEXTURE_BUFFER, corners.GetTexture());
+    vtkPointSplatShadows::SetCloud(*program, face, cloud);
+    glBindVertexArray(buffers.VertexArray.Get());
+    // A triangle has four words.
+    glDrawArrays(GL_TRIANGLES, 0,
+      static_cast<GLsizei>(3 * (cloud.Cloud->GetTriangles().GetCorners().size() / 4)));
+  }
+  glBindVertexArray(0);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatShadows::DrawPoints(Kind kind, const Face& face,
   const std::vector<vtkPointSplatShadowCloud>& clouds, bool compute)
 {
-  const auto isMine = [clipped](const vtkPointSplatShadowCloud& cloud) {
+  // Where triangles are, the few splats that belong to none are for the rasteriser.
+  const auto isMine = [kind, compute](const vtkPointSplatShadowCloud& cloud) {
     return cloud.Casts && cloud.Cloud->GetNumberOfSplats() > 0 &&
-      cloud.Cloud->HasClipLines() == clipped;
+      cloud.Cloud->HasClipLines() == kind.Clipped &&
+      (compute && !cloud.HasTriangles()) == kind.Compute;
   };
   if (std::none_of(clouds.begin(), clouds.end(), isMine))
   {
     return true;
   }
   vtkPointSplatProgram* program =
-    this->Use(clipped ? (compute ? ProjectComputeClipped : ProjectPointsClipped)
-                      : (compute ? ProjectCompute : ProjectPoints));
+    this->Use(kind.Clipped ? (kind.Compute ? ProjectComputeClipped : ProjectPointsClipped)
+                           : (kind.Compute ? ProjectCompute : ProjectPoints));
   if (!program)
   {
     return false;
@@ -275,7 +336,7 @@ bool vtkPointSplatShadows::DrawPoints(bool clipped, const Face& face,
   vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
   const vtkPointSplatPointSizes sizes;
   vtkPointSplatShadows::SetMap(*program, face);
-  if (compute)
+  if (kind.Compute)
   {
     glBindImageTexture(0, this->Map.Get(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
   }
@@ -290,17 +351,23 @@ bool vtkPointSplatShadows::DrawPoints(bool clipped, const Face& face,
     units.Bind(*program, "Splats", GL_TEXTURE_BUFFER, buffers.Splats.GetTexture());
     units.Bind(*program, "ClipLineTexels", GL_TEXTURE_BUFFER, buffers.ClipLines.GetTexture());
     vtkPointSplatShadows::SetCloud(*program, face, cloud);
-    if (compute)
+    if (kind.Compute)
     {
       vtkPointSplatProgram::Dispatch(count, GroupSize);
+      continue;
     }
-    else
+    glBindVertexArray(buffers.VertexArray.Get());
+    if (!cloud.HasTriangles())
     {
-      glBindVertexArray(buffers.VertexArray.Get());
       glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(count));
+      continue;
+    }
+    for (const vtkPointSplatRuns::Run& run : cloud.Cloud->GetTriangles().GetLoose())
+    {
+      glDrawArrays(GL_POINTS, static_cast<GLint>(run.First), static_cast<GLsizei>(run.Count));
     }
   }
-  if (compute)
+  if (kind.Compute)
   {
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
     glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
@@ -381,9 +448,14 @@ void vtkPointSplatShadows::ReadCounts(const std::vector<vtkPointSplatShadowCloud
 bool vtkPointSplatShadows::DrawMap(
   const Face& face, const vtkPointSplatShadowScene& scene, bool compute)
 {
-  return this->DrawMeshes(face, scene.Meshes) &&
-    this->DrawPoints(false, face, scene.Clouds, compute) &&
-    this->DrawPoints(true, face, scene.Clouds, compute);
+  this->Clear(face);
+  // What compute shaders write is not in the depth buffer, by which the rasteriser tells the nearest.
+  bool good = this->DrawMeshes(face, scene.Meshes) && this->DrawTriangles(face, scene.Clouds);
+  for (const Kind& kind : { Kind{ false, false }, { true, false }, { false, true }, { true, true } })
+  {
+    good = good && this->DrawPoints(kind, face, scene.Clouds, compute);
+  }
+  return good;
 }
 
 //------------------------------------------------------------------------------

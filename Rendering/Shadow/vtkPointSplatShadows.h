@@ -3,8 +3,9 @@
 // Point cloud shadow textures (Dobrev, Rosenthal, Linsen 2010, section 6): which points a light
 // reaches. For each sample of the light:
 //
-// 1. Meshes that stand in the light are drawn to a shadow map by their triangles.
-// 2. Splats are projected to it as disks, most of them two pixels in radius; the nearest stays.
+// 1. Meshes that stand in the light, and hybrids' own (vtkPointSplatTriangles.h), are drawn to a
+//    shadow map by their triangles.
+// 2. Other splats are projected to it as disks, most of them two pixels in radius; the nearest stays.
 //    Single pixels, which the paper has, need coarser maps and four steps of filling, by
 //    which shadows grow: of random points on spheres over a plane, 3.2 % got the wrong answer
 //    in all, and 0.09 % farther than a pixel from a shadow's edge; by disks 2.0 %, most of them
@@ -43,10 +44,12 @@
 struct vtkPointSplatShadowCloud : public vtkPointSplatItem
 {
   bool Casts = true;
+  bool CastsTriangles = false; // where it has some, in the place of their corners' disks
   bool Receives = true;
 
   bool operator==(const vtkPointSplatShadowCloud& other) const;
   double GetRadius() const; // of a median splat, world units
+  bool HasTriangles() const;
 };
 
 struct vtkPointSplatShadowScene
@@ -128,6 +131,7 @@ private:
     ProjectCompute,
     ProjectPoints,
     ProjectMeshes,
+    ProjectTriangles,
     Test,
     ProjectComputeClipped,
     ProjectPointsClipped,
@@ -142,10 +146,18 @@ private:
   static void SetCloud(
     vtkPointSplatProgram& program, const Face& face, const vtkPointSplatShadowCloud& cloud);
   bool DrawMap(const Face& face, const vtkPointSplatShadowScene& scene, bool compute);
+  void Clear(const Face& face);
   bool DrawMeshes(const Face& face, const std::vector<vtkPointSplatShadowMesh>& meshes);
-  /// Of those clouds that have clip lines, or of those that have none.
-  bool DrawPoints(bool clipped,
-    const Face& face, const std::vector<vtkPointSplatShadowCloud>& clouds, bool compute);
+  bool DrawTriangles(const Face& face, const std::vector<vtkPointSplatShadowCloud>& clouds);
+  /// Of those clouds that have clip lines, or of those that have none; by compute shaders, or those
+  /// that are for the rasteriser.
+  struct Kind
+  {
+    bool Clipped;
+    bool Compute;
+  };
+  bool DrawPoints(
+    Kind kind, const Face& face, const std::vector<vtkPointSplatShadowCloud>& clouds, bool compute);
   bool TestPoints(
     const Face& face, const std::vector<vtkPointSplatShadowCloud>& clouds, bool first);
   void ReadCounts(const std::vector<vtkPointSplatShadowCloud>& clouds,

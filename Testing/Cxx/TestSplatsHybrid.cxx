@@ -8,6 +8,7 @@
 #include "vtkCellData.h"
 #include "vtkCubeSource.h"
 #include "vtkCylinderSource.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
 #include "vtkLight.h"
@@ -486,6 +487,45 @@ void TestBadCells(Checks& checks)
   checks.AtLeast(Psnr(good.Draw(Plain), hybrid.Draw(Plain)), 60.0, "bad cells: psnr");
 }
 
+/// Blanked cells are not drawn, nor are points that no other cell uses.
+void TestBlankedCells(Checks& checks)
+{
+  const Mesh mesh = MakeSphereMesh(60);
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  Mesh rest = Mesh::New();
+  rest->ShallowCopy(mesh);
+  vtkNew<vtkCellArray> shown;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    mesh->GetPolys()->GetCellAtId(cell, size, ids);
+    const bool blanked = mesh->GetPoint(ids[0])[0] > 0.1;
+    ghosts->InsertNextValue(blanked ? vtkDataSetAttributes::HIDDENCELL : 0);
+    if (!blanked)
+    {
+      shown->InsertNextCell(size, ids);
+    }
+  }
+  rest->SetPolys(shown);
+  Scene hybrid(mesh, vtkPointSplatMapper::AUTOMATIC_HYBRID);
+  Scene splats(mesh, vtkPointSplatMapper::HYBRID_OFF);
+  const int all = hybrid.Draw(Plain).CountDrawn();
+  const Change fromThere = [&hybrid](vtkRenderer* renderer, vtkActor*) {
+    renderer->GetActiveCamera()->DeepCopy(hybrid.Win.Renderer->GetActiveCamera());
+  };
+  const Picture expected = Scene(rest, -1).Draw(fromThere);
+  mesh->GetCellData()->AddArray(ghosts);
+  mesh->Modified();
+  const Picture picture = hybrid.Draw(Plain);
+  checks.AtMost(picture.CountDrawn(), all * 4 / 5, "blanked: pixels drawn");
+  checks.AtLeast(Psnr(expected, picture), LikeMesh, "blanked: psnr against the other cells");
+  // Splats of the last row reach over it by their radius.
+  checks.AtMost(CountDifferentCoverage(expected, splats.Draw(Plain)), all / 100,
+    "blanked: pixels of splats beyond the other cells");
+}
+
 /// What becomes of the input between frames.
 void TestChanges(Checks& checks)
 {
@@ -526,6 +566,7 @@ int TestSplatsHybrid(int, char*[])
   TestShadows(checks);
   TestSplatsAlone(checks);
   TestBadCells(checks);
+  TestBlankedCells(checks);
   TestChanges(checks);
   return checks.Result();
 }
