@@ -27,6 +27,8 @@ constexpr float VolumeCosine2 = 0.7f;
 constexpr float VolumeShare = 0.75f;
 /// How many times the spacing of its neighbours an outlier is away from the nearest.
 constexpr float OutlierDistance = 2.0f;
+/// What lies along a row does so within 20 degrees.
+constexpr float RowCosine = 0.94f;
 }
 
 vtkPointSplatBodies::vtkPointSplatBodies(Slot slots)
@@ -151,11 +153,25 @@ void vtkPointSplatBodies::AddRow(
   Row row;
   row.At = around.Center;
   row.Length = length;
-  for (int k = 0; k < NumberOfModels; ++k)
+  // The nearest, and the nearest beside the row, since all of the first may be of the row itself, of whose
+  // direction the nearest tells.
+  std::vector<Slot> models, beside;
+  const float first[3] = { around.X[0], around.Y[0], around.Z[0] };
+  for (int k = 0; k < sheet.Count; ++k)
   {
-    row.Models[k] =
-      k < sheet.Count ? around.Slots[sheet.Members[k]] : vtkPointSplatNeighbors::None;
+    const int i = sheet.Members[k];
+    const float dot = first[0] * around.X[i] + first[1] * around.Y[i] + first[2] * around.Z[i];
+    const bool isAlong =
+      dot * dot > RowCosine * RowCosine * around.SquaredDistance[0] * around.SquaredDistance[i];
+    std::vector<Slot>& list = models.size() < NumberOfNearest ? models : beside;
+    if (&list == &models || (!isAlong && list.size() < NumberOfModels - NumberOfNearest))
+    {
+      list.push_back(around.Slots[i]);
+    }
   }
+  models.insert(models.end(), beside.begin(), beside.end());
+  models.resize(NumberOfModels, vtkPointSplatNeighbors::None);
+  std::copy(models.begin(), models.end(), row.Models);
   const std::lock_guard<std::mutex> lock(this->RowsMutex);
   this->Rows.push_back(row);
 }

@@ -27,6 +27,7 @@
 #include "vtkPointSplatDisks.h"
 
 #include <atomic>
+#include <cstddef>
 #include <mutex>
 #include <vector>
 
@@ -59,11 +60,12 @@ public:
     const vtkPointSplatNeighbors& neighbors, int count, vtkPointSplatDisks& disks);
 
 private:
-  static constexpr int NumberOfModels = 8;
+  static constexpr std::size_t NumberOfModels = 16;
+  static constexpr std::size_t NumberOfNearest = 8;
   struct Row
   {
     Slot At;
-    Slot Models[NumberOfModels]; // of its sheet, nearest first
+    Slot Models[NumberOfModels]; // of its sheet: the nearest, and the nearest beside the row
     float Length;                // by its nearest neighbours alone
   };
 

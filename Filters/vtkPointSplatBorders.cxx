@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -41,10 +42,14 @@ constexpr int LeastSure = 8;
 /// Which of the spacings around is taken: a point's own one is larger at a border, where there are
 /// points to one side alone, and the least of all makes holes of uneven samplings.
 constexpr double SpacingQuantile = 0.75;
+/// Where cells are long in one place and not in another, alpha in the reaches of the cells around.
+constexpr float StretchedReach = 1.9f;
 /// How far past the outermost of a random sampling's points its surface ends, in spacings.
 constexpr float RandomMargin = 0.3f;
 /// How far, in radii, what draws a disk reaches.
 constexpr float KernelReach = 1.5f;
+/// Lines of one direction are one (14 degrees).
+constexpr float SameCosine = 0.97f;
 /// Ends of one border agree on where it goes on by this mean: beside a narrow gap or strip they don't.
 constexpr float LeastAgreed = 0.8f;
 }
@@ -54,9 +59,8 @@ vtkPointSplatBorders::vtkPointSplatBorders(const vtkPointSplatNeighbors& neighbo
   : Neighbors(neighbors)
   , Normals(normals)
   , Usual(usual)
-  , HoleLimit(disks.HoleLimit)
+  , Disks(disks)
   , Number(disks.Regular ? NumberOfNeighbors : NumberAtRandom)
-  , Spacings(disks.Spacing)
 {
 }
 
@@ -64,20 +68,30 @@ bool vtkPointSplatBorders::FindEnd(
   const Neighborhood& around, const vtkPointSplatDisk& disk, End& end) const
 {
   int next[2];
-  std::vector<float> spacings;
+  std::vector<float> spacings, openings;
   for (int i = 0; i < around.Count; ++i)
   {
-    const float spacing = this->Spacings[around.Slots[i]];
+    const float spacing = this->Disks.Spacing[around.Slots[i]];
     if (spacing > 0)
     {
       spacings.push_back(spacing);
+    }
+    const float opening = this->Disks.Opening[around.Slots[i]];
+    if (this->Disks.Stretched && opening > 0)
+    {
+      openings.push_back(opening);
     }
   }
   if (spacings.empty())
   {
     return false;
   }
-  const float alpha = this->HoleLimit * vtkPointSplatDisks::GetQuantile(spacings, SpacingQuantile);
+  float alpha = this->Disks.HoleLimit * vtkPointSplatDisks::GetQuantile(spacings, SpacingQuantile);
+  if (!openings.empty())
+  {
+    alpha = std::min(
+      alpha, StretchedReach * vtkPointSplatDisks::GetQuantile(openings, SpacingQuantile));
+  }
   const float reach = disk.FindBorder(alpha, next);
   if (!(reach > 0))
   {
@@ -184,6 +198,11 @@ void vtkPointSplatBorders::Take(vtkSMPThreadLocal<std::vector<End>>& found)
   {
     this->Ends.insert(this->Ends.end(), local.begin(), local.end());
   }
+  this->Sort();
+}
+
+void vtkPointSplatBorders::Sort()
+{
   std::sort(this->Ends.begin(), this->Ends.end(),
     [](const End& a, const End& b) { return a.At < b.At; });
 }
@@ -194,7 +213,7 @@ bool vtkPointSplatBorders::Find(
   vtkSMPThreadLocal<std::vector<End>> found;
   auto find = [&](const Neighborhood& around, int round) {
     vtkPointSplatDisk disk;
-    disk.Estimate(around, this->Normals, elliptical, this->Usual, this->HoleLimit);
+    disk.Estimate(around, this->Normals, elliptical, this->Usual, this->Disks.HoleLimit);
     End end;
     const bool ends = this->FindEnd(around, disk, end);
     if (ends)
@@ -229,7 +248,7 @@ bool vtkPointSplatBorders::Cut(
   {
     ends.push_back({ { 0, 0, 0 }, own });
   }
-  const float spacing = this->Spacings[around.Center];
+  const float spacing = this->Disks.Spacing[around.Center];
   const float farthest = 2 * reach + spacing;
   for (int i = 0; i < around.Count && around.SquaredDistance[i] < farthest * farthest; ++i)
   {
@@ -283,26 +302,129 @@ bool vtkPointSplatBorders::Cut(
   return true;
 }
 
-bool vtkPointSplatBorders::Straighten(vtkAlgorithm* self, const vtkPointSplatDisks& disks)
+float vtkPointSplatBorders::GetReach(Slot slot) const
 {
-  if (this->Ends.empty())
+  return KernelReach * std::max(this->Disks.Length[slot], this->Disks.Gap[slot]);
+}
+
+/// A line of another point, seen from here; lines are as far from a point as their vectors are short.
+bool vtkPointSplatBorders::AddLine(
+  const float line[3], const float place[3], const float n[3], Lines& lines)
+{
+  float out[3];
+  const float along = vtkMath::Dot(line, n);
+  for (int c = 0; c < 3; ++c)
   {
-    return true;
+    out[c] = line[c] - along * n[c];
   }
-  std::vector<std::atomic<bool>> near(this->Spacings.size());
+  const float length = vtkMath::Norm(line);
+  if (!(vtkMath::Normalize(out) > 0))
+  {
+    return false; // there is none
+  }
+  const float distance = vtkMath::Dot(place, out) + 1 / length;
+  const bool same = lines.Count > 0 && vtkMath::Dot(lines.Out[0], out) > SameCosine;
+  if (!(distance > 0) || distance >= lines.Reach || same || lines.Count == 2)
+  {
+    return false;
+  }
+  std::copy_n(out, 3, lines.Out[lines.Count]);
+  lines.Distance[lines.Count++] = distance;
+  return true;
+}
+
+bool vtkPointSplatBorders::ClipAsNearest(const Neighborhood& around, End& clip) const
+{
+  const float* n = this->Normals + std::size_t(3) * around.Center;
+  Lines lines;
+  lines.Reach = this->GetReach(around.Center);
+  const End* own = this->GetEnd(around.Center);
+  clip = own ? *own : End();
+  clip.At = around.Center;
+  const float here[3] = { 0, 0, 0 };
+  for (int k = 0; own && k < 2; ++k)
+  {
+    AddLine(own->Clip + 3 * k, here, n, lines);
+  }
+  bool more = false;
+  for (int i = 0;
+       i < around.Count && around.SquaredDistance[i] < lines.Reach * lines.Reach && lines.Count < 2;
+       ++i)
+  {
+    const End* end = this->GetEnd(around.Slots[i]);
+    const float place[3] = { around.X[i], around.Y[i], around.Z[i] };
+    for (int k = 0; end && k < 2; ++k)
+    {
+      more = AddLine(end->Clip + 3 * k, place, n, lines) || more;
+    }
+  }
+  std::fill_n(clip.Clip, 6, 0.0f);
+  for (int c = 0; c < 3 * lines.Count; ++c)
+  {
+    clip.Clip[c] = lines.Out[c / 3][c % 3] / lines.Distance[c / 3];
+  }
+  return more;
+}
+
+bool vtkPointSplatBorders::FindNear(
+  vtkAlgorithm* self, std::vector<std::atomic<bool>>& near) const
+{
   auto mark = [&](const Neighborhood& around, int) {
     near[around.Center].store(true, std::memory_order_relaxed);
+    bool farthest = false;
     for (int i = 0; i < around.Count; ++i)
     {
       const Slot s = around.Slots[i];
-      const float reach = KernelReach * disks.Length[s];
-      if (around.SquaredDistance[i] < reach * reach)
+      const float reach = this->GetReach(s);
+      farthest = around.SquaredDistance[i] < reach * reach;
+      if (farthest)
       {
         near[s].store(true, std::memory_order_relaxed);
       }
     }
-    return true;
+    // Where the farthest reaches the border, more do.
+    return !farthest;
   };
+  const double progress = self->GetProgress();
+  return this->Neighbors.Visit(self, progress, progress, NumberOfNeighbors, mark,
+    [this](Slot s) { return this->GetEnd(s) != nullptr; });
+}
+
+bool vtkPointSplatBorders::ClipBeside(vtkAlgorithm* self)
+{
+  std::vector<std::atomic<bool>> near(this->Disks.Length.size());
+  vtkSMPThreadLocal<std::vector<End>> found;
+  auto clip = [&](const Neighborhood& around, int) {
+    End end;
+    const bool clips = this->ClipAsNearest(around, end);
+    if (clips)
+    {
+      found.Local().push_back(end);
+    }
+    return clips || this->GetEnd(around.Center);
+  };
+  const double progress = self->GetProgress();
+  if (!this->FindNear(self, near) ||
+    !this->Neighbors.Visit(self, progress, progress, NumberOfNeighbors, clip,
+      [&near](Slot s) { return near[s].load(std::memory_order_relaxed); }))
+  {
+    return false;
+  }
+  std::vector<End> ends;
+  ends.swap(this->Ends);
+  this->Take(found);
+  const std::vector<End> clipped = this->Ends;
+  std::copy_if(ends.begin(), ends.end(), std::back_inserter(this->Ends), [&clipped](const End& end) {
+    return !std::binary_search(clipped.begin(), clipped.end(), end,
+      [](const End& a, const End& b) { return a.At < b.At; });
+  });
+  this->Sort();
+  return true;
+}
+
+bool vtkPointSplatBorders::Straighten(vtkAlgorithm* self, const vtkPointSplatDisks& disks)
+{
+  std::vector<std::atomic<bool>> near(this->Disks.Spacing.size());
   vtkSMPThreadLocal<std::vector<End>> found;
   auto cut = [&](const Neighborhood& around, int) {
     End end;
@@ -313,8 +435,7 @@ bool vtkPointSplatBorders::Straighten(vtkAlgorithm* self, const vtkPointSplatDis
     return true;
   };
   const double progress = self->GetProgress();
-  if (!this->Neighbors.Visit(self, progress, progress, NumberOfNeighbors, mark,
-        [this](Slot s) { return this->GetEnd(s) != nullptr; }) ||
+  if (!this->FindNear(self, near) ||
     !this->Neighbors.Visit(self, progress, progress, NumberOfNeighbors, cut,
       [&near](Slot s) { return near[s].load(std::memory_order_relaxed); }))
   {
@@ -326,6 +447,10 @@ bool vtkPointSplatBorders::Straighten(vtkAlgorithm* self, const vtkPointSplatDis
 
 bool vtkPointSplatBorders::Finish(vtkAlgorithm* self, vtkPointSplatDisks& disks)
 {
+  if (this->Ends.empty())
+  {
+    return true;
+  }
   if (!disks.Regular)
   {
     return this->Straighten(self, disks);
@@ -334,7 +459,7 @@ bool vtkPointSplatBorders::Finish(vtkAlgorithm* self, vtkPointSplatDisks& disks)
   {
     disks.Gap[end.At] = std::max(disks.Gap[end.At], end.Gap);
   }
-  return true;
+  return this->ClipBeside(self);
 }
 
 void vtkPointSplatBorders::MakeLines(vtkFloatArray* clips, vtkIdType count)

@@ -7,7 +7,8 @@
  * An internal helper of vtkPointSplatEstimation; see the stages there. The border is that of the
  * alpha shape (Edelsbrunner, Kirkpatrick, Seidel 1983, On the Shape of a Set of Points in the
  * Plane), alpha being the distance from which on a vertex of a Voronoi cell lies in a hole
- * (vtkPointSplatDisks::HoleLimit, in the upper quartile of the spacings around).
+ * (vtkPointSplatDisks::HoleLimit, in the upper quartile of the spacings around). Where a regular sampling's
+ * cells are long in one place and square in another, it is no more than twice what the cells around reach.
  *
  * 1. A candidate is looked at with its 32 nearest neighbours, or 128 where these lie in a row. Where
  *    just one run of its cell's vertices is farther than alpha, the surface ends between the two neighbours whose bisectors
@@ -22,6 +23,8 @@
  *    lines do (vtkPointSplatBorderPlane.h).
  * 5. What is past the lines is not drawn, so the disk may be as large as the triangles inside need: in
  *    the border row of points that are much denser along rows, as wide as the way to the next row.
+ *    Splats farther inside that reach over the border, as where points are denser across it than along,
+ *    are clipped by the lines of the nearest points on it, as are its points beside its corners.
  * 6. Random samplings end somewhere between their last points and the surface's border. There alpha is
  *    as wide as the gaps that are closed, and candidates are looked at with 64 neighbours; each splat
  *    that reaches over the border ends at one line across the mean of the ways out of the surface there,
@@ -37,6 +40,7 @@
 
 #include "vtkSMPThreadLocal.h"
 
+#include <atomic>
 #include <vector>
 
 class vtkAlgorithm;
@@ -89,15 +93,31 @@ private:
   const End* GetEnd(Slot slot) const;
   void Take(vtkSMPThreadLocal<std::vector<End>>& found);
   void Confirm();
+  void Sort();
+  /// How far a slot's disk, once it is closed, is drawn.
+  float GetReach(Slot slot) const;
+  /// The slots whose disks reach the point of an end, and these.
+  bool FindNear(vtkAlgorithm* self, std::vector<std::atomic<bool>>& near) const;
+  /// Lines of several directions, within some reach of a point.
+  struct Lines
+  {
+    float Reach;
+    int Count = 0;
+    float Out[2][3]; // unit length
+    float Distance[2];
+  };
+  static bool AddLine(const float line[3], const float place[3], const float n[3], Lines& lines);
+  /// False where the splat has no other lines than before.
+  bool ClipAsNearest(const Neighborhood& around, End& clip) const;
+  bool ClipBeside(vtkAlgorithm* self);
   bool Straighten(vtkAlgorithm* self, const vtkPointSplatDisks& disks);
   bool Cut(const Neighborhood& around, const vtkPointSplatDisks& disks, End& cut) const;
 
   const vtkPointSplatNeighbors& Neighbors;
   const float* Normals;
   float Usual;
-  float HoleLimit;
+  const vtkPointSplatDisks& Disks;
   int Number; // of neighbours that are looked at
-  const std::vector<float>& Spacings; // of the disks
   std::vector<End> Ends; // in order of slots
 };
 

@@ -17,8 +17,11 @@ constexpr float LargestRatio = 2.5f;
 /// Where samplings are as regular as meshes' (the 95th percentile of the disks' sizes, in
 /// spacings, is below RegularSpread medians), a disk of more than HoleFactor such percentiles
 /// reaches over a hole; where they are random (IrregularSpread medians), over a gap to be closed.
+/// A mesh whose cells are long in one place and square in another is regular too: sizes next to one
+/// another have next to no spread (StretchedSpread).
 constexpr float RegularSpread = 1.25f;
 constexpr float IrregularSpread = 1.45f;
+constexpr float StretchedSpread = 1.15f;
 constexpr float HoleFactor = 1.3f;
 constexpr float GapFactor = 3.0f;
 /// At a regular sampling's border the spacing is larger than farther inside: of HoleLimit counts this.
@@ -128,7 +131,38 @@ void vtkPointSplatDisks::FindHoleLimit()
   const float t = std::clamp(
     (large / usual - RegularSpread) / (IrregularSpread - RegularSpread), 0.0f, 1.0f);
   this->HoleLimit = large * (HoleFactor + t * (GapFactor - HoleFactor));
-  this->Regular = t < 1;
+  this->Stretched = t > 0 && this->GetLocalSpread() < StretchedSpread;
+  this->Regular = t < 1 || this->Stretched;
+}
+
+float vtkPointSplatDisks::GetLocalSpread() const
+{
+  std::vector<float> ratios;
+  ratios.reserve(this->Opening.size());
+  for (std::size_t s = 0; s < this->Opening.size(); ++s)
+  {
+    float sum = 0;
+    int count = 0;
+    for (int w = 0; w < NumberOfWitnesses && this->Opening[s] > 0; ++w)
+    {
+      const Slot witness = this->Witnesses[std::size_t(NumberOfWitnesses) * s + w];
+      if (witness != vtkPointSplatNeighbors::None && this->Opening[witness] > 0)
+      {
+        sum += this->Opening[witness];
+        ++count;
+      }
+    }
+    if (count > 0)
+    {
+      ratios.push_back(count * this->Opening[s] / sum);
+    }
+  }
+  if (ratios.empty())
+  {
+    return std::numeric_limits<float>::max();
+  }
+  const float usual = GetQuantile(ratios, 0.5);
+  return GetQuantile(ratios, 0.95) / usual;
 }
 
 void vtkPointSplatDisks::Close(Slot slot)

@@ -55,7 +55,7 @@ public:
   bool AgreeWitnesses(Slot slot, const std::vector<unsigned char>& marks) const;
 
   /**
-   * Finds HoleLimit, and whether the sampling is as regular as a mesh's vertices are.
+   * Finds HoleLimit, Stretched, and whether the sampling is as regular as a mesh's vertices are.
    */
   void FindHoleLimit();
 
@@ -83,6 +83,7 @@ public:
   /// The distance of a cell's vertex, in spacings, past which it lies in a hole of the surface.
   float HoleLimit = std::numeric_limits<float>::max();
   bool Regular = false;
+  bool Stretched = false; // regular, with cells that are long in one place and not in another
 
 private:
   /// The neighbours, by rank, that bound a disk.
@@ -98,6 +99,8 @@ private:
   }
 
   float GetBound(Slot slot) const;
+  /// The 95th percentile, in medians, of the disks' sizes over those of their witnesses.
+  float GetLocalSpread() const;
 
   std::vector<float> Nearest; // the distance to any neighbour
   std::vector<Slot> Witnesses;

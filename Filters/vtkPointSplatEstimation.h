@@ -97,8 +97,8 @@
  *    triangle's width. Without given normals, or where IsRough(), creases are not looked for:
  *    estimated normals turn over the width of their neighbourhood, as on a fillet.
  *    *Borders*: where the sampling is as regular as a mesh's vertices, the surface ends between the
- *    points that its outline and its holes go through, and lines through these clip their splats
- *    (vtkPointSplatBorders.h). A mesh ends at edges that one triangle alone has. Random samplings
+ *    points that its outline and its holes go through, and lines through these clip their splats, and
+ *    those beside that would reach over (vtkPointSplatBorders.h). A mesh ends at edges that one triangle alone has. Random samplings
  *    end somewhere between their last points and the surface's border: there a line a little past the
  *    outermost of them clips all splats that reach over it.
  * 6. *Bound.* No disk is larger than two and a half times those of its neighbours, which keeps

@@ -161,6 +161,8 @@ public:
           edges.push_back({ 0, { k < 0 ? -1.0 : 0.0, k > 0 ? -1.0 : 0.0, 0 } });
         }
         this->Add(x, k == 0 && split ? top : n, edges);
+        this->BordersOf.back() = { { z, { 0, 0, -1 } }, { 39 - z, { 0, 0, 1 } },
+          { 12 - std::abs(s), { k < 0 ? -1.0 : 0.0, k > 0 ? -1.0 : 0.0, 0 } } };
         if (k == 0 && split)
         {
           edges.front() = onWall;

@@ -199,6 +199,10 @@ void Vertices(bool split)
       missed += truth.Distance < 1.5 * mesh.Spacing;
       continue;
     }
+    if (!onEdge && mesh.IsAtBorder(id, c, length))
+    {
+      continue; // its splat would reach over that
+    }
     // What is on the edge may have its line to either side.
     wrong += std::abs(1 / length - truth.Distance) > 0.1 * mesh.Spacing ||
       (!onEdge && vtkMath::Dot(c, truth.Direction) < 0.995 * length);

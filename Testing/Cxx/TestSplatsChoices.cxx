@@ -413,7 +413,14 @@ void TestMapper(Checks& checks)
       strides.insert(mapper->GetStride());
     }
   };
+  // Where another process takes a processor's time for a moment, fewer splats do not seem to pay until the
+  // next drag begins.
   drag(1e6, 6);
+  for (int again = 0; again < 5 && mapper->GetStride() < 2; ++again)
+  {
+    drag(0.0001, 1);
+    drag(1e6, 6);
+  }
   checks.AtLeast(mapper->GetStride(), 2, "stride with no time");
   drag(0.0001, 3);
   checks.Expect(strides == std::set<int>{ 1 }, "at rest");
