@@ -6,12 +6,14 @@
 #include "vtkMath.h"
 #include "vtkPointSplatBorderPlane.h"
 #include "vtkPointSplatBorders.h"
+#include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -99,16 +101,73 @@ bool vtkPointSplatMeshBorders::FindOwnLines(vtkIdType id, float clip[6]) const
   return true;
 }
 
-void vtkPointSplatMeshBorders::AddNearLines(vtkIdType id, float clip[6]) const
+float vtkPointSplatMeshBorders::GetReach(vtkIdType id) const
 {
-  const float* normal = this->Planes->GetPointer(3 * id);
-  const float reach = KernelReach * this->Radii->GetValue(id);
-  std::vector<NearLine> lines;
-  this->Fans.VisitNeighbors(id, [&](vtkIdType neighbor) {
-    const vtkPointSplatFans::BorderEdges edges = this->Fans.GetBorderEdges(neighbor);
-    if (edges.Count > 2)
+  return KernelReach * this->Radii->GetValue(id);
+}
+
+/// In order; each point on the border is near to itself.
+std::vector<vtkPointSplatMeshBorders::Near> vtkPointSplatMeshBorders::FindNear() const
+{
+  vtkSMPThreadLocal<std::vector<Near>> found;
+  const std::vector<vtkIdType>& border = this->Fans.GetBorder();
+  vtkSMPTools::For(0, static_cast<vtkIdType>(border.size()), [&](vtkIdType begin, vtkIdType end) {
+    std::vector<Near>& near = found.Local();
+    std::vector<vtkIdType> around; // to be gone on from
+    std::set<vtkIdType> seen;
+    for (vtkIdType i = begin; i < end; ++i)
     {
-      return;
+      const vtkIdType at = border[i];
+      around.assign(1, at);
+      seen = { at };
+      near.push_back({ at, at });
+      while (!around.empty())
+      {
+        const vtkIdType from = around.back();
+        around.pop_back();
+        this->Fans.VisitNeighbors(from, [&](vtkIdType other) {
+          if (!seen.insert(other).second)
+          {
+            return;
+          }
+          float d[3];
+          this->GetOffset(at, other, d);
+          const bool reaches = vtkMath::Norm(d) < this->GetReach(other);
+          if (reaches || from == at)
+          {
+            near.push_back({ other, at });
+          }
+          if (reaches)
+          {
+            around.push_back(other);
+          }
+        });
+      }
+    }
+  });
+  std::vector<Near> all;
+  for (const std::vector<Near>& near : found)
+  {
+    all.insert(all.end(), near.begin(), near.end());
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+void vtkPointSplatMeshBorders::AddNearLines(
+  const Near* first, const Near* last, float clip[6]) const
+{
+  const vtkIdType id = first->Id;
+  const float* normal = this->Planes->GetPointer(3 * id);
+  const float reach = this->GetReach(id);
+  std::vector<NearLine> lines;
+  for (const Near* near = first; near != last; ++near)
+  {
+    const vtkIdType neighbor = near->Border;
+    const vtkPointSplatFans::BorderEdges edges = this->Fans.GetBorderEdges(neighbor);
+    if (edges.Count > 2 || neighbor == id)
+    {
+      continue;
     }
     for (const vtkPointSplatFans::BorderEdge& edge : edges)
     {
@@ -155,7 +214,7 @@ void vtkPointSplatMeshBorders::AddNearLines(vtkIdType id, float clip[6]) const
         lines.push_back(line);
       }
     }
-  });
+  }
   std::sort(lines.begin(), lines.end(),
     [](const NearLine& a, const NearLine& b) { return a.Distance < b.Distance; });
   for (const NearLine& line : lines)
@@ -181,24 +240,26 @@ void vtkPointSplatMeshBorders::AddNearLines(vtkIdType id, float clip[6]) const
 
 void vtkPointSplatMeshBorders::Write(vtkFloatArray* clips) const
 {
-  const std::vector<vtkIdType>& border = this->Fans.GetBorder();
-  std::vector<vtkIdType> near = border;
-  for (const vtkIdType id : border)
+  const std::vector<Near> near = this->FindNear();
+  std::vector<std::size_t> firsts; // of each point's, and the end
+  for (std::size_t k = 0; k < near.size(); ++k)
   {
-    this->Fans.VisitNeighbors(id, [&near](vtkIdType other) { near.push_back(other); });
+    if (k == 0 || near[k].Id != near[k - 1].Id)
+    {
+      firsts.push_back(k);
+    }
   }
-  std::sort(near.begin(), near.end());
-  near.erase(std::unique(near.begin(), near.end()), near.end());
-
-  const vtkIdType count = static_cast<vtkIdType>(near.size());
-  std::vector<std::array<float, 6>> found(near.size());
+  const vtkIdType count = static_cast<vtkIdType>(firsts.size());
+  firsts.push_back(near.size());
+  std::vector<std::array<float, 6>> found(firsts.size());
   vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
       found[i].fill(0);
-      if (this->Radii->GetValue(near[i]) > 0 && this->FindOwnLines(near[i], found[i].data()))
+      const Near* first = near.data() + firsts[i];
+      if (this->Radii->GetValue(first->Id) > 0 && this->FindOwnLines(first->Id, found[i].data()))
       {
-        this->AddNearLines(near[i], found[i].data());
+        this->AddNearLines(first, near.data() + firsts[i + 1], found[i].data());
       }
     }
   });
@@ -209,7 +270,7 @@ void vtkPointSplatMeshBorders::Write(vtkFloatArray* clips) const
       continue;
     }
     vtkPointSplatBorders::MakeLines(clips, this->Radii->GetNumberOfTuples());
-    float* clip = clips->GetPointer(6 * near[i]);
+    float* clip = clips->GetPointer(6 * near[firsts[i]].Id);
     if (!IsLine(clip) && !IsLine(clip + 3))
     {
       std::copy(found[i].begin(), found[i].end(), clip);

@@ -11,8 +11,9 @@
  *    them is convex, and by one across it where it is reflex, as vtkPointSplatBorders does. Where a
  *    seam meets the border it has one edge there, and one line.
  * 2. Lines that are left to a point, of two, go along the nearest edges that end at points of its
- *    triangles, which it is beside, and which its kernel may reach: a mesh that was cut has points as
- *    near to its border as it likes, whose disks are as large as others. A point's own two lines
+ *    triangles, or of those beyond as far as its kernel reaches, and which it is beside: a mesh that was
+ *    cut has points as near to its border as it likes, whose disks are as large as others, and one whose
+ *    triangles are long along the border has several rows of them. A point's own two lines
  *    become one in between if that leaves room for another and they are less than 10 degrees apart.
  * 3. A point where more than two edges of the border meet is left as it is, and ends no edges of 2.
  */
@@ -20,6 +21,8 @@
 #define vtkPointSplatMeshBorders_h
 
 #include "vtkPointSplatFans.h"
+
+#include <vector>
 
 class vtkFloatArray;
 
@@ -43,7 +46,19 @@ public:
 
 private:
   bool FindOwnLines(vtkIdType id, float clip[6]) const;
-  void AddNearLines(vtkIdType id, float clip[6]) const;
+  /// A point, and one on the border that is near to it.
+  struct Near
+  {
+    vtkIdType Id;
+    vtkIdType Border;
+    bool operator<(const Near& other) const
+    {
+      return this->Id != other.Id ? this->Id < other.Id : this->Border < other.Border;
+    }
+  };
+  std::vector<Near> FindNear() const;
+  float GetReach(vtkIdType id) const;
+  void AddNearLines(const Near* first, const Near* last, float clip[6]) const;
   void GetOffset(vtkIdType from, vtkIdType to, float d[3]) const;
 
   const vtkPointSplatFans& Fans;

@@ -252,8 +252,8 @@ void TestMixed()
   }
 }
 
-/// How far disks of a mesh in the plane z reach past x = 0, where it ends.
-double GetFarthest(Estimated& estimated)
+/// How far disks, so many times as large, of a mesh in the plane z reach past x = 0, where it ends.
+double GetFarthest(Estimated& estimated, double times = 1)
 {
   vtkPolyData* splats = estimated.Filter->GetOutput();
   vtkFloatArray* clips = Array(splats, vtkPointSplatArrays::Clip);
@@ -266,8 +266,8 @@ double GetFarthest(Estimated& estimated)
     for (int k = 0; k < 360; ++k)
     {
       const double angle = vtkMath::RadiansFromDegrees(static_cast<double>(k));
-      const double d[3] = { estimated.Radius(id) * std::cos(angle),
-        estimated.Radius(id) * std::sin(angle), 0 };
+      const double r = times * estimated.Radius(id);
+      const double d[3] = { r * std::cos(angle), r * std::sin(angle), 0 };
       const bool kept = vtkMath::Dot(clip, d) <= 1 && vtkMath::Dot(clip + 3, d) <= 1;
       farthest = kept ? std::max(farthest, -(x[0] + d[0])) : farthest;
     }
@@ -291,6 +291,18 @@ void TestBorders()
   // Kernels of the points beside the border reach it, too.
   Expect(count == 4 * 19 + 4 * 17, std::to_string(count) + " points have lines");
   AtMost(GetFarthest(ends), 0.03, "past the border");
+
+  // Triangles are long along the border: kernels of several rows reach over it.
+  vtkSmartPointer<vtkPolyData> dense = MakeEmpty();
+  AddSquare(dense, 60, 0, 1);
+  for (vtkIdType id = 0; id < dense->GetNumberOfPoints(); ++id)
+  {
+    double x[3];
+    dense->GetPoint(id, x);
+    dense->GetPoints()->SetPoint(id, x[0] / 8, x[1], x[2]);
+  }
+  Estimated stretched(dense);
+  AtMost(GetFarthest(stretched, 1.5), 0.03, "past the border, of long triangles");
 
   // A cell is missing, whose corners are reflex: what is left of it, and what is not covered around.
   vtkSmartPointer<vtkPolyData> holed = MakeEmpty();
