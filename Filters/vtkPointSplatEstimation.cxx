@@ -276,7 +276,7 @@ int vtkPointSplatEstimation::RequestData(
         wanted[slotOf[id]] = 1;
       }
     }
-    const float usual = GetUsualSpacing(this, neighbors);
+    float usual = GetUsualSpacing(this, neighbors);
     vtkPointSplatDisks disks(slots, elliptical);
     vtkPointSplatBodies bodies(slots);
     std::vector<unsigned char> creased(slots, 0);
@@ -345,13 +345,19 @@ int vtkPointSplatEstimation::RequestData(
     }
     // Again where that tells more: neighbours across holes and normals that are not the surface's.
     disks.FindHoleLimit();
+    if (disks.Stretched)
+    {
+      // Where points are sparse is no less known than where they are dense.
+      usual = std::numeric_limits<float>::max();
+    }
     std::vector<float> sheetNormals = slotNormals;
     for (Slot s = 0; s < slots; ++s)
     {
       if (wanted[s])
       {
         wanted[s] = (misled[s] && !disks.Whole[s]) ||
-          disks.Opening[s] > disks.HoleLimit * disks.Spacing[s];
+          disks.Opening[s] > disks.HoleLimit * disks.Spacing[s] ||
+          (disks.Stretched && disks.Opening[s] == 0);
         std::copy_n(disks.Planes.data() + std::size_t(3) * s, 3,
           sheetNormals.data() + std::size_t(3) * s);
       }
