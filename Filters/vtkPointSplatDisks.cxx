@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatDisks.h"
 
+#include "vtkMath.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -22,6 +24,13 @@ constexpr float LargestRatio = 2.5f;
 constexpr float RegularSpread = 1.25f;
 constexpr float IrregularSpread = 1.45f;
 constexpr float StretchedSpread = 1.15f;
+/// Where sizes are as even as that, what disks leave uncovered that are made smaller since the surface bends
+/// is no noise.
+constexpr float EvenSpread = 1.05f;
+/// ... if the normal would turn by as much on the way to the cell's farthest vertex: less is closed anyway.
+constexpr float TubeBend = 0.7f;
+/// How far beside the axis of a tube disks reach at least, of the distance to what is nearest.
+constexpr float NearestShare = 0.6f;
 constexpr float HoleFactor = 1.3f;
 constexpr float GapFactor = 3.0f;
 /// At a regular sampling's border the spacing is larger than farther inside: of HoleLimit counts this.
@@ -44,6 +53,7 @@ vtkPointSplatDisks::vtkPointSplatDisks(Slot slots, bool elliptical)
   , Axes(elliptical ? std::size_t(6) * slots : 0)
   , Planes(std::size_t(3) * slots, 0.0f)
   , Curvatures(elliptical ? 0 : std::size_t(6) * slots, 0.0f)
+  , Cut(slots, 0)
   , Nearest(slots, 0.0f)
   , Witnesses(std::size_t(NumberOfWitnesses) * slots, vtkPointSplatNeighbors::None)
 {
@@ -64,6 +74,7 @@ void vtkPointSplatDisks::Set(const vtkPointSplatNeighbors::Neighborhood& around,
   }
   this->Length[s] = std::min(disk.Length1, largest);
   this->Gap[s] = std::min(disk.Gap, largest);
+  this->Cut[s] = disk.Length1 > largest;
   this->Opening[s] = disk.Opening;
   this->Whole[s] = disk.Sheet.Whole;
   this->Spacing[s] = disk.Spacing;
@@ -131,7 +142,9 @@ void vtkPointSplatDisks::FindHoleLimit()
   const float t = std::clamp(
     (large / usual - RegularSpread) / (IrregularSpread - RegularSpread), 0.0f, 1.0f);
   this->HoleLimit = large * (HoleFactor + t * (GapFactor - HoleFactor));
-  this->Stretched = t > 0 && this->GetLocalSpread() < StretchedSpread;
+  const float local = this->GetLocalSpread();
+  this->Even = local < EvenSpread;
+  this->Stretched = t > 0 && local < StretchedSpread;
   this->Regular = t < 1 || this->Stretched;
 }
 
@@ -165,11 +178,50 @@ float vtkPointSplatDisks::GetLocalSpread() const
   return GetQuantile(ratios, 0.95) / usual;
 }
 
+bool vtkPointSplatDisks::GetTubeLines(Slot slot, float clip[6]) const
+{
+  const float opening = this->Opening[slot];
+  if (!this->Even || !this->Cut[slot] || opening == 0 ||
+    opening > this->HoleLimit * this->Spacing[slot])
+  {
+    return false;
+  }
+  const float* t = this->Curvatures.data() + std::size_t(6) * slot;
+  double rows[3][3] = { { t[0], t[3], t[5] }, { t[3], t[1], t[4] }, { t[5], t[4], t[2] } };
+  double values[3], vectors[3][3];
+  double* matrix[3] = { rows[0], rows[1], rows[2] };
+  double* columns[3] = { vectors[0], vectors[1], vectors[2] };
+  vtkMath::Jacobi(matrix, values, columns);
+  int strongest = 0;
+  for (int k = 1; k < 3; ++k)
+  {
+    strongest = std::abs(values[k]) > std::abs(values[strongest]) ? k : strongest;
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    const double bend = std::abs(values[k]) * opening;
+    if (k == strongest ? bend < TubeBend : bend > LargestBend)
+    {
+      return false; // it bends both ways, or little
+    }
+  }
+  const double distance =
+    std::max<double>(0.5 * LargestBend / std::abs(values[strongest]), NearestShare * this->Nearest[slot]);
+  for (int c = 0; c < 3; ++c)
+  {
+    clip[c] = static_cast<float>(vectors[c][strongest] / distance);
+    clip[3 + c] = -clip[c];
+  }
+  return true;
+}
+
 void vtkPointSplatDisks::Close(Slot slot)
 {
-  if (this->Gap[slot] <= this->HoleLimit * this->Spacing[slot])
+  float lines[6];
+  const float gap = this->GetTubeLines(slot, lines) ? this->Opening[slot] : this->Gap[slot];
+  if (gap <= this->HoleLimit * this->Spacing[slot])
   {
-    this->Length[slot] = std::max(this->Length[slot], this->Gap[slot]);
+    this->Length[slot] = std::max(this->Length[slot], gap);
   }
 }
 

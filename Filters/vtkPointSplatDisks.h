@@ -59,6 +59,12 @@ public:
    */
   void FindHoleLimit();
 
+  /**
+   * The two lines that clip a disk on a tube whose points are farther apart along it than it is wide: it
+   * reaches to the next ring, and ends beside its axis before it leaves the tube. False where it does not.
+   */
+  bool GetTubeLines(Slot slot, float clip[6]) const;
+
   /// Makes a disk as large as the gap that it is to close.
   void Close(Slot slot);
   /// Closes all gaps, and gives points alone their bodies.
@@ -83,6 +89,7 @@ public:
   /// The distance of a cell's vertex, in spacings, past which it lies in a hole of the surface.
   float HoleLimit = std::numeric_limits<float>::max();
   bool Regular = false;
+  bool Even = false; // sizes next to one another are the same
   bool Stretched = false; // regular, with cells that are long in one place and not in another
 
 private:
@@ -102,6 +109,7 @@ private:
   /// The 95th percentile, in medians, of the disks' sizes over those of their witnesses.
   float GetLocalSpread() const;
 
+  std::vector<unsigned char> Cut; // made smaller since the surface bends
   std::vector<float> Nearest; // the distance to any neighbour
   std::vector<Slot> Witnesses;
   float Body = 0; // the largest radius of a point alone

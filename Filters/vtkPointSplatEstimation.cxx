@@ -71,6 +71,26 @@ float GetUsualSpacing(vtkAlgorithm* self, const vtkPointSplatNeighbors& neighbor
   return spacings.empty() ? 0.0f : vtkPointSplatDisks::GetQuantile(spacings, 0.5);
 }
 
+/// Adds the lines of disks on tubes to those points that have none.
+void WriteTubeLines(
+  const vtkPointSplatDisks& disks, const std::vector<Slot>& slotOf, vtkFloatArray* clips)
+{
+  for (std::size_t id = 0; id < slotOf.size(); ++id)
+  {
+    float lines[6];
+    if (slotOf[id] == vtkPointSplatNeighbors::None || !disks.GetTubeLines(slotOf[id], lines))
+    {
+      continue;
+    }
+    vtkPointSplatBorders::MakeLines(clips, static_cast<vtkIdType>(slotOf.size()));
+    float* clip = clips->GetPointer(static_cast<vtkIdType>(6 * id));
+    if (std::all_of(clip, clip + 6, [](float v) { return v == 0; }))
+    {
+      std::copy_n(lines, 6, clip);
+    }
+  }
+}
+
 using Twins = std::vector<vtkPointSplatCreases::Twin>;
 
 /// Points that share a slot with one whose normal is another; normals: of points, as given.
@@ -524,6 +544,7 @@ int vtkPointSplatEstimation::RequestData(
       }
     }
     borders.Write(slotOf, clips);
+    WriteTubeLines(disks, slotOf, clips);
     vtkPointSplatMeshBorders(fans, sizes[0], planes).Write(clips);
   }
 

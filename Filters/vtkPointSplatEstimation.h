@@ -100,7 +100,8 @@
  *    points that its outline and its holes go through, and lines through these clip their splats, and
  *    those beside that would reach over (vtkPointSplatBorders.h). A mesh ends at edges that one triangle alone has. Random samplings
  *    end somewhere between their last points and the surface's border: there a line a little past the
- *    outermost of them clips all splats that reach over it.
+ *    outermost of them clips all splats that reach over it. On tubes whose rings of points are farther
+ *    apart than the tube is wide two lines clip disks beside the axis, which else would leave it.
  * 6. *Bound.* No disk is larger than two and a half times those of its neighbours, which keeps
  *    outliers small. A point with no neighbour of its own sheet is a body alone, and so are points
  *    that no surface goes through (vtkPointSplatBodies.h): along a curve with nothing beside it;

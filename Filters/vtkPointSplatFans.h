@@ -76,6 +76,7 @@ public:
   BorderEdges GetBorderEdges(vtkIdType id) const;
   const double* GetPosition(vtkIdType id) const { return this->Positions.data() + 3 * id; }
 
+  vtkIdType GetNumberOfTriangles(vtkIdType id) const { return this->First[id + 1] - this->First[id]; }
   /// Calls visitor(id) for the other corners of a point's triangles, once for each triangle.
   template <typename Visitor>
   void VisitNeighbors(vtkIdType id, Visitor visitor) const

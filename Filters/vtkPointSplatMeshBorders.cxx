@@ -24,6 +24,9 @@ namespace
 const float CosineOfOne = static_cast<float>(std::cos(vtkMath::RadiansFromDegrees(10.0)));
 /// How far kernels reach, in radii.
 constexpr float KernelReach = 2.0f;
+/// Of about how many points near to one on the border it is asked whether they reach it. Where triangles
+/// are long along the border rows of tens do; disks that reach farther than that are no mesh's.
+constexpr vtkIdType MostSeen = 256;
 /// How far past the ends of an edge a point may lie that is beside it, of its length.
 constexpr float PastEnds = 0.25f;
 
@@ -113,7 +116,7 @@ std::vector<vtkPointSplatMeshBorders::Near> vtkPointSplatMeshBorders::FindNear()
   const std::vector<vtkIdType>& border = this->Fans.GetBorder();
   vtkSMPTools::For(0, static_cast<vtkIdType>(border.size()), [&](vtkIdType begin, vtkIdType end) {
     std::vector<Near>& near = found.Local();
-    std::vector<vtkIdType> around; // to be gone on from
+    std::vector<vtkIdType> around; // in the order in which they were met
     std::set<vtkIdType> seen;
     for (vtkIdType i = begin; i < end; ++i)
     {
@@ -121,10 +124,9 @@ std::vector<vtkPointSplatMeshBorders::Near> vtkPointSplatMeshBorders::FindNear()
       around.assign(1, at);
       seen = { at };
       near.push_back({ at, at });
-      while (!around.empty())
+      for (std::size_t k = 0; k < around.size() && static_cast<vtkIdType>(seen.size()) < MostSeen; ++k)
       {
-        const vtkIdType from = around.back();
-        around.pop_back();
+        const vtkIdType from = around[k];
         this->Fans.VisitNeighbors(from, [&](vtkIdType other) {
           if (!seen.insert(other).second)
           {
@@ -137,7 +139,7 @@ std::vector<vtkPointSplatMeshBorders::Near> vtkPointSplatMeshBorders::FindNear()
           {
             near.push_back({ other, at });
           }
-          if (reaches)
+          if (reaches && this->Fans.GetNumberOfTriangles(other) < MostSeen)
           {
             around.push_back(other);
           }
