@@ -32,13 +32,20 @@ inline constexpr const char* Curvature = "SplatCurvature";
 /// for a line at the distance d > 0 from p whose unit normal n, in the disk's plane, points to what
 /// is cut away. A zero vector cuts nothing, and one that is not finite counts as zero. The centre
 /// is kept always; a point on the line itself has a small positive d. What of c is along the normal
-/// of the disk's plane has no effect; a bent disk's line is taken in that plane as well.
+/// of the disk's plane has no effect; a bent disk's line is taken in that plane as well. Lines stay where
+/// they are, whatever a mapper scales radii with. Splats with lines join no layer that shows the other side,
+/// since just behind an edge lies the face that is turned away: best give lines to all within 2.5 times
+/// their size of an edge. Splats are drawn for a sixteenth of a pixel beyond a line, where they hardly weigh,
+/// so that there are no gaps at edges.
 inline constexpr const char* Clip = "SplatClip";
 /// 6 floats, two vectors f1 and f2, unit length or zero, with SplatClip: the splat goes on behind
 /// its lines c1 and c2 in the planes with these normals. So a point on an edge, whose normal is an
 /// average of its faces', has a part of its splat on each of them: as in a mesh, the shading turns
 /// from face to face.
 inline constexpr const char* Fold = "SplatFold";
+/// 1 vtkIdType, where vtkPointSplatEstimation made fill points: the point of its input that a point is, or that a
+/// fill point, which lies between some, is nearest to.
+inline constexpr const char* Source = "SplatSource";
 /// 1 int: the minimal independent group that a splat belongs to.
 inline constexpr const char* Group = "SplatGroup";
 /// Field data, 1 double for each group: the share of the surface that its disks cover by themselves.

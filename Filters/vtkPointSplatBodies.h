@@ -4,7 +4,7 @@
  * @class   vtkPointSplatBodies
  * @brief   the points that no surface goes through
  *
- * An internal helper of vtkPointSplatEstimation; see stage 6 there. Points along a curve, points
+ * An internal helper of vtkPointSplatEstimation; see stage 7 there. Points along a curve, points
  * that fill a volume and outliers far from all others have no plane. They are bodies alone.
  *
  * 1. Points without given normals are looked at with their nearest neighbours, whose variances

@@ -46,8 +46,6 @@ constexpr double SpacingQuantile = 0.75;
 constexpr float StretchedReach = 1.9f;
 /// How far past the outermost of a random sampling's points its surface ends, in spacings.
 constexpr float RandomMargin = 0.3f;
-/// How far, in radii, what draws a disk reaches.
-constexpr float KernelReach = 1.5f;
 /// Lines of one direction are one (14 degrees).
 constexpr float SameCosine = 0.97f;
 /// Ends of one border agree on where it goes on by this mean: beside a narrow gap or strip they don't.
@@ -137,11 +135,12 @@ bool vtkPointSplatBorders::FindEnd(
   return true;
 }
 
-const vtkPointSplatBorders::End* vtkPointSplatBorders::GetEnd(Slot slot) const
+const vtkPointSplatBorders::End* vtkPointSplatBorders::FindAt(
+  const std::vector<End>& ends, Slot slot)
 {
-  const auto at = std::lower_bound(this->Ends.begin(), this->Ends.end(), slot,
-    [](const End& end, Slot s) { return end.At < s; });
-  return at != this->Ends.end() && at->At == slot ? &*at : nullptr;
+  const auto at = std::lower_bound(
+    ends.begin(), ends.end(), slot, [](const End& end, Slot s) { return end.At < s; });
+  return at != ends.end() && at->At == slot ? &*at : nullptr;
 }
 
 /// Leaves the chains that are borders.
@@ -230,7 +229,30 @@ bool vtkPointSplatBorders::Find(
   }
   this->Take(found);
   this->Confirm();
+  this->Rim = this->Ends;
   return true;
+}
+
+bool vtkPointSplatBorders::IsOutside(Slot slot, const float direction[3]) const
+{
+  const End* end = FindAt(this->Rim, slot);
+  if (!end)
+  {
+    return false;
+  }
+  const vtkPointSplatBorderPlane plane(this->Normals + std::size_t(3) * slot);
+  double x[3], angles[2];
+  this->Neighbors.GetPosition(slot, x);
+  for (int k = 0; k < 2; ++k)
+  {
+    double y[3];
+    this->Neighbors.GetPosition(end->Next[k], y);
+    const float way[3] = { static_cast<float>(y[0] - x[0]), static_cast<float>(y[1] - x[1]),
+      static_cast<float>(y[2] - x[2]) };
+    angles[k] = plane.GetAngle(way);
+  }
+  const double sector = vtkPointSplatBorderPlane::Turn(angles[0], angles[1]);
+  return vtkPointSplatBorderPlane::Turn(angles[0], plane.GetAngle(direction)) < sector;
 }
 
 bool vtkPointSplatBorders::Cut(
@@ -307,7 +329,16 @@ float vtkPointSplatBorders::GetReach(Slot slot) const
   return KernelReach * std::max(this->Disks.Length[slot], this->Disks.Gap[slot]);
 }
 
-/// A line of another point, seen from here; lines are as far from a point as their vectors are short.
+void vtkPointSplatBorders::Lines::Write(float clip[6]) const
+{
+  std::fill_n(clip, 6, 0.0f);
+  for (int c = 0; c < 3 * this->Count; ++c)
+  {
+    clip[c] = this->Out[c / 3][c % 3] / this->Distance[c / 3];
+  }
+}
+
+/// Lines are as far from a point as their vectors are short.
 bool vtkPointSplatBorders::AddLine(
   const float line[3], const float place[3], const float n[3], Lines& lines)
 {
@@ -358,11 +389,7 @@ bool vtkPointSplatBorders::ClipAsNearest(const Neighborhood& around, End& clip) 
       more = AddLine(end->Clip + 3 * k, place, n, lines) || more;
     }
   }
-  std::fill_n(clip.Clip, 6, 0.0f);
-  for (int c = 0; c < 3 * lines.Count; ++c)
-  {
-    clip.Clip[c] = lines.Out[c / 3][c % 3] / lines.Distance[c / 3];
-  }
+  lines.Write(clip.Clip);
   return more;
 }
 
@@ -443,6 +470,15 @@ bool vtkPointSplatBorders::Straighten(vtkAlgorithm* self, const vtkPointSplatDis
   }
   this->Take(found);
   return true;
+}
+
+void vtkPointSplatBorders::Reopen(const std::vector<Slot>& slots)
+{
+  this->Ends.erase(std::remove_if(this->Ends.begin(), this->Ends.end(),
+                     [&slots](const End& end) {
+                       return std::binary_search(slots.begin(), slots.end(), end.At);
+                     }),
+    this->Ends.end());
 }
 
 bool vtkPointSplatBorders::Finish(vtkAlgorithm* self, vtkPointSplatDisks& disks)

@@ -53,12 +53,18 @@ class vtkPointSplatBorders
 public:
   using Slot = vtkPointSplatNeighbors::Slot;
 
+  /// How far, in radii, what draws a disk reaches.
+  static constexpr float KernelReach = 1.5f;
+
   /// normals: 3 floats a slot, of the disks' planes; usual: as in vtkPointSplatSheet.
   vtkPointSplatBorders(const vtkPointSplatNeighbors& neighbors, const float* normals,
     float usual, const vtkPointSplatDisks& disks);
 
   /// candidates: of each slot, whether it is one. Returns false if self was aborted.
   bool Find(vtkAlgorithm* self, bool elliptical, const std::vector<unsigned char>& candidates);
+
+  /// Takes ends back, of slots in ascending order, at which the surface goes on.
+  void Reopen(const std::vector<Slot>& slots);
 
   /**
    * Of a regular sampling: makes disks that are clipped as large as the triangles there need; what is
@@ -67,6 +73,27 @@ public:
    * Returns false if self was aborted.
    */
   bool Finish(vtkAlgorithm* self, vtkPointSplatDisks& disks);
+
+  /// Whether the surface ends at a slot, and in that direction, of any length, by what Find() found.
+  bool IsEnd(Slot slot) const { return FindAt(this->Rim, slot) != nullptr; }
+  bool IsOutside(Slot slot, const float direction[3]) const;
+
+  /// Lines of several directions, within some reach of a point.
+  struct Lines
+  {
+    float Reach;
+    int Count = 0;
+    float Out[2][3]; // unit length
+    float Distance[2];
+
+    /// As in the array of clip lines.
+    void Write(float clip[6]) const;
+  };
+  /**
+   * Adds a line of another point, as in the array of clip lines; place: where that lies; n: the normal of the
+   * disk's plane. Returns false where it is not within reach, or its direction is known.
+   */
+  static bool AddLine(const float line[3], const float place[3], const float n[3], Lines& lines);
 
   /// Adds the lines, if any, of points that have none to the array of clip lines, of 6 components,
   /// which is made if it has no tuples. slotOf: of each point.
@@ -90,7 +117,8 @@ private:
   };
 
   bool FindEnd(const Neighborhood& around, const vtkPointSplatDisk& disk, End& end) const;
-  const End* GetEnd(Slot slot) const;
+  static const End* FindAt(const std::vector<End>& ends, Slot slot);
+  const End* GetEnd(Slot slot) const { return FindAt(this->Ends, slot); }
   void Take(vtkSMPThreadLocal<std::vector<End>>& found);
   void Confirm();
   void Sort();
@@ -98,15 +126,6 @@ private:
   float GetReach(Slot slot) const;
   /// The slots whose disks reach the point of an end, and these.
   bool FindNear(vtkAlgorithm* self, std::vector<std::atomic<bool>>& near) const;
-  /// Lines of several directions, within some reach of a point.
-  struct Lines
-  {
-    float Reach;
-    int Count = 0;
-    float Out[2][3]; // unit length
-    float Distance[2];
-  };
-  static bool AddLine(const float line[3], const float place[3], const float n[3], Lines& lines);
   /// False where the splat has no other lines than before.
   bool ClipAsNearest(const Neighborhood& around, End& clip) const;
   bool ClipBeside(vtkAlgorithm* self);
@@ -119,6 +138,7 @@ private:
   const vtkPointSplatDisks& Disks;
   int Number; // of neighbours that are looked at
   std::vector<End> Ends; // in order of slots
+  std::vector<End> Rim;  // the same, as they were found
 };
 
 VTK_ABI_NAMESPACE_END

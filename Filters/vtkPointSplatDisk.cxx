@@ -4,6 +4,7 @@
 
 #include "vtkPointSplatNormals.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -27,6 +28,12 @@ constexpr float RowVariance = 0.15f;
 /// How far past the last neighbour, times its distance, a cell may reach where all neighbours are of
 /// one sheet: more of them would cut little off then (Testing/Accuracy/fit_constants.py).
 constexpr float WholeReach = 1.1f;
+/// Neighbours tell how far apart points are up to so many times the third one's distance ...
+constexpr float LikeThird = 2.0f;
+/// ... and it is at least this part of the spacing.
+constexpr float LeastDistance = 0.65f;
+/// What is far of a flat sheet counts within so many distances of the sixth of all neighbours.
+constexpr float FarReach = 2.0f;
 /// The longest ellipse, axis to axis.
 constexpr float LargestAspect = 8.0f;
 }
@@ -325,6 +332,40 @@ float vtkPointSplatDisk::Farthest(float most) const
   return std::sqrt(farthest);
 }
 
+float vtkPointSplatDisk::GetDistance(const float* squared, int count, float spacing)
+{
+  if (count == 0)
+  {
+    return 0;
+  }
+  const float most = LikeThird * LikeThird * squared[std::min(2, count - 1)];
+  float sum = 0;
+  int near = 0;
+  for (; near < count && squared[near] <= most; ++near)
+  {
+    sum += std::sqrt(squared[near]);
+  }
+  return near > 0 ? std::max(sum / near, LeastDistance * spacing) : 0.0f;
+}
+
+float vtkPointSplatDisk::MeasureDistance() const
+{
+  float squared[MaximumNumberOfVertices];
+  int count = 0;
+  for (int j = 0; j < this->Size; ++j)
+  {
+    const int i = this->Cell[j].Edge;
+    const float distance2 =
+      i != Frame ? this->U[i] * this->U[i] + this->V[i] * this->V[i] : -1.0f;
+    if (distance2 >= 0) // NaN is not
+    {
+      squared[count++] = distance2;
+    }
+  }
+  std::sort(squared, squared + count);
+  return GetDistance(squared, count, this->Spacing);
+}
+
 float vtkPointSplatDisk::FindBorder(float most, int next[2]) const
 {
   if (this->Sheet.Count == 0)
@@ -386,7 +427,7 @@ bool vtkPointSplatDisk::Estimate(const vtkPointSplatNeighbors::Neighborhood& aro
   {
     this->Whiten();
   }
-  this->Spacing = this->Gap = this->Opening = 0;
+  this->Spacing = this->Gap = this->Opening = this->Distance = 0;
   int count = this->Sheet.Count;
   const auto distance = [this](int i) {
     return std::sqrt(this->U[i] * this->U[i] + this->V[i] * this->V[i]);
@@ -396,11 +437,12 @@ bool vtkPointSplatDisk::Estimate(const vtkPointSplatNeighbors::Neighborhood& aro
     this->Farthest(all) <= (this->Sheet.Whole ? WholeReach : 1.0f) * distance(count - 1);
   if (!closed && this->Sheet.Near < count)
   {
-    // What is far counts only where it is all around, or where it is known how wide triangles are and
-    // it is no farther: so the next row does, of points that are much denser along rows.
+    // What is far counts where it is all around, on a sparse flat face, or where it is known how wide triangles are
+    // and it is no farther: so the next row does, of points that are much denser along rows.
     const bool known = holeLimit < std::numeric_limits<float>::max();
     const int rank = std::min(vtkPointSplatSheet::SpacingRank, count);
-    const float widest = known ? 2 * holeLimit * distance(rank - 1) : 0.0f;
+    const float widest = std::max(known ? 2 * holeLimit * distance(rank - 1) : 0.0f,
+      this->Sheet.IsFlatAfar ? FarReach * vtkPointSplatSheet::GetSpacing(around) : 0.0f);
     while (count > this->Sheet.Near && distance(count - 1) >= widest)
     {
       --count;
@@ -412,6 +454,7 @@ bool vtkPointSplatDisk::Estimate(const vtkPointSplatNeighbors::Neighborhood& aro
   {
     this->Spacing = distance(std::min(vtkPointSplatSheet::SpacingRank, count) - 1);
     this->Opening = closed ? this->Farthest(all) : 0.0f;
+    this->Distance = this->MeasureDistance() * this->Scale1;
     const float most = holeLimit * this->Spacing;
     const float mean = this->MeanDistance(most);
     radius = closed ? std::min(mean, this->Farthest(most)) : BorderPerDistance * mean;

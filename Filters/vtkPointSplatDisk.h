@@ -11,6 +11,8 @@
 
 #include "vtkPointSplatSheet.h"
 
+#include <cmath>
+
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkPointSplatDisk
@@ -60,6 +62,28 @@ public:
    */
   float FindBorder(float most, int next[2]) const;
 
+  /**
+   * Calls visitor(a, b, reach) for the triangles of the last estimate's cell, one a vertex: the centre's star. a, b:
+   * their other corners' places in the neighbourhood; reach: the distance of their circumcentre.
+   */
+  template <typename Visitor>
+  void VisitTriangles(const Visitor& visitor) const
+  {
+    for (int j = 0; j < this->Size && this->Sheet.Count > 0; ++j)
+    {
+      const Vertex& vertex = this->Cell[j];
+      const int a = this->Cell[j > 0 ? j - 1 : this->Size - 1].Edge;
+      if (a != Frame && vertex.Edge != Frame && a != vertex.Edge)
+      {
+        visitor(this->Sheet.Members[a], this->Sheet.Members[vertex.Edge],
+          std::sqrt(vertex.X * vertex.X + vertex.Y * vertex.Y));
+      }
+    }
+  }
+
+  /// How far apart points are by their neighbours' squared distances, nearest first (Distance).
+  static float GetDistance(const float* squared, int count, float spacing);
+
   /// Whether so many nearest neighbours lie in a row rather than all around or to one side.
   bool InRow(int nearest) const;
 
@@ -68,6 +92,9 @@ public:
   float Spacing = 0;
   /// The distance, there, of the cell's farthest vertex; 0 if neighbours are not all around.
   float Opening = 0;
+  /// How far apart points are here: the mean distance of the star's neighbours that are no more than
+  /// twice as far as the third of them, but not much less than Spacing, which a few that lie together are.
+  float Distance = 0;
 
 private:
   static constexpr int MaximumNumberOfVertices =
@@ -89,6 +116,7 @@ private:
   float MeanDistance(float most) const;
   float Reach(float known, bool closed) const;
   float Farthest(float most) const;
+  float MeasureDistance() const;
 
   float Scale1, Scale2; // world units of the plane's two coordinates
   float U[vtkPointSplatNeighbors::MaximumNumberOfNeighbors];

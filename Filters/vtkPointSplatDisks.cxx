@@ -45,7 +45,10 @@ constexpr float BodyRadius = 0.5f;
 }
 
 vtkPointSplatDisks::vtkPointSplatDisks(Slot slots, bool elliptical)
-  : Length(slots, 0.0f)
+  : Distance(slots, 0.0f)
+  , Turn(slots, 0.0f)
+  , Farthest(slots, 0.0f)
+  , Length(slots, 0.0f)
   , Gap(slots, 0.0f)
   , Opening(slots, 0.0f)
   , Whole(slots, 0)
@@ -54,6 +57,7 @@ vtkPointSplatDisks::vtkPointSplatDisks(Slot slots, bool elliptical)
   , Planes(std::size_t(3) * slots, 0.0f)
   , Curvatures(elliptical ? 0 : std::size_t(6) * slots, 0.0f)
   , Cut(slots, 0)
+  , Graded(slots, 0)
   , Nearest(slots, 0.0f)
   , Witnesses(std::size_t(NumberOfWitnesses) * slots, vtkPointSplatNeighbors::None)
 {
@@ -78,12 +82,34 @@ void vtkPointSplatDisks::Set(const vtkPointSplatNeighbors::Neighborhood& around,
   this->Opening[s] = disk.Opening;
   this->Whole[s] = disk.Sheet.Whole;
   this->Spacing[s] = disk.Spacing;
+  this->Distance[s] = disk.Distance;
   this->Nearest[s] = around.Count > 0 ? std::sqrt(around.SquaredDistance[0]) : 0.0f;
   for (int w = 0; w < NumberOfWitnesses && around.Count >= NumberOfWitnesses; ++w)
   {
     this->Witnesses[std::size_t(NumberOfWitnesses) * s + w] =
       around.Slots[(w + 1) * around.Count / NumberOfWitnesses - 1];
   }
+}
+
+void vtkPointSplatDisks::SetStar(
+  const vtkPointSplatNeighbors::Neighborhood& around, const vtkPointSplatDisk& disk, float grain)
+{
+  float turn2 = 0, squared = 0;
+  const float most = this->HoleLimit * disk.Spacing;
+  disk.VisitTriangles([&](int a, int b, float reach) {
+    for (const int i : { a, b })
+    {
+      if (reach > most)
+      {
+        continue;
+      }
+      const float place[3] = { around.X[i], around.Y[i], around.Z[i] };
+      squared = std::max(squared, around.SquaredDistance[i]);
+      turn2 = std::max(turn2, vtkPointSplatSheet::GetSquaredTurn(disk.Normal, place, grain));
+    }
+  });
+  this->Turn[around.Center] = std::sqrt(turn2);
+  this->Farthest[around.Center] = std::sqrt(squared);
 }
 
 void vtkPointSplatDisks::Set(Slot slot, const vtkPointSplatFans::Disk& disk)
@@ -247,10 +273,11 @@ float vtkPointSplatDisks::GetBounded(Slot slot) const
     return this->Nearest[slot] > 0 ? std::min(BodyRadius * this->Nearest[slot], this->Body)
                                    : LoneRadius;
   }
-  return std::min(this->Length[slot], this->GetBound(slot));
+  return this->Graded[slot] ? this->Length[slot]
+                            : std::min(this->Length[slot], this->GetBound(slot));
 }
 
-/// LargestRatio times the second smallest of some neighbours' lengths.
+/// LargestRatio times the second smallest of some neighbours' reaches.
 float vtkPointSplatDisks::GetBound(Slot slot) const
 {
   float smallest = std::numeric_limits<float>::max(), second = smallest;
@@ -259,7 +286,7 @@ float vtkPointSplatDisks::GetBound(Slot slot) const
     const Slot witness = this->Witnesses[std::size_t(NumberOfWitnesses) * slot + w];
     if (witness != vtkPointSplatNeighbors::None && !this->IsAlone(witness))
     {
-      const float length = this->Length[witness];
+      const float length = this->GetReach(witness);
       second = std::min(second, std::max(smallest, length));
       smallest = std::min(smallest, length);
     }
@@ -277,6 +304,14 @@ bool vtkPointSplatDisks::IsOutlier(Slot slot, float times) const
       largest, witness != vtkPointSplatNeighbors::None ? this->Spacing[witness] : 0.0f);
   }
   return largest > 0 && this->Nearest[slot] > times * largest;
+}
+
+bool vtkPointSplatDisks::HasSmallWitness(Slot slot, const std::vector<float>& sizes) const
+{
+  const Slot* first = this->Witnesses.data() + std::size_t(NumberOfWitnesses) * slot;
+  return std::any_of(first, first + NumberOfWitnesses, [&](Slot witness) {
+    return witness != vtkPointSplatNeighbors::None && 2 * sizes[witness] < sizes[slot];
+  });
 }
 
 bool vtkPointSplatDisks::HasClosedWitness(Slot slot) const
@@ -300,6 +335,14 @@ bool vtkPointSplatDisks::MayEnd(Slot slot) const
   }
   return opening == 0 &&
     this->AreMostWitnesses(slot, [this](Slot witness) { return this->Opening[witness] > 0; });
+}
+
+void vtkPointSplatDisks::Shrink(Slot slot, float length)
+{
+  this->Length[slot] = length;
+  this->Gap[slot] = 0;
+  this->Cut[slot] = 0;
+  this->Graded[slot] = 1;
 }
 
 void vtkPointSplatDisks::Open(Slot slot, float length)

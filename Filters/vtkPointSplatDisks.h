@@ -29,6 +29,10 @@ public:
   /// Takes over what was found for a neighbourhood's centre. largest: length that it may have.
   void Set(const vtkPointSplatNeighbors::Neighborhood& around, const vtkPointSplatDisk& disk,
     float largest);
+  /// Takes over how the surface turns in a neighbourhood's star, and how far that reaches, but for
+  /// triangles in holes. grain: see vtkPointSplatSheet::Grain; a length.
+  void SetStar(const vtkPointSplatNeighbors::Neighborhood& around, const vtkPointSplatDisk& disk,
+    float grain);
   /// Takes over what a mesh's triangles say, of circular disks.
   void Set(Slot slot, const vtkPointSplatFans::Disk& disk);
   /// Takes over what was found at creases.
@@ -41,6 +45,8 @@ public:
   void SetAlone(Slot slot) { this->Length[slot] = this->Gap[slot] = 0; }
   /// Whether a slot is so many times farther from all others than its neighbours are.
   bool IsOutlier(Slot slot, float times) const;
+  /// Whether some witness has less than half of a slot's size. sizes: of each slot.
+  bool HasSmallWitness(Slot slot, const std::vector<float>& sizes) const;
   /// Whether the cell of some witness is closed.
   bool HasClosedWitness(Slot slot) const;
   /**
@@ -49,6 +55,11 @@ public:
    * its cell is open, and those of most witnesses are not, as beside a border and unlike in vegetation.
    */
   bool MayEnd(Slot slot) const;
+  /// The radius that a disk has where it closes the gaps around; and whether that is too much for those beside.
+  float GetReach(Slot slot) const { return std::max(this->Length[slot], this->Gap[slot]); }
+  bool IsTooLarge(Slot slot) const { return this->GetReach(slot) > this->GetBound(slot); }
+  /// Makes a disk of that length, which closes no gaps, and is not bounded by its witnesses.
+  void Shrink(Slot slot, float length);
   /// Makes of a closed cell an open one, of a disk of that length.
   void Open(Slot slot, float length);
   /// Whether at least half of the witnesses have a mark, or there are too few neighbours for any.
@@ -78,6 +89,9 @@ public:
   /// An element of some order; values are shuffled.
   static float GetQuantile(std::vector<float>& values, double q);
 
+  std::vector<float> Distance; // how far apart points are (vtkPointSplatDisk)
+  std::vector<float> Turn;     // by how much the surface turns to a neighbour, over its distance, at most
+  std::vector<float> Farthest; // the distance of the farthest neighbour in the star
   std::vector<float> Length;  // of the longer axis; 0 for a point alone
   std::vector<float> Gap;     // what it must at least be to close the gaps around
   std::vector<float> Opening; // the distance of its cell's farthest vertex, 0 for an open cell
@@ -110,6 +124,7 @@ private:
   float GetLocalSpread() const;
 
   std::vector<unsigned char> Cut; // made smaller since the surface bends
+  std::vector<unsigned char> Graded; // of which something else says how large they are to be
   std::vector<float> Nearest; // the distance to any neighbour
   std::vector<Slot> Witnesses;
   float Body = 0; // the largest radius of a point alone

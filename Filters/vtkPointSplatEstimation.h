@@ -12,13 +12,13 @@
  * from its triangles.
  * Coordinates may lie far from the origin: everything is measured from point to point.
  *
- * Output: a vtkPolyData with the same points in the same order, all of the input's point
- * data and field data, no cells, and
+ * Output: a vtkPolyData with the same points in the same order, and behind them fill points if FillGaps
+ * is on; all of the input's point data, of fill points interpolated, and field data, no cells, and
  * - the active normals (3 floats, unit length): those of the input, normalised and with their
  *   sign, where they are finite and not zero, otherwise estimated;
  * - `SplatRadius` (1 float, world units) and `SplatPlaneNormal` (3 floats, unit length: the
  *   normal of the disk's plane, the point's normal but for stage 4's exception; 0 for bodies alone,
- *   stage 6, which have none) and
+ *   stage 7, which have none) and
  *   `SplatCurvature` (6 floats, XX, YY, ZZ, XY, YZ, XZ, 1 / world units: the second fundamental
  *   form as a tensor across the normal, 1 / R on a sphere with outward normals; 0 where it is
  *   not known) if Shape is Circular, or
@@ -30,6 +30,8 @@
  *   no line), and for creases
  * - `SplatFold` (6 floats, two unit vectors or 0: the normals of the planes in which the splat goes
  *   on behind its lines) where given normals are averages of two or three faces'.
+ * Where there are fill points, also `SplatSource` (1 vtkIdType: the input's point that a point is, or that a
+ * fill point is nearest to).
  * A mapper's blending kernel reaches 1.5 to 2 times farther than these.
  *
  * Stages (for triangles' corners, unless Shape is Elliptical, stages 4 and 5 are those of
@@ -102,7 +104,14 @@
  *    end somewhere between their last points and the surface's border: there a line a little past the
  *    outermost of them clips all splats that reach over it. On tubes whose rings of points are farther
  *    apart than the tube is wide two lines clip disks beside the axis, which else would leave it.
- * 6. *Bound.* No disk is larger than two and a half times those of its neighbours, which keeps
+ * 6. *Fill*, if FillGaps is on, Shape is Circular and the point is on no crease. Where points are much denser on one
+ *    side than on the other, as of meshes whose triangles are few where faces are flat, and where given normals turn by
+ *    more than 34 degrees from one point to the next, as on tubes, rims and small bodies, no round disk covers
+ *    what is around a point and does not stand off the surface. There disks are as small as the densest part and
+ *    the bend ask for, graded from point to point (vtkPointSplatStars.h), and fill points lie between those that are
+ *    farther apart than that (vtkPointSplatRefinement.h), with normals between theirs. Without it disks are as large as
+ *    gaps are. Even samplings have no fill points, random ones few; noise (IsRough()) does not count as bend.
+ * 7. *Bound.* No disk is larger than two and a half times those of its neighbours, which keeps
  *    outliers small. A point with no neighbour of its own sheet is a body alone, and so are points
  *    that no surface goes through (vtkPointSplatBodies.h): along a curve with nothing beside it;
  *    and, without given normals, where points fill a volume, and far from all others. Half of the
@@ -129,8 +138,15 @@
 #include "vtkPointSplatSetMacros.h"
 #include "vtkPointSplattingABI.h"
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h"
+
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
+
+class vtkAbstractArray;
+class vtkPointSet;
+class vtkPoints;
 
 class VTKFILTERSPOINTSPLATTING_EXPORT vtkPointSplatEstimation : public vtkPolyDataAlgorithm
 {
@@ -203,9 +219,52 @@ public:
   vtkGetMacro(RadiusScale, double);
   ///@}
 
+  ///@{
+  /**
+   * Whether the output has fill points where points are too uneven, or the surface bends too much, for disks
+   * about them (stage 6): more points than the input then. Off by default; a mapper that estimates sizes
+   * has it on.
+   */
+  vtkSetMacro(FillGaps, bool);
+  vtkGetMacro(FillGaps, bool);
+  vtkBooleanMacro(FillGaps, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether FillGaps is also between triangles' corners; on by default. Off for what draws large triangles
+   * as such, and not as splats.
+   */
+  vtkSetMacro(FillMeshGaps, bool);
+  vtkGetMacro(FillMeshGaps, bool);
+  vtkBooleanMacro(FillMeshGaps, bool);
+  ///@}
+
+  /// The points of the input between which a fill point lies, the nearest one first, with weights whose sum is 1.
+  struct FillPoint
+  {
+    int Count;
+    vtkIdType Ends[3];
+    float Weights[3];
+  };
+  /// Those behind the input's points in the output, in order; known after Update().
+  const std::vector<FillPoint>& GetFillPoints() const { return this->FillPoints; }
+  /**
+   * An array of the input's points, and behind them what fill points have: means of their ends' by weights; of
+   * whole numbers with one component, as ids and labels, and of texts, the nearest one's.
+   */
+  static vtkSmartPointer<vtkAbstractArray> WithFillPoints(
+    vtkAbstractArray* array, const std::vector<FillPoint>& points);
+  /**
+   * Gives the output the points and point data of the input, and behind them fill points at these places, and
+   * `SplatSource`. Arrays that have not a tuple for each point are left out.
+   */
+  static void AppendFillPoints(vtkPointSet* input, vtkPoints* places,
+    const std::vector<FillPoint>& points, vtkPolyData* output);
+
   /**
    * How many points have no neighbour on a sheet of their own, or no surface through them, and are
-   * drawn as a small body each (stage 6); known after Update().
+   * drawn as a small body each (stage 7); known after Update().
    */
   vtkGetMacro(NumberOfPointsAlone, vtkIdType);
 
@@ -228,7 +287,8 @@ public:
    * and parts with normals averaged over their edges have at most 0.1, one of a volume of whole
    * numbers magnified four times 0.75.
    */
-  bool IsRough() const { return this->Noise > 0.3; }
+  bool IsRough() const { return vtkPointSplatEstimation::IsRough(this->Noise); }
+  static bool IsRough(double noise) { return noise > 0.3; }
 
   /**
    * Whether the cloud is one for vtkPointSplatProjection: rough, and by contradictions rather than
@@ -244,6 +304,9 @@ protected:
   int FillInputPortInformation(int, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
+  /// For subclasses that keep a part of them.
+  void SetFillPoints(const std::vector<FillPoint>& points) { this->FillPoints = points; }
+
 private:
   vtkPointSplatEstimation(const vtkPointSplatEstimation&) = delete;
   void operator=(const vtkPointSplatEstimation&) = delete;
@@ -253,6 +316,9 @@ private:
   int Orientation = Consistent;
   double Viewpoint[3] = { 0, 0, 0 };
   double RadiusScale = 1;
+  bool FillGaps = false;
+  bool FillMeshGaps = true;
+  std::vector<FillPoint> FillPoints;
   vtkIdType NumberOfPointsAlone = 0;
   double Noise = 0; // that the last update found, and
   double Contradiction = 0;

@@ -369,6 +369,16 @@ vtkPointSplatFans::Disk vtkPointSplatFans::GetDisk(vtkIdType id, const float* no
   }
   found.Radius = std::max(LengthPerEdge * sum / ring.Count, LengthPerReach * std::sqrt(reach2));
 
+  found.Distance = vtkPointSplatDisk::GetDistance(ring.Squared, ring.Count, 0.0f);
+  found.Farthest = std::sqrt(ring.Squared[ring.Count - 1]);
+  const float grain = vtkPointSplatSheet::Grain * found.Farthest;
+  for (int i = 0; i < ring.Count; ++i)
+  {
+    const float place[3] = { ring.X[i], ring.Y[i], ring.Z[i] };
+    found.Turn = std::max(found.Turn, vtkPointSplatSheet::GetSquaredTurn(n, place, grain));
+  }
+  found.Turn = std::sqrt(found.Turn);
+
   // How the surface bends the corners beyond tell, too: few normals are too noisy.
   const int next = ring.Count;
   Slot beside[MaximumNumberOfNeighbors];

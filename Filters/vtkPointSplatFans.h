@@ -94,6 +94,16 @@ public:
     }
   }
 
+  /// Calls visitor(corners) for a point's triangles.
+  template <typename Visitor>
+  void VisitTriangles(vtkIdType id, Visitor visitor) const
+  {
+    for (vtkIdType t = this->First[id]; t < this->First[id + 1]; ++t)
+    {
+      visitor(this->Corners.data() + 3 * this->Triangles[t]);
+    }
+  }
+
   /// Whether a point is a triangle's corner.
   bool Has(vtkIdType id) const
   {
@@ -105,6 +115,7 @@ public:
     float Radius = 0;                            // world units
     float Plane[3] = { 0, 0, 0 };                // its normal, unit length
     float Curvature[6] = { 0, 0, 0, 0, 0, 0 };   // as vtkPointSplatCurvature's
+    float Distance = 0, Turn = 0, Farthest = 0;  // as vtkPointSplatDisks'
     bool Creased = false; // whether a crease is likely to be near (vtkPointSplatCrease)
   };
 

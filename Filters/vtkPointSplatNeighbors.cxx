@@ -5,7 +5,10 @@
 #include "vtkArrayDispatch.h"
 #include "vtkDataArrayRange.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -50,6 +53,52 @@ void GetBounds(const Item* begin, const Item* end, double bounds[6])
     }
   }
 }
+/**
+ * Which coordinates are the same: cells of a grid whose spacing is about that of floats as large as the cloud,
+ * and so less than a 16th of that of four thousand million points all over it. Few far outliers do not widen it.
+ */
+class Grid
+{
+public:
+  void Fit(const std::vector<Item>& items)
+  {
+    const std::size_t stride = std::max<std::size_t>(1, items.size() / MostSamples);
+    double side = 0;
+    std::vector<double> values;
+    for (int c = 0; c < 3; ++c)
+    {
+      values.clear();
+      for (std::size_t i = 0; i < items.size(); i += stride)
+      {
+        values.push_back(items[i].X[c]);
+      }
+      const auto low = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 4);
+      const auto high = values.begin() + static_cast<std::ptrdiff_t>(3 * values.size() / 4);
+      std::nth_element(values.begin(), low, values.end());
+      std::nth_element(low, high, values.end());
+      side = std::max(side, *high - *low);
+    }
+    this->PerUnit = side > 0 ? CellsPerSide / side : 0.0;
+  }
+
+  /// The cell of a coordinate; itself where there is no grid that holds it.
+  double GetCell(double x) const
+  {
+    const double cell = std::floor(x * this->PerUnit + 0.5);
+    return this->PerUnit > 0 && std::isfinite(cell) ? cell : x;
+  }
+
+  bool IsSame(const double a[3], const double b[3]) const
+  {
+    return std::equal(
+      a, a + 3, b, [this](double x, double y) { return this->GetCell(x) == this->GetCell(y); });
+  }
+
+private:
+  static constexpr std::size_t MostSamples = 4096;
+  static constexpr double CellsPerSide = 1 << 21;
+  double PerUnit = 0;
+};
 }
 
 /// Splits the items into leaves: the first levels by tasks side by side, the rest within a task.
@@ -70,8 +119,9 @@ struct vtkPointSplatNeighbors::Builder
 
   std::vector<Item> Items;
   std::vector<Task> Tasks;
+  Grid Places;
 
-  /// Where the items of one range part: all positions of a kind stay on one side.
+  /// Where the items of one range part: all of one place stay on one side.
   vtkIdType Split(const Range& range, const double bounds[6])
   {
     int axis = 0;
@@ -87,18 +137,18 @@ struct vtkPointSplatNeighbors::Builder
     Item* middle = begin + (end - begin) / 2;
     std::nth_element(
       begin, middle, end, [axis](const Item& a, const Item& b) { return a.X[axis] < b.X[axis]; });
-    const double value = middle->X[axis];
+    const double value = this->Places.GetCell(middle->X[axis]);
+    const auto cellOf = [this, axis](const Item& a) { return this->Places.GetCell(a.X[axis]); };
     // Of the two ways to keep equal coordinates together take one that leaves no side empty.
-    Item* cut = value > bounds[axis]
-      ? std::partition(begin, middle, [=](const Item& a) { return a.X[axis] < value; })
-      : std::partition(middle, end, [=](const Item& a) { return a.X[axis] <= value; });
+    Item* cut = value > this->Places.GetCell(bounds[axis])
+      ? std::partition(begin, middle, [=](const Item& a) { return cellOf(a) < value; })
+      : std::partition(middle, end, [=](const Item& a) { return cellOf(a) <= value; });
     return cut - this->Items.data();
   }
 
-  static bool IsLeaf(const Range& range, const double bounds[6])
+  bool IsLeaf(const Range& range, const double bounds[6]) const
   {
-    return range.End - range.Begin <= LeafSize ||
-      (bounds[0] == bounds[3] && bounds[1] == bounds[4] && bounds[2] == bounds[5]);
+    return range.End - range.Begin <= LeafSize || this->Places.IsSame(bounds, bounds + 3);
   }
 
   void Recurse(Task& task, const Range& range)
@@ -225,6 +275,7 @@ void vtkPointSplatNeighbors::Build(vtkDataArray* points, const unsigned char* us
   {
     Gather{}(points, ids, builder.Items);
   }
+  builder.Places.Fit(builder.Items);
   builder.Run();
   std::vector<Builder::Range> ranges;
   builder.Emit(builder.Tasks[0], this->Nodes, ranges);
@@ -244,7 +295,7 @@ void vtkPointSplatNeighbors::Build(vtkDataArray* points, const unsigned char* us
       {
         int lane = 0;
         while (lane < leaf.Count &&
-          !std::equal(lanes[lane]->X, lanes[lane]->X + 3, items[i].X))
+          !builder.Places.IsSame(lanes[lane]->X, items[i].X))
         {
           ++lane;
         }
@@ -451,6 +502,44 @@ void vtkPointSplatNeighbors::SearchLeaf(
   {
     this->Scan(leaf, other, lanes, k, false, spread, scratch);
   }
+}
+
+void vtkPointSplatNeighbors::Keep(int k, Scratch& scratch)
+{
+  scratch.NearestDistances = scratch.Distances;
+  scratch.NearestSlots = scratch.Slots;
+  scratch.NearestSlots.resize(static_cast<std::size_t>(k) * LeafSize);
+}
+
+int vtkPointSplatNeighbors::Merge(int k, Scratch& scratch)
+{
+  const int nearest = std::min(k, NumberOfSpreadNeighbors);
+  const int count = nearest + NumberOfSpreadNeighbors;
+  std::vector<float> distances(
+    static_cast<std::size_t>(count) * LeafSize, std::numeric_limits<float>::infinity());
+  std::vector<Slot> slots(distances.size());
+  for (int lane = 0; lane < LeafSize; ++lane)
+  {
+    std::vector<std::pair<float, Slot>> all;
+    for (int i = 0; i < nearest; ++i)
+    {
+      all.emplace_back(scratch.NearestDistances[lane * k + i], scratch.NearestSlots[lane * k + i]);
+    }
+    for (int i = lane * NumberOfSpreadNeighbors; i < (lane + 1) * NumberOfSpreadNeighbors; ++i)
+    {
+      all.emplace_back(scratch.Distances[i], scratch.Slots[i]);
+    }
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    for (std::size_t i = 0; i < all.size(); ++i)
+    {
+      distances[static_cast<std::size_t>(lane) * count + i] = all[i].first;
+      slots[static_cast<std::size_t>(lane) * count + i] = all[i].second;
+    }
+  }
+  scratch.Distances.swap(distances);
+  scratch.Slots.swap(slots);
+  return count;
 }
 
 vtkPointSplatNeighbors::Neighborhood vtkPointSplatNeighbors::Describe(

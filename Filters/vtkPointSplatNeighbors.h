@@ -8,8 +8,10 @@
  * points at once, which is faster than one query after the other.
  *
  * 1. Points are split at the median of the longest side of their bounding box until at
- *    most LeafSize are together. Points at the same position always fall on the same side
- *    and become one *slot*; the others of them are known by GetSlots() only. So duplicates
+ *    most LeafSize are together. Points at the same position, to within what floats round
+ *    (2^-21 of the side over which the middle half of the points extends), always fall on the
+ *    same side and become one *slot*; the others of them are known by GetSlots() only. So
+ *    duplicates, and those that sums of floats left beside one another, as at a sphere's pole,
  *    neither hide the true neighbours nor slow the search down.
  * 2. A leaf stores its positions as floats relative to its own origin (a double), so that
  *    neighbours are exact to float's precision of their *distance*, wherever the cloud lies
@@ -78,11 +80,22 @@ public:
    */
   template <typename Visitor, typename Predicate>
   bool Visit(vtkAlgorithm* self, double from, double to, int k, const Visitor& visit,
-    const Predicate& wanted) const;
+    const Predicate& wanted) const
+  {
+    return this->VisitRounds<false>(self, from, to, k, visit, wanted);
+  }
   template <typename Visitor>
   bool Visit(vtkAlgorithm* self, double from, double to, int k, const Visitor& visit) const
   {
     return this->Visit(self, from, to, k, visit, [](Slot) { return true; });
+  }
+  /// The same, but that round 2 has up to NumberOfSpreadNeighbors of the nearest ones, too: where points are
+  /// dense on one side a leaf may have its sparse ones behind them.
+  template <typename Visitor, typename Predicate>
+  bool VisitWidely(vtkAlgorithm* self, double from, double to, int k, const Visitor& visit,
+    const Predicate& wanted) const
+  {
+    return this->VisitRounds<true>(self, from, to, k, visit, wanted);
   }
 
   /**
@@ -115,6 +128,8 @@ private:
     std::vector<std::uint32_t> Leaves;
     std::vector<float> X, Y, Z;
     int Counts[LeafSize];
+    std::vector<float> NearestDistances; // of another search
+    std::vector<Slot> NearestSlots;
   };
   struct Builder;
 
@@ -128,7 +143,13 @@ private:
     std::uint32_t leaf, unsigned int lanes, int k, bool spread, Scratch& scratch) const;
   void Scan(const Leaf& from, std::uint32_t other, unsigned int lanes, int k, bool self,
     bool spread, Scratch& scratch) const;
+  static void Keep(int k, Scratch& scratch);
+  /// Adds those that were kept, of k a lane, and returns how many a lane has.
+  static int Merge(int k, Scratch& scratch);
   Neighborhood Describe(std::uint32_t leaf, int lane, int k, Scratch& scratch) const;
+  template <bool Widely, typename Visitor, typename Predicate>
+  bool VisitRounds(vtkAlgorithm* self, double from, double to, int k, const Visitor& visit,
+    const Predicate& wanted) const;
 
   std::vector<Node> Nodes;
   std::vector<Leaf> Leaves;
@@ -158,8 +179,8 @@ void vtkPointSplatNeighbors::VisitLeaves(Slot leaf, double distance, const Visit
   }
 }
 
-template <typename Visitor, typename Predicate>
-bool vtkPointSplatNeighbors::Visit(vtkAlgorithm* self, double from, double to, int k,
+template <bool Widely, typename Visitor, typename Predicate>
+bool vtkPointSplatNeighbors::VisitRounds(vtkAlgorithm* self, double from, double to, int k,
   const Visitor& visit, const Predicate& wanted) const
 {
   vtkSMPThreadLocal<Scratch> scratches;
@@ -176,8 +197,16 @@ bool vtkPointSplatNeighbors::Visit(vtkAlgorithm* self, double from, double to, i
       }
       for (int round = 0; round < 3 && lanes; ++round)
       {
-        const int count = round == 0 ? k : round == 1 ? more : NumberOfSpreadNeighbors;
+        int count = round == 0 ? k : round == 1 ? more : NumberOfSpreadNeighbors;
+        if (Widely && round == 2)
+        {
+          Keep(more, scratch);
+        }
         this->SearchLeaf(leafId, lanes, count, round == 2, scratch);
+        if (Widely && round == 2)
+        {
+          count = Merge(more, scratch);
+        }
         for (int lane = 0; lane < LeafSize; ++lane)
         {
           if ((lanes >> lane & 1u) &&

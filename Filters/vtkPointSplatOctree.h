@@ -21,7 +21,7 @@
  * Input: any vtkPointSet with points of any type and
  * - point normals (3 components), and `SplatRadius` (1 component, world units) or `SplatAxis1`
  *   and `SplatAxis2` (3 components each, world units). What is missing is estimated, as
- *   vtkPointSplatEstimation does;
+ *   vtkPointSplatEstimation does without fill points: run that filter with FillGaps on first for these;
  * - `SplatCurvature` (6 components), if it is known;
  * - any other point data.
  *

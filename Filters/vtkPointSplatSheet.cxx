@@ -16,14 +16,19 @@ constexpr float NearReach = 2.0f;
 /// How far apart, in spacings, the surfaces through two points may pass for them to be of one sheet:
 /// near ones, since points have noise ...
 constexpr float NearOffset = 0.6f;
-/// ... and the sine of half the angle by which the arc between them may turn (106 degrees).
+/// ... and the sine of half the angle by which the arc between them may turn (106 degrees), the mean of both
+/// normals'.
 constexpr float NearTurn = 0.8f;
 /// The same for those across a gap (35 degrees), where nothing but the normals tells of a sheet.
 constexpr float FarOffset = 0.1f; // of their distance
 constexpr float FarTurn = 0.3f;
-/// Normals that part by more than this cosine (78 degrees) are those of two faces at an edge, unless
+/// Normals that part by more than this cosine (87 degrees) are those of two faces at an edge, unless
 /// the sheet has too few others: on a body of a few points all part so.
-constexpr float EdgeCosine = 0.2f;
+constexpr float EdgeCosine = 0.05f;
+/// A point lies in another's tangent plane if it is off that by less than this part of their distance, and
+/// may be one on an edge, a rim or a tip if its normal parts from the other's by less than this cosine.
+constexpr float InPlane = 0.25f;
+constexpr float LeastTipCosine = -0.1f;
 constexpr int FewMembers = 3;
 /// Normals tell of a crease if they part by more than this cosine (13 degrees; at an edge of 30
 /// degrees, averaged ones part by 15 from those of its faces) and the surfaces through the two
@@ -33,6 +38,9 @@ constexpr float UnevenCosine = 0.974f;
 constexpr float UnevenOffset = 0.11f;
 /// What is farther counts only where this part of it is of the sheet: some always is, by chance.
 constexpr float LeastFarShare = 0.34f;
+/// ... or this part has normals that part by less than this cosine (14 degrees).
+constexpr float LeastFlatShare = 0.1f;
+constexpr float FlatCosine = 0.97f;
 }
 
 float vtkPointSplatSheet::GetSpacing(const vtkPointSplatNeighbors::Neighborhood& around)
@@ -40,6 +48,15 @@ float vtkPointSplatSheet::GetSpacing(const vtkPointSplatNeighbors::Neighborhood&
   return around.Count > 0
     ? std::sqrt(around.SquaredDistance[std::min(SpacingRank, around.Count) - 1])
     : 0.0f;
+}
+
+float vtkPointSplatSheet::GetSquaredTurn(
+  const float n[3], const float place[3], float grain)
+{
+  const float height = n[0] * place[0] + n[1] * place[1] + n[2] * place[2];
+  const float squared = place[0] * place[0] + place[1] * place[1] + place[2] * place[2];
+  const float turn = 2 * height / std::max(squared, grain * grain);
+  return turn * turn;
 }
 
 int vtkPointSplatSheet::CountNear(
@@ -81,6 +98,14 @@ float vtkPointSplatSheet::GetResidual(
   return all > 0 ? across / all : 0;
 }
 
+/// Whether one of two points lies in the other's tangent plane, and its own normal leans over by less than
+/// a right angle: at an edge whose normal is an average, at a rim or a tip, the surface between the two is flat.
+bool vtkPointSplatSheet::MeetsEdge(const Arc& arc, float squared)
+{
+  const float least = std::min(std::abs(arc.Height), std::abs(arc.OtherHeight));
+  return arc.Cosine > LeastTipCosine && least * least < InPlane * InPlane * squared;
+}
+
 void vtkPointSplatSheet::Select(
   const vtkPointSplatNeighbors::Neighborhood& around, int countNear, float spacing)
 {
@@ -98,16 +123,23 @@ void vtkPointSplatSheet::Select(
     this->Uneven = this->Uneven ||
       (isNear && std::abs(arc.Cosine) < UnevenCosine &&
         arc.Offset * arc.Offset > UnevenOffset * UnevenOffset * squared);
-    const float turn2 = (isNear ? NearTurn * NearTurn : FarTurn * FarTurn) * squared;
+    if (isNear && this->MeetsEdge(arc, squared))
+    {
+      ++this->Near;
+      this->Members[this->Count++] = i;
+      continue;
+    }
+    // Of near ones the mean of how far both normals lean tells, as where a disk ends at a rim.
+    const float lean = std::abs(arc.Height), otherLean = std::abs(arc.OtherHeight);
+    const float turn = isNear ? 0.5f * (lean + otherLean) : std::max(lean, otherLean);
+    const float mostTurn = isNear ? NearTurn : FarTurn;
     const float offset2 = isNear ? near2 : FarOffset * FarOffset * squared;
-    const float height2 = arc.Height * arc.Height;
-    if (height2 > turn2 || arc.Offset * arc.Offset > offset2 ||
-      (!isNear && arc.OtherHeight * arc.OtherHeight > turn2))
+    if (turn * turn > mostTurn * mostTurn * squared || arc.Offset * arc.Offset > offset2)
     {
       continue;
     }
     if (std::abs(arc.Cosine) < EdgeCosine ||
-      (arc.Cosine < 0 && height2 > FarTurn * FarTurn * squared))
+      (arc.Cosine < 0 && turn * turn > FarTurn * FarTurn * squared))
     {
       if (isNear)
       {
@@ -119,10 +151,24 @@ void vtkPointSplatSheet::Select(
     this->Members[this->Count++] = i;
   }
   this->Whole = this->Count == around.Count;
-  if (this->Count - this->Near < LeastFarShare * (around.Count - countNear))
+  const int countFar = around.Count - countNear;
+  if (this->Count - this->Near < LeastFarShare * countFar)
   {
-    this->Count = this->Near;
+    // Few are on a sparse flat face beside a dense edge; that many with the same normal are not by chance.
+    int kept = this->Near;
+    for (int k = this->Near; k < this->Count; ++k)
+    {
+      if (this->Arcs[this->Members[k]].Cosine > FlatCosine)
+      {
+        this->Members[kept++] = this->Members[k];
+      }
+    }
+    const int flat = kept - this->Near;
+    this->Count = flat >= FewMembers && flat >= LeastFlatShare * countFar ? kept : this->Near;
   }
+  this->IsFlatAfar =
+    std::all_of(this->Members + this->Near, this->Members + this->Count,
+      [this](int i) { return this->Arcs[i].Cosine > FlatCosine; });
   if (this->Near < FewMembers && edges > 0)
   {
     // All are near ones, and so come before those that are not.

@@ -11,7 +11,8 @@
  * So with m turned to where n's mirror image points, half of |(n + m) . d| is the distance at which
  * the surface through one point passes the other: 0 on an arc, the distance of parallel sheets, the
  * diameter from one side of a tube to the other, and the noise of noisy scans. And n . d / |d| is the
- * sine of half the angle by which the arc turns.
+ * sine of half the angle by which the arc turns. At an edge whose normal is an average of its faces', at a
+ * rim and at a tip the surface between two points is flat instead: one lies in the other's tangent plane.
  */
 #ifndef vtkPointSplatSheet_h
 #define vtkPointSplatSheet_h
@@ -27,6 +28,12 @@ public:
   /// grid's vertex where an isosurface passes it.
   static constexpr int SpacingRank = 6;
   static float GetSpacing(const vtkPointSplatNeighbors::Neighborhood& around);
+
+  /// By how much the surface turns from a point with the normal n to one that lies there, over their distance: twice
+  /// the sine of the angle at which it leaves the tangent plane; squared. Nearer than grain counts as so far.
+  static float GetSquaredTurn(const float n[3], const float place[3], float grain);
+  /// Of the distance that most points are apart: nearer ones, as those of a pole, are as good as one.
+  static constexpr float Grain = 1.0f / 256;
 
   /// How many of the neighbours lie as near as neighbours do where points have that spacing.
   static int CountNear(const vtkPointSplatNeighbors::Neighborhood& around, float spacing);
@@ -62,6 +69,8 @@ public:
   int Count = 0;
   /// How many of these, the first ones, are near. What is farther is a neighbour only across a gap.
   int Near = 0;
+  /// Whether those that are not near have the centre's normal, all of them: the sheet is a plane there.
+  bool IsFlatAfar = false;
   /// Whether all neighbours are of the sheet.
   bool Whole = false;
   float Spacing = 0; // as given
@@ -70,6 +79,8 @@ public:
   bool Uneven = false;
 
 private:
+  static bool MeetsEdge(const Arc& arc, float squared);
+
   Arc Arcs[vtkPointSplatNeighbors::MaximumNumberOfNeighbors];
 };
 

@@ -87,6 +87,8 @@ vtkPointSplatCloudInput vtkPointSplatMapper::vtkInternals::MakeInput(
   input.Owner = this->Self;
   input.NeedSizes = settings.Method != vtkPointSplatSettings::ImageSpace;
   input.ProjectNoise = this->Self->ProjectNoise;
+  input.FillGaps = this->Self->FillGaps;
+  input.FillMeshGaps = this->Self->Hybrid == HYBRID_OFF;
   if (this->Self->ScalarVisibility)
   {
     input.MapColours = [this](vtkDataSet* block) { return this->MapColours(block); };

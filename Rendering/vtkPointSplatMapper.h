@@ -38,12 +38,7 @@
  *   the second fundamental form, whose eigenvalues are 1 / R on a sphere with outward normals. It
  *   is estimated with the radius; where only that is given, and for ellipses, splats are flat.
  * - `SplatClip`, 6 components, two vectors, 1 / world units: lines at which splats end, at creases and
- *   borders, so that edges are straight and sharp (vtkPointSplatArrays.h has the equations). They stay
- *   where they are, whatever RadiusScale is. Splats with lines join no layer that shows the other side,
- *   since just behind an edge lies the face that is turned away: best give lines to all within 2.5
- *   times RadiusScale times their size of an edge, the layer distance and KernelSupport. Splats go on
- *   for a sixteenth of a pixel beyond, where they hardly weigh, so that there are no gaps at edges.
- *   Method ImageSpace does without.
+ *   borders, so that edges are straight and sharp (vtkPointSplatArrays.h). Method ImageSpace does without.
  * - `SplatFold`, 6 components, two unit vectors or 0, beside `SplatRadius`, `SplatPlaneNormal` and
  *   `SplatClip`: the splat goes on behind its lines in the planes with these normals, as one more
  *   each, of the same point (GetNumberOfSplats() counts them).
@@ -324,11 +319,15 @@ public:
    * less than their noise. On by default; then clouds are projected that are noisy as
    * vtkPointSplatEstimation::IsNoisy() says, three tenths of their points. Others, and points without
    * normals or with sizes of their own, are drawn where they are. The input is not changed.
-   * Projecting takes about as long again as estimating sizes, whenever points change.
+   * FillGaps, on by default: where sizes are estimated, vtkPointSplatEstimation's fill points are drawn,
+   * too, each as one more splat of the point that it is nearest to; not where Hybrid draws triangles.
    */
   vtkSetMacro(ProjectNoise, bool);
   vtkGetMacro(ProjectNoise, bool);
   vtkBooleanMacro(ProjectNoise, bool);
+  vtkSetMacro(FillGaps, bool);
+  vtkGetMacro(FillGaps, bool);
+  vtkBooleanMacro(FillGaps, bool);
   ///@}
 
   ///@{
@@ -575,6 +574,7 @@ private:
   int Hybrid = HYBRID_OFF;
   bool Progressive = true;
   bool ProjectNoise = true;
+  bool FillGaps = true;
   bool Shadows = false;
   int NumberOfShadowSamples = 16;
   int NumberOfInteractiveShadowSamples = 1;

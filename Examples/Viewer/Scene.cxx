@@ -349,6 +349,7 @@ void AddPoints(Scene& scene, const Options& options, const std::string& name, vt
   if (!AreShownAtOnce(options, points))
   {
     estimation->SetInputData(points);
+    estimation->FillGapsOn();
     ShowProgress(estimation, "normals and splat sizes", options.Quiet);
     estimation->Update();
     if (estimation->IsNoisy() && !options.Project)

@@ -33,7 +33,7 @@ class DataSetSplats:
     def __init__(self, dataset):
         self._dataset = dataset
 
-    def estimate(self, neighbors=None, elliptical=False, viewpoint=None):
+    def estimate(self, neighbors=None, elliptical=False, viewpoint=None, fill=False):
         """Estimate normals where they are missing, splat sizes, curvature and creases.
 
         Parameters
@@ -45,6 +45,11 @@ class DataSetSplats:
         viewpoint : sequence of 3 float, optional
             Where the scanner stood (world units): estimated normals face it. By default they
             are oriented consistently.
+        fill : bool, default: False
+            Fill points, behind the others, where points are too uneven, or the surface bends too
+            much, for circles about them; a plotter that estimates sizes itself draws them. Arrays
+            have values between those of the nearest points, and `SplatSource` (n,) has the
+            number of the nearest one.
 
         Returns
         -------
@@ -68,6 +73,7 @@ class DataSetSplats:
         if viewpoint is not None:
             estimation.SetOrientationToViewpoint()
             estimation.SetViewpoint(viewpoint)
+        estimation.SetFillGaps(fill)
         return _output(estimation)
 
     def project(self, outliers="keep"):

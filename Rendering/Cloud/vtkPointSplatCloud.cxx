@@ -32,7 +32,7 @@ std::vector<vtkPointSplatCloud::Block> vtkPointSplatCloud::Gather(vtkDataObject*
     vtkPointSet* data = vtkPointSet::SafeDownCast(object);
     if (data && data->GetPoints() && data->GetNumberOfPoints() > 0)
     {
-      blocks.push_back({ data, flatIndex, 0, 0 });
+      blocks.push_back({ data, flatIndex, 0, 0, nullptr });
     }
   };
   if (auto composite = vtkCompositeDataSet::SafeDownCast(input))
@@ -160,7 +160,7 @@ vtkIdType vtkPointSplatCloud::BuildBlock(
   const vtkPointSplatCloudInput& input, Block& block, const vtkPointSplatPacking& packing)
 {
   const size_t words = this->GetWordsPerSplat();
-  const size_t n = static_cast<size_t>(block.Data->GetNumberOfPoints());
+  const size_t n = static_cast<size_t>(packing.GetNumberOfPoints());
   if (!packing.Normals || (input.NeedSizes && !(packing.Radius || packing.Axis1)) ||
     static_cast<size_t>(packing.Normals->GetNumberOfTuples()) != n ||
     packing.Normals->GetNumberOfComponents() != 3)
@@ -174,6 +174,12 @@ vtkIdType vtkPointSplatCloud::BuildBlock(
   std::vector<uint32_t> packed(words * n);
   std::vector<unsigned char> valid(n, 0);
   packing.Pack(this->Origin, this->Circular, packed.data(), valid.data());
+  if (!packing.Fill.empty())
+  {
+    auto fill = std::make_shared<vtkPointSplatFillPoints>();
+    fill->Make(block.Data->GetNumberOfPoints(), packing.Fill, packed.data(), words);
+    block.Fill = std::move(fill);
+  }
   size_t kept = 0;
   for (size_t i = 0; i < n; ++i)
   {
@@ -223,6 +229,8 @@ bool vtkPointSplatCloud::BuildSplats(
   this->Circular = true;
   this->Sized = true;
   this->MayProject = input.ProjectNoise;
+  this->MayFill = input.FillGaps;
+  this->MayFillMeshes = input.FillMeshGaps;
   this->Projected = false;
   std::vector<vtkPointSplatPacking> packings;
   bool given = !blocks.empty();
@@ -250,6 +258,7 @@ bool vtkPointSplatCloud::BuildSplats(
     blocks[b].First = this->Count;
     blocks[b].Count = this->BuildBlock(input, blocks[b], packings[b]);
     this->BuildClipLines(blocks[b], packings[b]);
+    this->NumberFillPoints(blocks[b], packings[b]);
     this->Count += blocks[b].Count;
   }
   this->Splats.resize(this->GetWordsPerSplat() * static_cast<size_t>(this->Count));
@@ -348,16 +357,18 @@ bool vtkPointSplatCloud::BuildValues(const vtkPointSplatCloudInput& input)
   std::memcpy(this->ValueTable.data(), colours->GetPointer(0), 4 * this->ValueTable.size());
   this->ValueScale = { { (high - low) * entries, low * entries } };
   this->Colours.resize(static_cast<size_t>(this->Count));
-  const size_t words = this->GetWordsPerSplat();
   const double scale = high > low ? 1.0 / (high - low) : 0.0;
   for (size_t b = 0; b < all.size(); ++b)
   {
     const Block& block = this->Blocks[b];
-    const float* from = all[b].Coordinates->GetPointer(0);
+    const vtkSmartPointer<vtkFloatArray> places = block.Fill
+      ? block.Fill->Extend(all[b].Coordinates.Get())
+      : all[b].Coordinates;
+    const float* from = places->GetPointer(0);
     vtkSMPTools::For(block.First, block.First + block.Count, [&](vtkIdType begin, vtkIdType end) {
       for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
       {
-        const float* at = from + 2 * size_t(this->Splats[words * i + 7]);
+        const float* at = from + 2 * static_cast<size_t>(this->NumberOf(block, i));
         const float value =
           static_cast<float>(std::clamp((double(at[0]) - low) * scale, 0.0, 1.0));
         // NaN compares false.
@@ -375,7 +386,6 @@ void vtkPointSplatCloud::BuildFactors(vtkObject* owner)
 {
   this->Factors.clear();
   this->FactorCount = 0;
-  const size_t words = this->GetWordsPerSplat();
   for (const Block& block : this->Blocks)
   {
     vtkDataArray* factors = block.Data->GetPointData()->GetArray(vtkPointSplatArrays::Shadow);
@@ -398,13 +408,16 @@ void vtkPointSplatCloud::BuildFactors(vtkObject* owner)
       this->Factors.assign(static_cast<size_t>(this->Count), 0xffffffffu);
     }
     this->FactorCount = std::max(this->FactorCount, count);
+    const vtkSmartPointer<vtkDataArray> extended = block.Fill
+      ? block.Fill->Extend(factors)
+      : vtkSmartPointer<vtkDataArray>(factors);
     vtkSMPTools::For(block.First, block.First + block.Count, [&](vtkIdType begin, vtkIdType end) {
       for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
       {
-        const vtkIdType id = this->Splats[words * i + 7];
+        const vtkIdType id = this->NumberOf(block, i);
         for (int k = 0; k < count; ++k)
         {
-          const double factor = factors->GetComponent(id, k);
+          const double factor = extended->GetComponent(id, k);
           const double lit = std::isnan(factor) ? 1.0 : std::clamp(factor, 0.0, 1.0);
           this->Factors[i] &= ~(255u << (8 * k));
           this->Factors[i] |= static_cast<uint32_t>(std::lround(255.0 * lit)) << (8 * k);

@@ -48,6 +48,7 @@
 #include "vtkPointSplatBlocks.h"
 #include "vtkPointSplatBuffer.h"
 #include "vtkPointSplatCloudInput.h"
+#include "vtkPointSplatFillPoints.h"
 #include "vtkPointSplatGroups.h"
 #include "vtkPointSplatLevels.h"
 #include "vtkPointSplatPacking.h"
@@ -265,6 +266,7 @@ private:
     unsigned int FlatIndex;
     vtkIdType First;
     vtkIdType Count;
+    std::shared_ptr<const vtkPointSplatFillPoints> Fill; // or none
   };
   using ContextBuffers = std::list<std::pair<vtkPointSplatContext, Buffers>>;
 
@@ -283,6 +285,9 @@ private:
   vtkIdType BuildBlock(const vtkPointSplatCloudInput& input, Block& block,
     const vtkPointSplatPacking& packing);
   void BuildClipLines(const Block& block, const vtkPointSplatPacking& packing);
+  void NumberFillPoints(const Block& block, const vtkPointSplatPacking& packing);
+  /// The number of a splat's point among those of a block and its fill points.
+  vtkIdType NumberOf(const Block& block, size_t splat) const;
   /**
    * Where some points are so far off that floats about the middle of the bounding box hold no
    * detail of the others: an origin among these, and points beyond the others' reach left out.
@@ -331,6 +336,8 @@ private:
   bool Circular = true;
   bool Sized = true;
   bool MayProject = true; // as asked when splats were made
+  bool MayFill = false;
+  bool MayFillMeshes = true;
   bool Projected = false;
   bool Composite = false;
   double Spacing = 0.0;

@@ -46,7 +46,8 @@ bool vtkPointSplatCloud::IsMadeFrom(const vtkPointSplatCloudInput& input) const
 bool vtkPointSplatCloud::IsMadeFrom(const vtkPointSplatCloudInput& input, const Key& key) const
 {
   return this->SplatTime != 0 && key == this->SplatsMadeFrom &&
-    (!input.NeedSizes || this->Sized) && input.ProjectNoise == this->MayProject;
+    (!input.NeedSizes || this->Sized) && input.ProjectNoise == this->MayProject &&
+    input.FillGaps == this->MayFill && (!input.FillGaps || input.FillMeshGaps == this->MayFillMeshes);
 }
 
 //------------------------------------------------------------------------------

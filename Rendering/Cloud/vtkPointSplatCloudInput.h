@@ -74,6 +74,10 @@ struct vtkPointSplatCloudInput
   bool NeedSizes = true;
   /// Whether points whose normals and neighbours contradict one another are moved onto one surface.
   bool ProjectNoise = true;
+  /// Whether points between others are drawn, too, where no splats about these cover what is there.
+  bool FillGaps = false;
+  /// The same of triangles' corners.
+  bool FillMeshGaps = true;
   /// Whether some actor has textures; whether light goes by the points' tangents.
   bool NeedCoordinates = false;
   bool NeedTangents = false;

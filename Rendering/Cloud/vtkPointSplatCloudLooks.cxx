@@ -22,6 +22,7 @@ vtkPointSplatCloud::Key vtkPointSplatCloud::KeptKey(
   Key key = vtkPointSplatCloud::SplatKey({ block });
   key.emplace_back(nullptr, input.NeedSizes);
   key.emplace_back(nullptr, input.ProjectNoise);
+  key.emplace_back(nullptr, input.FillGaps + (input.FillGaps && input.FillMeshGaps));
   return key;
 }
 
@@ -36,7 +37,7 @@ vtkPointSplatPacking vtkPointSplatCloud::CollectBlock(
     return found->second;
   }
   vtkPointSplatPacking packing = vtkPointSplatPacking::Collect(
-    input.Owner, block.Data, input.NeedSizes, input.ProjectNoise);
+    input.Owner, block.Data, { input.NeedSizes, input.ProjectNoise, input.FillGaps, input.FillMeshGaps });
   if (!input.Looks.empty() && !packing.Aborted)
   {
     this->Kept[key] = packing;
@@ -112,13 +113,19 @@ void vtkPointSplatCloud::BuildScalarColours(
     const std::vector<vtkIdType> cells =
       colours.OfCells ? vtkPointSplatPacking::CellsOfPoints(block.Data) : std::vector<vtkIdType>();
     this->CellColours = this->CellColours || colours.OfCells;
-    const unsigned char* from = colours.Array->GetPointer(0);
-    const vtkIdType tuples = colours.Array->GetNumberOfTuples();
+    const bool ofPoints = !colours.OfCells && colours.Only < 0;
+    const vtkSmartPointer<vtkUnsignedCharArray> array = ofPoints && block.Fill
+      ? block.Fill->Extend(colours.Array.Get())
+      : colours.Array;
+    const unsigned char* from = array->GetPointer(0);
+    const vtkIdType tuples = array->GetNumberOfTuples();
     vtkSMPTools::For(block.First, block.First + block.Count, [&](vtkIdType begin, vtkIdType end) {
       for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
       {
-        vtkIdType id = this->Splats[words * i + 7];
-        id = colours.OfCells ? cells[static_cast<size_t>(id)] : colours.Only >= 0 ? colours.Only : id;
+        const vtkIdType point = this->Splats[words * i + 7];
+        const vtkIdType id = ofPoints ? this->NumberOf(block, i)
+          : colours.OfCells           ? cells[static_cast<size_t>(point)]
+                                      : colours.Only;
         this->Colours[i] = colours.WithoutCell;
         if (id >= 0 && id < tuples)
         {
@@ -196,20 +203,35 @@ void vtkPointSplatCloud::UpdateCoordinates(const vtkPointSplatCloudInput& input)
   for (size_t b = 0; b < arrays.size(); ++b)
   {
     const size_t first = static_cast<size_t>(this->Blocks[b].First);
-    const vtkPointSplatCoordinates::Splats splats{ this->Splats.data() +
-        this->GetWordsPerSplat() * first,
-      this->GetWordsPerSplat(), this->Blocks[b].Count, this->Circular };
+    const Block& block = this->Blocks[b];
+    const size_t perSplat = this->GetWordsPerSplat();
+    vtkPointSplatCoordinates::Splats splats{ this->Splats.data() + perSplat * first, perSplat,
+      block.Count, this->Circular };
+    std::vector<uint32_t> numbered; // the same, with fill points' own numbers
+    if (block.Fill && (arrays[b][0] || arrays[b][1]))
+    {
+      numbered.assign(
+        splats.Data, splats.Data + perSplat * static_cast<size_t>(block.Count));
+      for (size_t i = 0; i < static_cast<size_t>(block.Count); ++i)
+      {
+        numbered[perSplat * i + 7] = static_cast<uint32_t>(this->NumberOf(block, first + i));
+      }
+      splats.Data = numbered.data();
+    }
+    const auto extended = [&block](vtkDataArray* array) {
+      return block.Fill ? block.Fill->Extend(array) : vtkSmartPointer<vtkDataArray>(array);
+    };
     if (arrays[b][0])
     {
       this->Coordinates.resize(words * count, vtkPointSplatCoordinates::None);
       vtkPointSplatCoordinates::Make(
-        splats, arrays[b][0], this->Coordinates.data() + words * first);
+        splats, extended(arrays[b][0]), this->Coordinates.data() + words * first);
     }
     if (arrays[b][1])
     {
       this->Tangents.resize(count, 0u);
       vtkPointSplatCoordinates::MakeTangents(
-        splats, arrays[b][1], this->Tangents.data() + first);
+        splats, extended(arrays[b][1]), this->Tangents.data() + first);
     }
   }
 }

@@ -53,7 +53,11 @@ void vtkPointSplatCloud::MakeVertices(vtkPolyData* vertices) const
     std::vector<vtkIdType> splatOf(static_cast<size_t>(block.Data->GetNumberOfPoints()), -1);
     for (vtkIdType i = block.First; i < block.First + block.Count; ++i)
     {
-      splatOf[static_cast<size_t>(this->GetPointId(i))] = i;
+      const vtkIdType number = this->NumberOf(block, static_cast<size_t>(i));
+      if (number < block.Data->GetNumberOfPoints()) // no fill point
+      {
+        splatOf[static_cast<size_t>(number)] = i;
+      }
     }
     vtkDataArray* own = block.Data->GetPointData()->GetNormals();
     for (size_t id = 0; id < splatOf.size(); ++id)

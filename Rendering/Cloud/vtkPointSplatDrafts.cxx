@@ -132,6 +132,8 @@ public:
     this->Input.Owner = this->Owner;
     this->Input.NeedSizes = input.NeedSizes;
     this->Input.ProjectNoise = input.ProjectNoise;
+    this->Input.FillGaps = input.FillGaps;
+    this->Input.FillMeshGaps = input.FillMeshGaps;
     vtkNew<vtkCallbackCommand> follow;
     follow->SetCallback(Task::Follow);
     follow->SetClientData(this);
@@ -332,7 +334,7 @@ vtkPointSplatCloudInput vtkPointSplatDrafts::InputOf(const Part& part) const
   input.Data = part.Data;
   input.Whole = this->Data;
   input.WholeIds = &part.Ids;
-  input.ProjectNoise = false;
+  input.ProjectNoise = input.FillGaps = false;
   return input;
 }
 
@@ -347,7 +349,8 @@ bool vtkPointSplatDrafts::Update(
   }
   const vtkPointSplatCloud::Key key = vtkPointSplatCloud::KeyOf(input);
   const bool same = this->Draft && key == this->MadeFrom &&
-    input.NeedSizes == this->Input.NeedSizes && input.ProjectNoise == this->Input.ProjectNoise;
+    input.NeedSizes == this->Input.NeedSizes && input.ProjectNoise == this->Input.ProjectNoise &&
+    input.FillGaps == this->Input.FillGaps && input.FillMeshGaps == this->Input.FillMeshGaps;
   this->Input = input;
   this->Data = static_cast<vtkPointSet*>(input.Data);
   if (!same)

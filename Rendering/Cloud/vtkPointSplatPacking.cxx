@@ -111,7 +111,7 @@ struct Part
 /**
  * An array of the wanted shape, or an error that says what is wrong with it.
  */
-vtkDataArray* Wanted(vtkObject* owner, vtkPointSet* data, vtkDataArray* array, int components)
+vtkDataArray* Usable(vtkObject* owner, vtkPointSet* data, vtkDataArray* array, int components)
 {
   const char* name = array && array->GetName() ? array->GetName() : "Normals";
   if (array &&
@@ -151,7 +151,7 @@ struct PackWorker
           static_cast<double>(normals[i][2]) };
         const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
         const unsigned char ghost =
-          a.Ghosts ? a.Ghosts->GetValue(i) & (vtkDataSetAttributes::HIDDENPOINT |
+          a.Ghosts && i < a.Ghosts->GetNumberOfTuples() ? a.Ghosts->GetValue(i) & (vtkDataSetAttributes::HIDDENPOINT |
                                                vtkDataSetAttributes::DUPLICATEPOINT)
                    : 0;
         if (ghost || !Holdable(p, a.Reach) || !(length > 0.0) || !std::isfinite(length))
@@ -290,25 +290,25 @@ vtkSmartPointer<vtkUnsignedCharArray> vtkPointSplatPacking::GhostsOf(
 
 //------------------------------------------------------------------------------
 vtkPointSplatPacking vtkPointSplatPacking::Collect(
-  vtkObject* owner, vtkPointSet* data, bool needSizes, bool projectNoise)
+  vtkObject* owner, vtkPointSet* data, const Wanted& wanted)
 {
   vtkPointSplatPacking a;
   a.Points = data->GetPoints()->GetData();
   a.Reach = LargestLength;
   a.Ghosts = vtkPointSplatPacking::GhostsOf(data, &a.Unused);
   vtkPointData* given = data->GetPointData();
-  a.Normals = Wanted(owner, data, given->GetNormals(), 3);
-  a.Radius = Wanted(owner, data, given->GetArray(vtkPointSplatArrays::Radius), 1);
+  a.Normals = Usable(owner, data, given->GetNormals(), 3);
+  a.Radius = Usable(owner, data, given->GetArray(vtkPointSplatArrays::Radius), 1);
   a.HasGivenRadii = a.Radius != nullptr;
-  a.Plane = Wanted(owner, data, given->GetArray(vtkPointSplatArrays::PlaneNormal), 3);
+  a.Plane = Usable(owner, data, given->GetArray(vtkPointSplatArrays::PlaneNormal), 3);
   // It says how these normals change, and nothing of others.
   a.Curvature = a.Normals
-    ? Wanted(owner, data, given->GetArray(vtkPointSplatArrays::Curvature), 6)
+    ? Usable(owner, data, given->GetArray(vtkPointSplatArrays::Curvature), 6)
     : nullptr;
-  a.Axis1 = Wanted(owner, data, given->GetArray(vtkPointSplatArrays::Axis1), 3);
-  a.Axis2 = Wanted(owner, data, given->GetArray(vtkPointSplatArrays::Axis2), 3);
-  a.Clip = Wanted(owner, data, given->GetArray(vtkPointSplatArrays::Clip), 6);
-  a.Fold = Wanted(owner, data, given->GetArray(vtkPointSplatArrays::Fold), 6);
+  a.Axis1 = Usable(owner, data, given->GetArray(vtkPointSplatArrays::Axis1), 3);
+  a.Axis2 = Usable(owner, data, given->GetArray(vtkPointSplatArrays::Axis2), 3);
+  a.Clip = Usable(owner, data, given->GetArray(vtkPointSplatArrays::Clip), 6);
+  a.Fold = Usable(owner, data, given->GetArray(vtkPointSplatArrays::Fold), 6);
   if (!a.Axis1 || !a.Axis2)
   {
     a.Axis1 = a.Axis2 = nullptr;
@@ -321,7 +321,7 @@ vtkPointSplatPacking vtkPointSplatPacking::Collect(
       << " are not used, since points are drawn: their normals are estimated. "
          "vtkCellDataToPointData makes point normals of them.");
   }
-  if (!a.Normals || (needSizes && !a.Radius && !a.Axis1))
+  if (!a.Normals || (wanted.Sizes && !a.Radius && !a.Axis1))
   {
     vtkNew<vtkPolyData> bare;
     bare->SetPoints(data->GetPoints());
@@ -348,16 +348,20 @@ vtkPointSplatPacking vtkPointSplatPacking::Collect(
       }
     }
     bare->GetFieldData()->PassData(data->GetFieldData());
-    a.Estimate(owner, bare, projectNoise);
+    Wanted more = wanted;
+    // Groups that were given have no splats between theirs.
+    more.FillPoints = wanted.Sizes && wanted.FillPoints && !given->GetArray(vtkPointSplatArrays::Group);
+    a.Estimate(owner, bare, more);
   }
   return a;
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatPacking::Estimate(vtkObject* owner, vtkPolyData* bare, bool projectNoise)
+void vtkPointSplatPacking::Estimate(
+  vtkObject* owner, vtkPolyData* bare, const Wanted& wanted)
 {
   const bool sized = this->Radius || this->Axis1;
-  const bool mayProject = projectNoise && !sized;
+  const bool mayProject = wanted.Projection && !sized;
   Part part{ vtkAlgorithm::SafeDownCast(owner) };
   vtkNew<vtkPointSplatEstimation> estimation;
   vtkNew<vtkPointSplatProjection> projection;
@@ -369,6 +373,8 @@ void vtkPointSplatPacking::Estimate(vtkObject* owner, vtkPolyData* bare, bool pr
     filter->AddObserver(vtkCommand::WarningEvent, silence);
     part.Watch(filter);
   }
+  estimation->SetFillGaps(wanted.FillPoints && !sized);
+  estimation->SetFillMeshGaps(wanted.FillMeshes);
   estimation->SetInputData(bare);
   bool good = part.Run(estimation, 0.0, mayProject ? 0.4 : 1.0);
   if (good && mayProject && estimation->IsNoisy())
@@ -386,7 +392,8 @@ void vtkPointSplatPacking::Estimate(vtkObject* owner, vtkPolyData* bare, bool pr
   {
     return;
   }
-  if (this->Projected)
+  this->Fill = estimation->GetFillPoints();
+  if (this->Projected || !this->Fill.empty())
   {
     this->Points = estimation->GetOutput()->GetPoints()->GetData();
   }

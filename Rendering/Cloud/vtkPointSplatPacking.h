@@ -6,6 +6,7 @@
 #define vtkPointSplatPacking_h
 
 #include "vtkDataArray.h"
+#include "vtkPointSplatFillPoints.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -35,6 +36,7 @@ public:
   vtkSmartPointer<vtkDataArray> Clip; // or none
   vtkSmartPointer<vtkDataArray> Fold; // or none; of circles with clip lines only
   vtkSmartPointer<vtkUnsignedCharArray> Ghosts; // or none
+  vtkPointSplatFillPoints::List Fill; // behind the block's own points in all of these but Ghosts
   vtkIdType Unused = 0; // points of no cell, where there are cells: they are hidden in Ghosts
   bool Projected = false; // points and normals are not the block's own, but on one surface
   bool Aborted = false;   // the estimation was, by the owner's AbortExecute
@@ -46,11 +48,15 @@ public:
 
   /**
    * The arrays of a block, what is missing estimated; sizes only if they are needed, and points
-   * with given normals, whose sizes are not, projected where they are noise, if that is asked for.
+   * with given normals, whose sizes are not, projected where they are noise, and fill points made with sizes, if
+   * that is asked for.
    * owner: whose errors they are; an algorithm's progress and AbortExecute are the estimation's.
    */
-  static vtkPointSplatPacking Collect(
-    vtkObject* owner, vtkPointSet* data, bool needSizes, bool projectNoise);
+  struct Wanted
+  {
+    bool Sizes, Projection, FillPoints, FillMeshes;
+  };
+  static vtkPointSplatPacking Collect(vtkObject* owner, vtkPointSet* data, const Wanted& wanted);
 
   /// The ghost array as it was given, or null if there is none that can be used.
   static vtkUnsignedCharArray* GivenGhostsOf(vtkPointSet* data);
@@ -61,10 +67,13 @@ public:
   static vtkSmartPointer<vtkUnsignedCharArray> GhostsOf(
     vtkPointSet* data, vtkIdType* unused = nullptr);
 
+  /// With fill points.
+  vtkIdType GetNumberOfPoints() const { return this->Points->GetNumberOfTuples(); }
+
   /**
    * Packs the block's splats, 8 words each if circular, otherwise 16; without sizes their
    * radius is 0. valid gets 1 for each point that can be drawn; the caller closes the gaps
-   * that the others leave.
+   * that the others leave. Fill points' numbers go on behind the block's own points'.
    */
   void Pack(const std::array<double, 3>& origin, bool circular, uint32_t* splats,
     unsigned char* valid) const;
@@ -91,7 +100,7 @@ public:
 private:
   vtkPointSplatFolds GetFolds(vtkIdType id) const;
   /// Takes what is missing from an estimation of points with what there is of normals.
-  void Estimate(vtkObject* owner, vtkPolyData* bare, bool projectNoise);
+  void Estimate(vtkObject* owner, vtkPolyData* bare, const Wanted& wanted);
 };
 
 #endif

@@ -78,6 +78,14 @@ class TestStandIns(unittest.TestCase):
         self.assertEqual(found["holes"], 0)
         self.assertEqual(found["spill"], 0.0)
 
+    def test_uneven(self):
+        # 4 to 18 dB where disks of the faces' points stand out over the rim.
+        for name in ("rimmed_disc", "thin_disc"):
+            found = likeness.compare(standins.ALL[name](), 300, 3)
+            self.assertGreater(min(found["psnr"]), 45, name)
+            self.assertEqual(found["holes"], 0, name)
+            self.assertLess(found["spill"], 0.001, name)
+
     def test_spray(self):
         # 9 spacings, and a third of the area off, where disks reached from drop to drop.
         self.check("spray", 4, 0.1, 0)

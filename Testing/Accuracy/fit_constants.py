@@ -26,6 +26,8 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 TOP = os.path.dirname(os.path.dirname(HERE))
 FOLDS = ("drapery", "drapery_vertices")
 PARTS = ("part_random", "part_vertices")
+DISCS = ("rimmed_disc", "thin_disc")
+BENT = ("tubes_edges", "drapery_vertices")
 # The file in Filters, the values to try, and the stand-ins that tell.
 CONSTANTS = {
     "AnglePerDeviation": ("vtkPointSplatCrease.cxx", (2, 3, 4, 6, 8), FOLDS + PARTS),
@@ -47,6 +49,17 @@ CONSTANTS = {
     "NearReach": ("vtkPointSplatSheet.cxx", (1.6, 2.0, 2.5), ("tubes_edges", "shell_03")),
     "NearOffset": ("vtkPointSplatSheet.cxx", (0.4, 0.6, 0.8), ("tubes_edges", "shell_03", "scans")),
     "FarOffset": ("vtkPointSplatSheet.cxx", (0.05, 0.1, 0.2), ("tubes_edges", "grid_lines")),
+    "RadiusPerSize": ("vtkPointSplatStars.h", (0.6, 0.65, 0.7), DISCS + FOLDS),
+    "Slope": ("vtkPointSplatStars.h", (0.2, 0.3, 0.4), DISCS + FOLDS),
+    "MostTurn": ("vtkPointSplatStars.cxx", (0.4, 0.6, 0.8), BENT),
+    "LeastBent": ("vtkPointSplatStars.cxx", (0.2, 0.3, 0.5), BENT),
+    "FarNeighbor": ("vtkPointSplatStars.cxx", (2.0, 2.4, 2.8), DISCS + FOLDS),
+    "FlatTurn": ("vtkPointSplatStars.cxx", (0.1, 0.2, 0.4), DISCS + BENT),
+    "EndsCosine": ("vtkPointSplatStars.cxx", (0.3, 0.5, 0.7), PARTS + FOLDS),
+    "Sparser": ("vtkPointSplatStars.cxx", (1.5, 2, 3), DISCS + ("holed_ball",)),
+    "LongEdge": ("vtkPointSplatRefinement.cxx", (1.5, 1.7, 2.0), DISCS + FOLDS),
+    "ShareOfEdge": ("vtkPointSplatRefinement.cxx", (0.5, 0.55, 0.6), DISCS + FOLDS),
+    "ShareOfSize": ("vtkPointSplatRefinement.cxx", (0.2, 0.4, 0.6), DISCS + FOLDS),
     "LengthPerEdge": ("vtkPointSplatFans.cxx", (0.56, 0.62, 0.68),
                       ("meshes:drapery_vertices", "meshes:part_vertices", "meshes:tubes_edges")),
     "LengthPerReach": ("vtkPointSplatFans.cxx", (0.8, 0.9, 1.0),

@@ -338,6 +338,36 @@ def drapery_vertices(count=50000):
                    math.sqrt(9.0 / count), mesh)
 
 
+def disc_surface(rim, u, v):
+    """A disc of radius 1 with a round rim: v is 0 to 1 on the lower face, to 2 on the rim, to 3 above."""
+    turn = math.pi * (np.clip(v - 1, 0, 1) - 0.5)
+    r = np.clip(v, 0, 1) - np.clip(v - 2, 0, 1) + rim * np.cos(turn)
+    return np.stack([r * np.cos(u), r * np.sin(u), rim * np.sin(turn) + 0 * u], -1)
+
+
+def rimmed_disc(rim=0.1):
+    """What modelling programs make of flat things: ten thousand vertices on the rim, fifty on the faces."""
+    def surface(u, v):
+        return disc_surface(rim, u, v)
+    around, across = np.meshgrid(np.arange(400) * 2 * math.pi / 400, np.linspace(1, 2, 25))
+    u, v = [around.ravel()], [across.ravel()]
+    for ring in (1, 2):
+        for v0 in (ring / 3, 3 - ring / 3):
+            u.append(np.arange(8 * ring) * 2 * math.pi / (8 * ring))
+            v.append(np.full(8 * ring, v0))
+    u, v = np.concatenate(u), np.concatenate(v)
+    turn = math.pi * (np.clip(v - 1, 0, 1) - 0.5)
+    normals = np.stack([np.cos(turn) * np.cos(u), np.cos(turn) * np.sin(u), np.sin(turn)], -1)
+    points = np.concatenate([surface(u, v), [[0, 0, -rim], [0, 0, rim]]])
+    normals = np.concatenate([normals, [[0, 0, -1], [0, 0, 1]]])
+
+    def distance(p):
+        r = np.hypot(p[:, 0], p[:, 1])
+        return np.abs(np.hypot(np.maximum(r - 1, 0), p[:, 2]) - rim)
+    mesh = parametric(surface, 400, 120, (0, 2 * math.pi), (0.001, 2.999))
+    return StandIn("disc with a dense rim", polydata(points, normals), distance, 0.015, mesh)
+
+
 def along_grid_lines(ratio=8, count=60000):
     """A solver's wall: points along lines, ratio times as dense along them as from line to line."""
     def wall(u, v):
@@ -500,6 +530,8 @@ ALL = {
     "holed_ball": holed_ball,
     "drapery": drapery,
     "drapery_vertices": drapery_vertices,
+    "rimmed_disc": rimmed_disc,
+    "thin_disc": lambda: rimmed_disc(0.02),
     "grid_lines": along_grid_lines,
     "grid_lines_20": lambda: along_grid_lines(20),
     "spray": spray,

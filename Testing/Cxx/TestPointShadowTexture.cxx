@@ -320,7 +320,8 @@ void TestBadInput(Checks& checks)
   texture->RemoveAllLights();
   texture->AddLight(light);
 
-  // Points and normals that are no numbers, far away or zero leave the others as they are.
+  // Points and normals that are no numbers, far away or zero leave the others as they are, but for the six
+  // or so around each, whose disks close where it is missing.
   vtkNew<vtkPolyData> spoilt;
   spoilt->DeepCopy(scene.Points);
   std::vector<vtkIdType> bad{ 3, 100, 101, 2999 };
@@ -340,7 +341,7 @@ void TestBadInput(Checks& checks)
     checks.Expect(!isBad || factors[i] == 1.0f, "A point that cannot be drawn is unlit.");
     changed += !isBad && factors[i] != good[i];
   }
-  checks.AtMost(changed, 6l, "points that a few bad ones changed");
+  checks.AtMost(changed, 6l * static_cast<long>(bad.size()), "points that a few bad ones changed");
 
   // Without normals: they are estimated. With ones of another number: an error.
   vtkNew<vtkUnstructuredGrid> bare;

@@ -247,7 +247,7 @@ int TestSplatsExact(int, char*[])
   Sphere(checks, 20000, false, 1.0, 0.0008);
   Sphere(checks, 20000, false, 3.0, 0.0004);
   Sphere(checks, 20000, true, 1.0, 0.0006);
-  Sphere(checks, 60000, true, 1.0, 0.0009);
+  Sphere(checks, 60000, true, 1.0, 0.00095);
   Plane(checks, 90.0);
   Plane(checks, 30.0);
   Plane(checks, 8.0);

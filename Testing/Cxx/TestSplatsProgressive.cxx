@@ -143,7 +143,9 @@ void TestPictures(vtkPolyData* data)
   Scene script(data, false);
   const Picture all = script.Win.Draw();
   Expect(!script.Mapper->IsProgressing(), "without an interactor all are drawn");
-  Expect(script.Mapper->GetNumberOfSplats() == Many, "all splats are there");
+  // Random points leave some gaps with fill points.
+  const vtkIdType splats = script.Mapper->GetNumberOfSplats();
+  Expect(splats >= Many && splats < 1.05 * Many, "all splats are there");
 
   Scene scene(data, true);
   double bounds[6];
@@ -186,7 +188,7 @@ void TestPictures(vtkPolyData* data)
   std::cout << "frames asked for: " << scene.Frames << "\n";
   Expect(scene.Frames == 2, "frames: " + std::to_string(scene.Frames));
   Expect(!scene.Mapper->IsProgressing(), "all are drawn in the end");
-  Expect(scene.Mapper->GetNumberOfSplats() == Many, "all splats are there");
+  Expect(scene.Mapper->GetNumberOfSplats() == splats, "all splats are there");
   const Picture last = Read(scene.Win.Win);
   std::cout << "last, with levels: " << Psnr(last, all) << " dB\n";
   Expect(Psnr(last, all) > 40.0, "the last picture shows all");

@@ -282,6 +282,7 @@ void TestFlat(Checks& checks, const Way& way, bool device)
   mapper->SetProjection(way.Projection);
   device ? mapper->SetTileListsToDevice() : mapper->SetTileListsToProcessor();
   mapper->AntiAliasingOff();
+  mapper->FillGapsOff(); // their tones lie between those of points
   vtkActor* actor = window.Add(mapper);
   actor->GetProperty()->SetColor(1, 1, 1);
   actor->GetProperty()->SetSpecular(0);

@@ -161,8 +161,20 @@ void RunIsosurface(FuzzRandom& random)
 
 void CheckEstimation(vtkPointSplatEstimation* filter, vtkPointSet* input, vtkPolyData* output)
 {
-  const vtkIdType n = input->GetNumberOfPoints();
+  const vtkIdType n =
+    input->GetNumberOfPoints() + static_cast<vtkIdType>(filter->GetFillPoints().size());
   FuzzExpect(output->GetNumberOfPoints() == n, "the estimation lost or made points");
+  for (const vtkPointSplatEstimation::FillPoint& point : filter->GetFillPoints())
+  {
+    float sum = 0;
+    for (int k = 0; k < point.Count; ++k)
+    {
+      FuzzExpect(point.Ends[k] >= 0 && point.Ends[k] < input->GetNumberOfPoints(),
+        "a fill point lies between others than the input's");
+      sum += point.Weights[k];
+    }
+    FuzzExpect(std::abs(sum - 1) < 1e-3, "a fill point's weights are no weights");
+  }
   if (n == 0)
   {
     return;
@@ -204,6 +216,8 @@ void RunEstimation(FuzzRandom& random)
   filter->SetNumberOfNeighbors(random.Pick({ 12, 12, -1, 4, 7, 32, 100 }));
   filter->SetShape(random.Below(2));
   filter->SetOrientation(random.Below(2));
+  filter->SetFillGaps(random.Chance(0.7));
+  filter->SetFillMeshGaps(random.Chance(0.7));
   filter->SetViewpoint(random.Property(-1, 1), random.Property(-1, 1), random.Property(-1, 1));
   if (random.Chance(0.2))
   {

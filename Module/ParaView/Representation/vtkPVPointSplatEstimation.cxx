@@ -9,6 +9,7 @@
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
+#include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
@@ -20,11 +21,13 @@
 #include "vtkPointData.h"
 #include "vtkPointSplatArrays.h"
 #include "vtkPointSplatSensors.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -117,16 +120,32 @@ void Negate(vtkIdType point, vtkDataArray* array)
   }
 }
 
-/// Turns the normals of points, and what has its sign by them.
-void Turn(const std::vector<bool>& turned, vtkPointData* found)
+/// Turns the normals of points, and what has its sign by them; fill points turn as the points do that they are
+/// nearest to.
+void Turn(const std::vector<bool>& turned,
+  const std::vector<vtkPointSplatEstimation::FillPoint>& fill, vtkPointData* found)
 {
-  vtkDataArray* planes = found->GetArray(vtkPointSplatArrays::PlaneNormal);
-  for (vtkIdType i = 0; i < static_cast<vtkIdType>(turned.size()); ++i)
+  std::vector<vtkIdType> ids;
+  for (size_t i = 0; i < turned.size(); ++i)
   {
-    if (!turned[static_cast<size_t>(i)])
+    if (turned[i])
     {
-      continue;
+      ids.push_back(static_cast<vtkIdType>(i));
     }
+  }
+  const vtkIdType first =
+    found->GetNormals()->GetNumberOfTuples() - static_cast<vtkIdType>(fill.size());
+  for (size_t i = 0; i < fill.size(); ++i)
+  {
+    const size_t nearest = static_cast<size_t>(fill[i].Ends[0]);
+    if (nearest < turned.size() && turned[nearest])
+    {
+      ids.push_back(first + static_cast<vtkIdType>(i));
+    }
+  }
+  vtkDataArray* planes = found->GetArray(vtkPointSplatArrays::PlaneNormal);
+  for (const vtkIdType i : ids)
+  {
     Negate(i, found->GetNormals());
     const double none[3] = { 0.0, 0.0, 0.0 };
     double plane[3];
@@ -142,6 +161,64 @@ void Turn(const std::vector<bool>& turned, vtkPointData* found)
     }
   }
 }
+
+/// The fill points that are nearest to a process' own points, and not to such as came.
+class OwnFill
+{
+public:
+  using List = std::vector<vtkPointSplatEstimation::FillPoint>;
+
+  /// all: behind the points, of which so many are the process' own, in what was estimated.
+  OwnFill(const List& all, vtkIdType own, vtkPolyData* estimated)
+  {
+    this->Places->SetDataTypeToDouble();
+    const vtkIdType first = estimated->GetNumberOfPoints() - static_cast<vtkIdType>(all.size());
+    this->Ids->SetNumberOfIds(own);
+    std::iota(this->Ids->begin(), this->Ids->end(), vtkIdType(0));
+    for (size_t i = 0; i < all.size(); ++i)
+    {
+      if (all[i].Ends[0] >= own)
+      {
+        continue;
+      }
+      // Values of other processes' points are not here.
+      vtkPointSplatEstimation::FillPoint point{ 0, { 0, 0, 0 }, { 0, 0, 0 } };
+      float sum = 0;
+      for (int k = 0; k < all[i].Count; ++k)
+      {
+        if (all[i].Ends[k] < own)
+        {
+          point.Ends[point.Count] = all[i].Ends[k];
+          point.Weights[point.Count++] = all[i].Weights[k];
+          sum += all[i].Weights[k];
+        }
+      }
+      std::for_each(point.Weights, point.Weights + 3, [sum](float& weight) { weight /= sum; });
+      const vtkIdType id = first + static_cast<vtkIdType>(i);
+      this->Points.push_back(point);
+      this->Places->InsertNextPoint(estimated->GetPoint(id));
+      this->Ids->InsertNextId(id);
+    }
+  }
+
+  /// Of what was estimated, what is of the process' own points and these.
+  vtkSmartPointer<vtkDataArray> Keep(vtkDataArray* found) const
+  {
+    vtkSmartPointer<vtkDataArray> kept;
+    kept.TakeReference(found->NewInstance());
+    kept->SetName(found->GetName());
+    kept->SetNumberOfComponents(found->GetNumberOfComponents());
+    kept->SetNumberOfTuples(this->Ids->GetNumberOfIds());
+    found->GetTuples(this->Ids, kept);
+    return kept;
+  }
+
+  List Points;
+  vtkNew<vtkPoints> Places;
+
+private:
+  vtkNew<vtkIdList> Ids;
+};
 
 /// Arrays that one process has and another has not would be lost where they meet.
 void AddWhereAnyHas(
@@ -328,22 +405,30 @@ void vtkPVPointSplatEstimation::EstimateTogether(vtkPointSet* input, vtkPolyData
   {
     const vtkPVPointSplatOrientation orientation(this, all, found->GetNormals(), count);
     orientation.AddTo(points, controller->GetLocalProcessId());
-    Turn(orientation.FindTurned(controller, exchange()), found);
+    Turn(orientation.FindTurned(controller, exchange()), this->GetFillPoints(), found);
   }
   if (!finished)
   {
     return;
   }
 
-  output->SetPoints(input->GetPoints());
-  vtkPointData* data = output->GetPointData();
-  data->PassData(input->GetPointData());
   output->GetFieldData()->PassData(input->GetFieldData());
+  const OwnFill fill(this->GetFillPoints(), count, estimated);
+  if (fill.Points.empty())
+  {
+    output->SetPoints(input->GetPoints());
+    output->GetPointData()->PassData(input->GetPointData());
+  }
+  else
+  {
+    vtkPointSplatEstimation::AppendFillPoints(input, fill.Places, fill.Points, output);
+  }
+  vtkPointData* data = output->GetPointData();
   if (vtkDataArray* normals = found->GetNormals())
   {
-    normals->SetName(given && given->GetName() ? given->GetName() : "Normals");
-    normals->Resize(count);
-    data->SetNormals(normals);
+    const vtkSmartPointer<vtkDataArray> own = fill.Keep(normals);
+    own->SetName(given && given->GetName() ? given->GetName() : "Normals");
+    data->SetNormals(own);
   }
   for (const char* name : { vtkPointSplatArrays::Radius, vtkPointSplatArrays::Axis1,
          vtkPointSplatArrays::Axis2, vtkPointSplatArrays::PlaneNormal,
@@ -352,8 +437,8 @@ void vtkPVPointSplatEstimation::EstimateTogether(vtkPointSet* input, vtkPolyData
     data->RemoveArray(name);
     if (vtkDataArray* array = found->GetArray(name))
     {
-      array->Resize(count);
-      data->AddArray(array);
+      data->AddArray(fill.Keep(array));
     }
   }
+  this->SetFillPoints(fill.Points);
 }

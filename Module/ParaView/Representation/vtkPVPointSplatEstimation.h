@@ -11,7 +11,9 @@
  *    their normals and the places of the sensors that saw them; copies of other processes' points
  *    (DUPLICATEPOINT) and hidden points do not.
  * 2. *Estimation* of a process' own points and those that came.
- * 3. Those that came are dropped: the output has the points of the input, in their order.
+ * 3. Those that came are dropped, and fill points that are nearest to them, which their process has: the output
+ *    has the points of the input, in their order, and behind them the other fill points. Their arrays are of those of
+ *    their ends that are this process'.
  * 4. *Orientation*, where normals are to be consistent and no process has any, or sensors: pieces
  *    of surface that go on on other processes are turned the way that one process would turn the
  *    whole (vtkPVPointSplatOrientation).

@@ -227,6 +227,26 @@ void MergePieces(bool all, vtkDataObjectTree* tree)
   std::for_each(sets.begin(), sets.end(), Merge);
 }
 
+/// Points are vertices here, with cell data of their own, and so fill points are, too.
+void AddVertices(
+  const std::vector<vtkPointSplatEstimation::FillPoint>& fill, vtkPolyData* points)
+{
+  vtkNew<vtkCellArray> vertices;
+  vertices->DeepCopy(points->GetVerts());
+  for (size_t i = 0; i < fill.size(); ++i)
+  {
+    const vtkIdType id = points->GetNumberOfPoints() + static_cast<vtkIdType>(i);
+    vertices->InsertNextCell(1, &id);
+  }
+  points->SetVerts(vertices);
+  vtkCellData* data = points->GetCellData();
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    // Of the same name, it takes the other's place, and what attribute that is.
+    data->AddArray(vtkPointSplatEstimation::WithFillPoints(data->GetAbstractArray(i), fill));
+  }
+}
+
 bool HasSizes(vtkPolyData* points)
 {
   vtkPointData* data = points->GetPointData();
@@ -397,10 +417,18 @@ void vtkPVPointSplatGeometry::Estimate(vtkPolyData* points)
   }
   vtkNew<vtkPVPointSplatEstimation> estimation;
   estimation->SetInputData(points);
+  estimation->SetFillGaps(this->FillGaps);
   estimation->Update();
-  if (points->GetNumberOfPoints() > 0)
+  if (points->GetNumberOfPoints() == 0)
   {
-    points->GetPointData()->ShallowCopy(estimation->GetOutput()->GetPointData());
+    return;
+  }
+  points->GetPointData()->ShallowCopy(estimation->GetOutput()->GetPointData());
+  const auto& fill = estimation->GetFillPoints();
+  if (!fill.empty())
+  {
+    AddVertices(fill, points);
+    points->SetPoints(estimation->GetOutput()->GetPoints());
   }
 }
 
@@ -410,4 +438,5 @@ void vtkPVPointSplatGeometry::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SizeArray: " << this->SizeArray << "\n";
   os << indent << "BlockColorsDistinctValues: " << this->BlockColorsDistinctValues << "\n";
+  os << indent << "FillGaps: " << (this->FillGaps ? "On" : "Off") << "\n";
 }

@@ -20,7 +20,8 @@
  *    vertices, and pieces of one partitioned data set one data set.
  * 2. Sizes, curvature and normals are estimated with the points of other processes
  *    (vtkPVPointSplatEstimation), where any process misses them. The arrays travel with the points
- *    from then on. With one process the mapper does that.
+ *    from then on. With one process the mapper does that. Fill points, with FillGaps, are vertices with the
+ *    ids of the points that they are nearest to, and data between those of up to three.
  * Leaves are the same on all processes: where any has points, the others have empty data.
  *
  * Bad input: data sets without points give empty blocks. A SizeArray that is missing has no effect.
@@ -66,6 +67,15 @@ public:
   vtkGetMacro(BlockColorsDistinctValues, int);
   ///@}
 
+  ///@{
+  /**
+   * Whether there are fill points where sizes are estimated here (vtkPointSplatEstimation). Default: on.
+   */
+  vtkSetMacro(FillGaps, bool);
+  vtkGetMacro(FillGaps, bool);
+  vtkBooleanMacro(FillGaps, bool);
+  ///@}
+
 protected:
   vtkPVPointSplatGeometry() = default;
   ~vtkPVPointSplatGeometry() override = default;
@@ -86,6 +96,7 @@ private:
 
   std::string SizeArray;
   int BlockColorsDistinctValues = 7;
+  bool FillGaps = true;
 };
 
 #endif

@@ -423,6 +423,14 @@ void vtkPVPointSplatRepresentation::SetAntiAliasing(bool smooth)
 }
 
 //------------------------------------------------------------------------------
+void vtkPVPointSplatRepresentation::SetFillGaps(bool fill)
+{
+  static_cast<vtkPVPointSplatGeometry*>(this->GeometryFilter)->SetFillGaps(fill);
+  this->SplatMapper->SetFillGaps(fill);
+  this->MarkModified();
+}
+
+//------------------------------------------------------------------------------
 void vtkPVPointSplatRepresentation::SetProjectNoise(bool project)
 {
   this->SplatMapper->SetProjectNoise(project);

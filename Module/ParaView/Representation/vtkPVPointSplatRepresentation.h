@@ -77,6 +77,7 @@ public:
   void SetLayerDistance(double distance);
   void SetAntiAliasing(bool smooth);
   void SetProjectNoise(bool project);
+  void SetFillGaps(bool fill);
   void SetShadows(bool shadows);
   void SetNumberOfShadowSamples(int samples);
   void SetShadowLightRadius(double radius);

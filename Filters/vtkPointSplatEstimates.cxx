@@ -1,0 +1,471 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatEstimates.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPointSplatArrays.h"
+#include "vtkPointSplatCurvature.h"
+#include "vtkPointSplatEstimation.h"
+#include "vtkPointSplatInput.h"
+#include "vtkPointSplatNoise.h"
+#include "vtkPointSplatNormals.h"
+#include "vtkPointSplatSensors.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+using Slot = vtkPointSplatNeighbors::Slot;
+
+/// The sixth neighbour's distance, of the third one's, for points at random in a plane (1.43) and a
+/// little: it is the neighbour of another body where most bodies have few points.
+constexpr float SixthPerThird = 1.5f;
+/// Of how many leaves of the search tree, at least, the usual spacing is found.
+constexpr Slot UsualLeaves = 512;
+}
+
+vtkPointSplatEstimates::vtkPointSplatEstimates(
+  vtkPointSplatEstimation* self, vtkPointSet* input)
+  : Self(self)
+  , Input(input)
+  , NumberOfPoints(input->GetNumberOfPoints())
+  , Elliptical(self->GetShape() == vtkPointSplatEstimation::Elliptical)
+{
+}
+
+bool vtkPointSplatEstimates::Run()
+{
+  vtkDataArray* given = this->MakeArrays();
+  if (this->NumberOfPoints == 0)
+  {
+    return true;
+  }
+  this->ReadPoints(given);
+  this->ReadMesh();
+  if (!this->FindNormals() || !this->FindDisks())
+  {
+    return false;
+  }
+  Twins twins = this->FindTwins();
+  if (!this->FindBorders(twins) || !this->FindCreases(std::move(twins)))
+  {
+    return false;
+  }
+  const bool fills = this->Self->GetFillGaps() && !this->Elliptical;
+  if ((fills && !this->FindStars()) || !this->Borders->Finish(this->Self, *this->Disks))
+  {
+    return false;
+  }
+  this->SetCreases();
+  if (fills)
+  {
+    this->FindFill();
+  }
+  this->Disks->Finish();
+  this->Write();
+  this->ClipFill();
+  return true;
+}
+
+/// Makes the arrays, and returns the given normals, if they can be used.
+vtkDataArray* vtkPointSplatEstimates::MakeArrays()
+{
+  vtkDataArray* given = this->Input->GetPointData()->GetNormals();
+  if (given && given->GetNumberOfTuples() != this->NumberOfPoints)
+  {
+    vtkErrorWithObjectMacro(this->Self, "The point normals "
+        << (given->GetName() ? given->GetName() : "") << " have " << given->GetNumberOfTuples()
+        << " tuples for " << this->NumberOfPoints << " points; they are estimated instead.");
+    given = nullptr;
+  }
+  const auto make = [](vtkFloatArray* array, const char* name, int components, vtkIdType count) {
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(count);
+  };
+  const vtkIdType n = this->NumberOfPoints, ofCircles = this->Elliptical ? 0 : n;
+  make(this->Normals, given && given->GetName() ? given->GetName() : "Normals", 3, n);
+  if (this->Elliptical)
+  {
+    make(this->Sizes[0], vtkPointSplatArrays::Axis1, 3, n);
+    make(this->Sizes[1], vtkPointSplatArrays::Axis2, 3, n);
+  }
+  else
+  {
+    make(this->Sizes[0], vtkPointSplatArrays::Radius, 1, n);
+  }
+  make(this->Planes, vtkPointSplatArrays::PlaneNormal, 3, ofCircles);
+  make(this->Curvatures, vtkPointSplatArrays::Curvature, 6, ofCircles);
+  this->Clips->SetName(vtkPointSplatArrays::Clip);
+  this->Folds->SetName(vtkPointSplatArrays::Fold);
+  return given;
+}
+
+/// Which points take part, and their given normals.
+void vtkPointSplatEstimates::ReadPoints(vtkDataArray* given)
+{
+  this->Given = given != nullptr;
+  float* n = this->GetNormal(vtkIdType(0));
+  if (given)
+  {
+    vtkPointSplatInput::ReadNormals(given, n);
+  }
+  else
+  {
+    std::fill(n, n + 3 * this->NumberOfPoints, 0.0f);
+  }
+  const auto [bad, hidden] = vtkPointSplatInput::MarkUsable(this->Input, this->Used);
+  this->Ghosts = vtkPointSplatInput::GetGhosts(this->Input);
+  if (bad > 0 || hidden > 0)
+  {
+    vtkWarningWithObjectMacro(this->Self, "Of "
+        << this->NumberOfPoints << " points " << bad
+        << " have coordinates that are not finite and " << hidden << " are hidden ("
+        << vtkDataSetAttributes::GhostArrayName()
+        << "); they take no part and get radius 0.");
+  }
+}
+
+/**
+ * Meshes know their neighbours, but for those that were split at their creases. All other points' are
+ * searched for, and a mesh's where normals tell of creases.
+ */
+void vtkPointSplatEstimates::ReadMesh()
+{
+  const float* n = this->GetNormal(vtkIdType(0));
+  vtkPolyData* mesh = vtkPolyData::SafeDownCast(this->Input);
+  const vtkIdType bad =
+    mesh && !this->Elliptical ? this->Fans.Read(mesh, this->Used.data()) : 0;
+  if (this->Fans.IsSplit(n))
+  {
+    this->Fans.Clear();
+  }
+  if (bad > 0)
+  {
+    vtkWarningWithObjectMacro(this->Self,
+      << bad << " polygons or strips index points that are not there; they take no part.");
+  }
+  std::vector<unsigned char> searched = this->Used;
+  this->MeshAlone = this->Fans.AreAll(this->Used, n);
+  if (this->MeshAlone)
+  {
+    this->Corners.resize(this->NumberOfPoints);
+    std::atomic<bool> anyCreased{ false };
+    vtkSMPTools::For(0, this->NumberOfPoints, [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        if (this->Fans.Has(id))
+        {
+          this->Corners[id] = this->Fans.GetDisk(id, n);
+        }
+        if (this->Corners[id].Creased)
+        {
+          anyCreased = true;
+        }
+      }
+    });
+    if (!anyCreased)
+    {
+      std::fill(searched.begin(), searched.end(), 0);
+    }
+  }
+  this->Neighbors.Build(this->Input->GetPoints()->GetData(), searched.data());
+}
+
+bool vtkPointSplatEstimates::FindNormals()
+{
+  const Slot slots = this->Neighbors.GetNumberOfSlots();
+  this->SlotNormals.assign(std::size_t(3) * slots, 0.0f);
+  this->Known.assign(slots, 0);
+  for (Slot s = 0; s < slots; ++s)
+  {
+    const vtkIdType id = this->Neighbors.GetId(s);
+    if (id >= 0)
+    {
+      std::copy_n(this->GetNormal(id), 3, this->SlotNormals.data() + std::size_t(3) * s);
+      this->Known[s] = !IsZero(this->GetNormal(id));
+      this->Missing = this->Missing || !this->Known[s];
+    }
+  }
+  if (this->Missing)
+  {
+    vtkPointSplatNormals fitted(this->Neighbors, this->SlotNormals, this->Known);
+    const bool consistent =
+      this->Self->GetOrientation() == vtkPointSplatEstimation::Consistent;
+    std::string error;
+    const vtkPointSplatSensors sensors(this->Input, error);
+    if (consistent && !error.empty())
+    {
+      vtkErrorWithObjectMacro(this->Self, << error);
+    }
+    if (!fitted.Fit(this->Self, 0.1, 0.4, this->Self->GetNumberOfNeighbors(), consistent))
+    {
+      return false;
+    }
+    if (consistent && !sensors.IsEmpty())
+    {
+      fitted.OrientToSensors(sensors);
+    }
+    else if (consistent)
+    {
+      fitted.OrientConsistently();
+    }
+    else
+    {
+      fitted.OrientToViewpoint(this->Self->GetViewpoint());
+    }
+  }
+  // A mesh is one surface, whatever its normals say.
+  if (!this->Missing && this->Fans.IsEmpty())
+  {
+    const vtkPointSplatNoise::Shares found =
+      vtkPointSplatNoise::Measure(this->Self, this->Neighbors, this->SlotNormals.data());
+    this->Noise = found.Noisy;
+    this->Contradiction = found.Contradicted;
+  }
+  return true;
+}
+
+bool vtkPointSplatEstimates::IsRough() const
+{
+  return vtkPointSplatEstimation::IsRough(this->Noise);
+}
+
+/// The spacing of most points: the median of points all over the cloud.
+float vtkPointSplatEstimates::GetUsualSpacing() const
+{
+  constexpr Slot leafSize = vtkPointSplatNeighbors::LeafSize;
+  const Slot slots = this->Neighbors.GetNumberOfSlots();
+  const Slot stride = std::max<Slot>(1, (slots + leafSize - 1) / leafSize / UsualLeaves);
+  std::vector<float> spacings(slots, 0.0f);
+  this->Neighbors.Visit(this->Self, 0.05, 0.1, vtkPointSplatSheet::SpacingRank,
+    [&](const Neighborhood& around, int) {
+      const int third = std::min(3, around.Count) - 1;
+      spacings[around.Center] = third < 0
+        ? 0.0f
+        : std::min(vtkPointSplatSheet::GetSpacing(around),
+            SixthPerThird * std::sqrt(around.SquaredDistance[third]));
+      return true;
+    },
+    [&](Slot s) { return s / leafSize % stride == 0; });
+  spacings.erase(std::remove(spacings.begin(), spacings.end(), 0.0f), spacings.end());
+  return spacings.empty() ? 0.0f : vtkPointSplatDisks::GetQuantile(spacings, 0.5);
+}
+
+/// A slot's disk; returns whether its cell is closed, or more neighbours tell nothing new.
+bool vtkPointSplatEstimates::Measure(const Neighborhood& around, int round)
+{
+  const Slot s = around.Center;
+  const int count = this->Self->GetNumberOfNeighbors();
+  const float* directions = this->Directions;
+  vtkPointSplatDisk disk;
+  const bool closed =
+    disk.Estimate(around, directions, this->Elliptical, this->Usual, this->Disks->HoleLimit);
+  this->Creased[s] = this->Creased[s] ||
+    (disk.Sheet.Uneven &&
+      vtkPointSplatCrease::IsLikely(
+        around, this->SlotNormals.data(), this->GetSlotNormal(s), disk.Sheet.Spacing));
+  if (round == 0 && !this->Known[s])
+  {
+    this->Bodies->Look(around, this->SlotNormals.data());
+  }
+  if (round == 2)
+  {
+    this->Bodies->AddRow(around, disk.Sheet, this->Disks->Length[s]);
+  }
+  if (round > 0 && !closed)
+  {
+    // What more neighbours do not close is a border: the first round's disk stands.
+    if (round == 1)
+    {
+      const bool inRow = disk.InRow(count);
+      if (inRow && this->Known[s])
+      {
+        this->Bodies->LookAtRow(around, count);
+      }
+      return !inRow;
+    }
+    return true;
+  }
+  std::copy_n(disk.Normal, 3, this->Disks->Planes.data() + std::size_t(3) * s);
+  const bool fits =
+    std::equal(disk.Normal, disk.Normal + 3, directions + std::size_t(3) * s);
+  for (int i = 0; i < around.Count && !fits; ++i)
+  {
+    this->Misled[around.Slots[i]].store(true, std::memory_order_relaxed);
+  }
+  float largest = std::numeric_limits<float>::max();
+  if (!this->Elliptical)
+  {
+    vtkPointSplatCurvature curvature;
+    // Normals that are not the surface's say nothing of its curvature.
+    if (fits)
+    {
+      curvature.Estimate(around, directions, disk.Normal, disk.Sheet);
+    }
+    std::copy_n(curvature.Tensor, 6, this->Disks->Curvatures.data() + std::size_t(6) * s);
+    largest = vtkPointSplatDisks::GetLargest(curvature.Strongest, disk.Length1);
+  }
+  this->Disks->Set(around, disk, largest);
+  if (this->Self->GetFillGaps() && !this->Elliptical)
+  {
+    this->Disks->SetStar(around, disk, vtkPointSplatSheet::Grain * this->Median);
+  }
+  return closed;
+}
+
+/// But for the corners of triangles, whose disks these tell.
+bool vtkPointSplatEstimates::FindDisks()
+{
+  const Slot slots = this->Neighbors.GetNumberOfSlots();
+  const std::vector<Slot>& slotOf = this->Neighbors.GetSlots();
+  std::vector<unsigned char> wanted(slots, 0);
+  for (vtkIdType id = 0; id < this->NumberOfPoints; ++id)
+  {
+    if (slotOf[id] != vtkPointSplatNeighbors::None && !this->Fans.Has(id))
+    {
+      wanted[slotOf[id]] = 1;
+    }
+  }
+  this->Usual = this->Median = this->GetUsualSpacing();
+  this->Disks = std::make_unique<vtkPointSplatDisks>(slots, this->Elliptical);
+  this->Bodies = std::make_unique<vtkPointSplatBodies>(slots);
+  this->Creased.assign(slots, 0);
+  this->Misled = std::vector<std::atomic<bool>>(slots);
+  this->Directions = this->SlotNormals.data();
+  vtkPointSplatDisks& disks = *this->Disks;
+  const int count = this->Self->GetNumberOfNeighbors();
+  auto measure = [this](const Neighborhood& around, int round) {
+    return this->Measure(around, round);
+  };
+  auto isWanted = [&wanted](Slot s) { return wanted[s] != 0; };
+  if (!this->Neighbors.Visit(
+        this->Self, this->Missing ? 0.5 : 0.1, 0.8, count, measure, isWanted))
+  {
+    return false;
+  }
+  // Again where that tells more: neighbours across holes and normals that are not the surface's.
+  disks.FindHoleLimit();
+  if (disks.Stretched)
+  {
+    // Where points are sparse is no less known than where they are dense.
+    this->Usual = std::numeric_limits<float>::max();
+  }
+  this->SheetNormals = this->SlotNormals;
+  for (Slot s = 0; s < slots; ++s)
+  {
+    if (wanted[s])
+    {
+      wanted[s] = (this->Misled[s] && !disks.Whole[s]) ||
+        disks.Opening[s] > disks.HoleLimit * disks.Spacing[s] ||
+        (disks.Stretched && disks.Opening[s] == 0);
+      std::copy_n(disks.Planes.data() + std::size_t(3) * s, 3,
+        this->SheetNormals.data() + std::size_t(3) * s);
+    }
+  }
+  this->Directions = this->SheetNormals.data();
+  if (!this->Neighbors.Visit(this->Self, 0.8, 0.83, count, measure, isWanted) ||
+    !this->Bodies->Finish(this->Self, 0.83, 0.85, this->Neighbors, count, disks))
+  {
+    return false;
+  }
+  for (vtkIdType id = 0; id < static_cast<vtkIdType>(this->Corners.size()); ++id)
+  {
+    if (slotOf[id] != vtkPointSplatNeighbors::None)
+    {
+      disks.Set(slotOf[id], this->Corners[id]);
+      this->Creased[slotOf[id]] = this->Corners[id].Creased;
+    }
+  }
+  return true;
+}
+
+/// Points that share a slot with one whose normal is another.
+vtkPointSplatEstimates::Twins vtkPointSplatEstimates::FindTwins() const
+{
+  Twins twins;
+  const std::vector<Slot>& slotOf = this->Neighbors.GetSlots();
+  for (std::size_t id = 0; id < slotOf.size(); ++id)
+  {
+    const Slot s = slotOf[id];
+    const float* n = this->Normals->GetPointer(0) + 3 * id;
+    if (s == vtkPointSplatNeighbors::None ||
+      this->Neighbors.GetId(s) == static_cast<vtkIdType>(id) || IsZero(n))
+    {
+      continue;
+    }
+    if (vtkPointSplatCrease::Parts(n, this->GetSlotNormal(s)))
+    {
+      twins.push_back({ static_cast<vtkIdType>(id), s, { n[0], n[1], n[2] } });
+    }
+  }
+  return twins;
+}
+
+bool vtkPointSplatEstimates::FindBorders(const Twins& twins)
+{
+  const std::vector<Slot>& slotOf = this->Neighbors.GetSlots();
+  this->Borders = std::make_unique<vtkPointSplatBorders>(
+    this->Neighbors, this->Directions, this->Usual, *this->Disks);
+  if (this->IsRough())
+  {
+    return true;
+  }
+  std::vector<unsigned char> open(this->Neighbors.GetNumberOfSlots(), 0);
+  for (vtkIdType id = 0; id < this->NumberOfPoints; ++id)
+  {
+    const Slot s = slotOf[id];
+    if (s != vtkPointSplatNeighbors::None && !this->Fans.Has(id))
+    {
+      open[s] = this->Disks->MayEnd(s);
+    }
+  }
+  for (const vtkPointSplatCreases::Twin& twin : twins)
+  {
+    open[twin.At] = 0;
+  }
+  return this->Borders->Find(this->Self, this->Elliptical, open);
+}
+
+bool vtkPointSplatEstimates::FindCreases(Twins twins)
+{
+  this->Creases = std::make_unique<vtkPointSplatCreases>(this->Neighbors,
+    this->SlotNormals.data(), this->Elliptical ? nullptr : this->Disks->Curvatures.data(),
+    this->Usual, this->Elliptical);
+  return !this->Given || !(this->Fans.IsEmpty() || this->MeshAlone) || this->IsRough() ||
+    this->Creases->Find(this->Self, 0.85, 0.9, this->Creased, std::move(twins));
+}
+
+void vtkPointSplatEstimates::SetCreases()
+{
+  for (const vtkPointSplatCreases::Splat& splat : this->Creases->Splats)
+  {
+    if (splat.Id < 0)
+    {
+      this->Disks->Set(splat);
+    }
+  }
+}
+
+bool vtkPointSplatEstimates::IsDrawn(vtkIdType id) const
+{
+  return !(this->Ghosts && (this->Ghosts[id] & vtkDataSetAttributes::DUPLICATEPOINT));
+}
+
+/// Coordinates may be so large that lengths overflow.
+float vtkPointSplatEstimates::GetScaled(float length) const
+{
+  constexpr float largest = std::numeric_limits<float>::max();
+  return std::min(
+    static_cast<float>(this->Self->GetRadiusScale()) * std::min(length, largest), largest);
+}
+
+VTK_ABI_NAMESPACE_END

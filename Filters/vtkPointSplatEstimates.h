@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPointSplatEstimates
+ * @brief   what is estimated of one cloud, stage by stage
+ *
+ * An internal helper of vtkPointSplatEstimation, whose header tells the stages, inputs and outputs: it is
+ * made for one update, and Run() once. Arrays have a tuple a point of the input.
+ */
+#ifndef vtkPointSplatEstimates_h
+#define vtkPointSplatEstimates_h
+
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPointSplatBodies.h"
+#include "vtkPointSplatBorders.h"
+#include "vtkPointSplatCreases.h"
+#include "vtkPointSplatDisks.h"
+#include "vtkPointSplatFans.h"
+#include "vtkPointSplatRefinement.h"
+#include "vtkPointSplatNeighbors.h"
+#include "vtkPointSplatStars.h"
+
+#include <atomic>
+#include <memory>
+#include <vector>
+
+class vtkDataArray;
+class vtkPointSet;
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkPointSplatEstimation;
+
+class vtkPointSplatEstimates
+{
+public:
+  using Slot = vtkPointSplatNeighbors::Slot;
+
+  vtkPointSplatEstimates(vtkPointSplatEstimation* self, vtkPointSet* input);
+
+  /// Returns false if self was aborted.
+  bool Run();
+
+  vtkNew<vtkFloatArray> Normals;
+  vtkNew<vtkFloatArray> Sizes[2]; // radii, or both axes
+  vtkNew<vtkFloatArray> Planes;
+  vtkNew<vtkFloatArray> Curvatures;
+  vtkNew<vtkFloatArray> Clips, Folds; // without tuples where there are none
+  vtkIdType NumberOfPointsAlone = 0;
+  double Noise = 0;
+  double Contradiction = 0;
+
+  /// Fill points; Ends are points of the input, the nearest one first, and none is another process'.
+  std::vector<vtkPointSplatRefinement::Point> Fill;
+
+private:
+  using Neighborhood = vtkPointSplatNeighbors::Neighborhood;
+  using Twins = std::vector<vtkPointSplatCreases::Twin>;
+
+  vtkDataArray* MakeArrays();
+  void ReadPoints(vtkDataArray* given);
+  void ReadMesh();
+  bool FindNormals();
+  float GetUsualSpacing() const;
+  bool FindDisks();
+  bool Measure(const Neighborhood& around, int round);
+  Twins FindTwins() const;
+  bool FindBorders(const Twins& twins);
+  bool FindCreases(Twins twins);
+  void SetCreases();
+  bool FindStars();
+  void FindFill();
+  void FindMeshFill();
+  std::vector<float> Refine(vtkPointSplatStars& stars, const float* normals, const float* curvatures);
+  void TakeFill(const vtkPointSplatRefinement& fill);
+  void Write();
+  void WriteMesh();
+  void WriteCreases();
+  void WriteTubeLines();
+  void ClipFill();
+
+  bool IsRough() const;
+  /// Whether given normals tell where the surface bends.
+  bool MayBend() const { return !this->Missing && !this->IsRough(); }
+  bool IsDrawn(vtkIdType id) const;
+  float GetScaled(float length) const;
+  static bool IsZero(const float n[3]) { return n[0] == 0 && n[1] == 0 && n[2] == 0; }
+  float* GetNormal(vtkIdType id) { return this->Normals->GetPointer(3 * id); }
+  const float* GetSlotNormal(Slot s) const { return this->SlotNormals.data() + std::size_t(3) * s; }
+
+  vtkPointSplatEstimation* Self;
+  vtkPointSet* Input;
+  const vtkIdType NumberOfPoints;
+  const bool Elliptical;
+  bool Given = false;   // whether there are normals
+  bool Missing = false; // whether any is estimated
+  const unsigned char* Ghosts = nullptr;
+  std::vector<unsigned char> Used;
+
+  vtkPointSplatFans Fans;
+  bool MeshAlone = false; // all points are triangles' corners
+  std::vector<vtkPointSplatFans::Disk> Corners; // if so
+
+  vtkPointSplatNeighbors Neighbors;
+  std::vector<float> SlotNormals;
+  std::vector<unsigned char> Known; // slots with given normals
+  float Median = 0; // spacing
+  float Usual = 0; // the same, where it tells what is sparse
+  std::unique_ptr<vtkPointSplatDisks> Disks;
+  std::unique_ptr<vtkPointSplatBodies> Bodies;
+  std::unique_ptr<vtkPointSplatBorders> Borders;
+  std::unique_ptr<vtkPointSplatCreases> Creases;
+  std::unique_ptr<vtkPointSplatStars> Stars; // of slots, where gaps are filled
+  std::vector<unsigned char> Creased; // slots that are likely to be at one
+  std::vector<std::atomic<bool>> Misled; // slots with a neighbour whose normal is not the surface's
+  std::vector<float> SheetNormals; // of the disks' planes
+  const float* Directions = nullptr; // which of both are looked at
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Of the estimates: stage 6, fill.
+#include "vtkPointSplatEstimates.h"
+
+#include "vtkPointSet.h"
+#include "vtkPointSplatEstimation.h"
+#include "vtkPoints.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+constexpr std::size_t MostPerPoint = 4;
+constexpr std::size_t MostOfFew = 4096;
+}
+
+/// Finds the sites of a cloud that are uneven, and that the surface goes on where only a denser part of the points ends.
+bool vtkPointSplatEstimates::FindStars()
+{
+  if (this->MeshAlone)
+  {
+    return true;
+  }
+  const std::vector<Slot>& slotOf = this->Neighbors.GetSlots();
+  const Slot slots = this->Neighbors.GetNumberOfSlots();
+  this->Stars = std::make_unique<vtkPointSplatStars>(
+    slots, [this](Slot s, double x[3]) { this->Neighbors.GetPosition(s, x); });
+  for (vtkIdType id = 0; id < this->NumberOfPoints; ++id)
+  {
+    const Slot s = slotOf[id];
+    if (s != vtkPointSplatNeighbors::None && !this->Fans.Has(id))
+    {
+      this->Stars->SetSize(s,
+        { this->Disks->Distance[s], this->Disks->Turn[s], this->Disks->Farthest[s] },
+        this->MayBend());
+    }
+  }
+  std::vector<const vtkPointSplatCreases::Splat*> creased(slots, nullptr);
+  for (const vtkPointSplatCreases::Splat& splat : this->Creases->Splats)
+  {
+    creased[splat.At] = &splat;
+  }
+  const vtkPointSplatStars::Cloud cloud{ &this->Neighbors, this->Directions, this->Disks.get(),
+    this->Borders.get(), &creased, this->Usual, this->Self->GetNumberOfNeighbors() };
+  if (!this->Stars->Find(this->Self, cloud))
+  {
+    return false;
+  }
+  this->Borders->Reopen(this->Stars->FindContinued(cloud));
+  return true;
+}
+
+void vtkPointSplatEstimates::FindFill()
+{
+  if (this->MeshAlone)
+  {
+    if (this->Self->GetFillMeshGaps())
+    {
+      this->FindMeshFill();
+    }
+    return;
+  }
+  const std::vector<float> covers =
+    this->Refine(*this->Stars, this->SlotNormals.data(), this->Disks->Curvatures.data());
+  for (Slot s = 0; s < this->Neighbors.GetNumberOfSlots(); ++s)
+  {
+    if (this->Stars->Uneven[s])
+    {
+      this->Disks->Shrink(s, covers[s] * this->Stars->GetRadius(s));
+    }
+  }
+}
+
+/// The same for a mesh, whose triangles tell the stars.
+void vtkPointSplatEstimates::FindMeshFill()
+{
+  const std::vector<Slot>& slotOf = this->Neighbors.GetSlots();
+  vtkPointSplatStars stars(this->NumberOfPoints, [this](Slot id, double x[3]) {
+    std::copy_n(this->Fans.GetPosition(id), 3, x);
+  });
+  std::vector<float> curvatures(std::size_t(6) * this->NumberOfPoints, 0.0f);
+  for (vtkIdType id = 0; id < this->NumberOfPoints; ++id)
+  {
+    const vtkPointSplatFans::Disk& disk = this->Corners[id];
+    stars.SetSize(static_cast<Slot>(id), { disk.Distance, disk.Turn, disk.Farthest }, true);
+    std::copy_n(disk.Curvature, 6, curvatures.data() + 6 * id);
+  }
+  std::vector<unsigned char> creased(this->Neighbors.GetNumberOfSlots(), 0);
+  for (const vtkPointSplatCreases::Splat& splat : this->Creases->Splats)
+  {
+    creased[splat.At] = 1;
+  }
+  for (vtkIdType id = 0; id < this->NumberOfPoints; ++id)
+  {
+    if (slotOf[id] != vtkPointSplatNeighbors::None && creased[slotOf[id]])
+    {
+      stars.Uneven[id] = 0;
+    }
+  }
+  stars.Find(this->Fans);
+  const std::vector<float> covers =
+    this->Refine(stars, this->Normals->GetPointer(0), curvatures.data());
+  for (vtkIdType id = 0; id < this->NumberOfPoints; ++id)
+  {
+    if (stars.Uneven[id])
+    {
+      this->Corners[id].Radius = covers[id] * stars.GetRadius(static_cast<Slot>(id));
+    }
+  }
+}
+
+/**
+ * Makes no more fill points than MostPerPoint for a point: where sizes differ by much within a few points, as of
+ * copies of a cloud that are not quite the same, these are as good as one. Returns by how much sites' splats are larger.
+ */
+std::vector<float> vtkPointSplatEstimates::Refine(
+  vtkPointSplatStars& stars, const float* normals, const float* curvatures)
+{
+  const std::size_t most = MostPerPoint * static_cast<std::size_t>(this->NumberOfPoints) + MostOfFew;
+  for (float least = vtkPointSplatSheet::Grain * stars.GetMedianSize();; least *= 2)
+  {
+    stars.RaiseSizes(least);
+    vtkPointSplatRefinement fill(stars, normals, curvatures);
+    if (fill.Make(most))
+    {
+      this->TakeFill(fill);
+      return fill.Covers;
+    }
+  }
+}
+
+/// Fill points belong to the end that they are nearest to; those of other processes' points are theirs.
+void vtkPointSplatEstimates::TakeFill(const vtkPointSplatRefinement& fill)
+{
+  vtkDataArray* points = this->Input->GetPoints()->GetData();
+  for (vtkPointSplatRefinement::Point point : fill.Points)
+  {
+    int nearest = 0;
+    double place[3] = { 0, 0, 0 };
+    for (int k = 0; k < point.Count; ++k)
+    {
+      if (!this->MeshAlone)
+      {
+        point.Ends[k] = static_cast<Slot>(this->Neighbors.GetId(point.Ends[k]));
+      }
+      double x[3];
+      points->GetTuple(point.Ends[k], x);
+      const float weight = point.Weights[k], most = point.Weights[nearest];
+      // Of two that are as near it is the same one for all processes.
+      if (k == 0 || weight > most ||
+        (weight == most && std::lexicographical_compare(x, x + 3, place, place + 3)))
+      {
+        nearest = k;
+        std::copy_n(x, 3, place);
+      }
+    }
+    if (this->IsDrawn(point.Ends[nearest]))
+    {
+      std::swap(point.Ends[0], point.Ends[nearest]);
+      std::swap(point.Weights[0], point.Weights[nearest]);
+      point.Size = this->GetScaled(point.Cover * vtkPointSplatStars::GetRadius(point.Size));
+      this->Fill.push_back(point);
+    }
+  }
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Of the estimates: from slots back to points.
+#include "vtkPointSplatEstimates.h"
+
+#include "vtkPointSet.h"
+#include "vtkPointSplatMeshBorders.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+void vtkPointSplatEstimates::Write()
+{
+  const std::vector<Slot>& slotOf = this->Neighbors.GetSlots();
+  const vtkPointSplatDisks& disks = *this->Disks;
+  for (vtkIdType id = 0; id < this->NumberOfPoints; ++id)
+  {
+    const Slot s = slotOf[id];
+    this->NumberOfPointsAlone +=
+      s != vtkPointSplatNeighbors::None && disks.IsAlone(s) && !this->Fans.Has(id);
+  }
+  vtkSMPTools::For(0, this->NumberOfPoints, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType id = begin; id < end; ++id)
+    {
+      const Slot s = slotOf[id];
+      float* n = this->GetNormal(id);
+      const bool drawn = s != vtkPointSplatNeighbors::None && this->IsDrawn(id);
+      const float length = drawn ? this->GetScaled(disks.GetBounded(s)) : 0.0f;
+      if (!this->Elliptical)
+      {
+        this->Sizes[0]->SetValue(id, length);
+        const bool alone = drawn && disks.IsAlone(s);
+        const float* plane = drawn ? disks.Planes.data() + std::size_t(3) * s : n;
+        std::copy(plane, plane + 3, this->Planes->GetPointer(3 * id));
+        float* tensor = this->Curvatures->GetPointer(6 * id);
+        if (alone)
+        {
+          std::fill_n(this->Planes->GetPointer(3 * id), 3, 0.0f);
+        }
+        if (alone && !this->Known[s])
+        {
+          disks.GetBall(s, tensor);
+        }
+        else if (drawn && !alone)
+        {
+          std::copy_n(disks.Curvatures.data() + std::size_t(6) * s, 6, tensor);
+        }
+        else
+        {
+          std::fill_n(tensor, 6, 0.0f);
+        }
+      }
+      else
+      {
+        for (int c = 0; c < 6; ++c)
+        {
+          this->Sizes[c / 3]->SetValue(
+            3 * id + c % 3, drawn ? length * disks.Axes[std::size_t(6) * s + c] : 0.0f);
+        }
+      }
+      if (s != vtkPointSplatNeighbors::None && IsZero(n))
+      {
+        std::copy_n(this->GetSlotNormal(s), 3, n);
+      }
+    }
+  });
+  this->WriteMesh();
+  this->WriteCreases();
+  this->Borders->Write(slotOf, this->Clips);
+  this->WriteTubeLines();
+  vtkPointSplatMeshBorders(this->Fans, this->Sizes[0], this->Planes).Write(this->Clips);
+}
+
+/// The disks of triangles' corners, but for those at creases.
+void vtkPointSplatEstimates::WriteMesh()
+{
+  if (this->Fans.IsEmpty())
+  {
+    return;
+  }
+  const std::vector<Slot>& slotOf = this->Neighbors.GetSlots();
+  std::vector<unsigned char> ends(this->Neighbors.GetNumberOfSlots(), 0);
+  for (const vtkPointSplatCreases::Splat& splat : this->Creases->Splats)
+  {
+    ends[splat.At] = 1;
+  }
+  const float* n = this->Normals->GetPointer(0);
+  vtkSMPTools::For(0, this->NumberOfPoints, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType id = begin; id < end; ++id)
+    {
+      const Slot s = slotOf[id];
+      if (this->Fans.Has(id) && this->IsDrawn(id) &&
+        (s == vtkPointSplatNeighbors::None || !ends[s]))
+      {
+        const vtkPointSplatFans::Disk disk =
+          this->MeshAlone ? this->Corners[id] : this->Fans.GetDisk(id, n);
+        this->Sizes[0]->SetValue(id, this->GetScaled(disk.Radius));
+        std::copy(disk.Plane, disk.Plane + 3, this->Planes->GetPointer(3 * id));
+        std::copy(disk.Curvature, disk.Curvature + 6, this->Curvatures->GetPointer(6 * id));
+      }
+    }
+  });
+}
+
+void vtkPointSplatEstimates::WriteCreases()
+{
+  if (this->Creases->Splats.empty())
+  {
+    return;
+  }
+  vtkPointSplatDisks& disks = *this->Disks;
+  this->Creases->Write(this->Neighbors.GetSlots(), this->Clips, this->Folds);
+  for (const vtkPointSplatCreases::Splat& splat : this->Creases->Splats)
+  {
+    if (splat.Id < 0 || !this->IsDrawn(splat.Id))
+    {
+      continue;
+    }
+    // A twin takes its slot for the time of its own output.
+    disks.Set(splat);
+    disks.Close(splat.At);
+    const float length = this->GetScaled(disks.GetBounded(splat.At));
+    for (int c = 0; c < 6 && this->Elliptical; ++c)
+    {
+      this->Sizes[c / 3]->SetValue(
+        3 * splat.Id + c % 3, length * disks.Axes[std::size_t(6) * splat.At + c]);
+    }
+    if (!this->Elliptical)
+    {
+      this->Sizes[0]->SetValue(splat.Id, length);
+      std::copy_n(splat.Normal, 3, this->Planes->GetPointer(3 * splat.Id));
+      std::copy_n(splat.Tensor, 6, this->Curvatures->GetPointer(6 * splat.Id));
+    }
+  }
+}
+
+/// Adds the lines of disks on tubes to those points that have none.
+void vtkPointSplatEstimates::WriteTubeLines()
+{
+  const std::vector<Slot>& slotOf = this->Neighbors.GetSlots();
+  for (std::size_t id = 0; id < slotOf.size(); ++id)
+  {
+    float lines[6];
+    if (slotOf[id] == vtkPointSplatNeighbors::None ||
+      !this->Disks->GetTubeLines(slotOf[id], lines))
+    {
+      continue;
+    }
+    vtkPointSplatBorders::MakeLines(this->Clips, this->NumberOfPoints);
+    float* clip = this->Clips->GetPointer(static_cast<vtkIdType>(6 * id));
+    if (std::all_of(clip, clip + 6, [](float v) { return v == 0; }))
+    {
+      std::copy_n(lines, 6, clip);
+    }
+  }
+}
+
+/// Fill points end at the lines of their ends, but for those behind which these go on.
+void vtkPointSplatEstimates::ClipFill()
+{
+  if (this->Clips->GetNumberOfTuples() == 0)
+  {
+    return;
+  }
+  vtkDataArray* points = this->Input->GetPoints()->GetData();
+  for (vtkPointSplatRefinement::Point& point : this->Fill)
+  {
+    vtkPointSplatBorders::Lines lines;
+    lines.Reach = vtkPointSplatBorders::KernelReach * point.Size;
+    for (int k = 0; k < point.Count; ++k)
+    {
+      const vtkIdType id = point.Ends[k];
+      double x[3];
+      points->GetTuple(id, x);
+      const float place[3] = { static_cast<float>(x[0] - point.X[0]),
+        static_cast<float>(x[1] - point.X[1]), static_cast<float>(x[2] - point.X[2]) };
+      for (int l = 0; l < 2; ++l)
+      {
+        const float* fold = this->Folds->GetNumberOfTuples() > 0
+          ? this->Folds->GetPointer(6 * id + 3 * l)
+          : nullptr;
+        if (!fold || IsZero(fold))
+        {
+          vtkPointSplatBorders::AddLine(
+            this->Clips->GetPointer(6 * id + 3 * l), place, point.Plane, lines);
+        }
+      }
+    }
+    lines.Write(point.Clip);
+  }
+}
+
+VTK_ABI_NAMESPACE_END

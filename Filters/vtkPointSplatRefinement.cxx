@@ -1,0 +1,355 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatRefinement.h"
+
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+// Those that are fitted by hand are from Testing/Accuracy/fit_constants.py.
+namespace
+{
+/// How many sizes long edges are divided from: kernels reach half a size past disks, and blend there.
+constexpr double LongEdge = 1.7;
+/// What part of an edge's length the point in its middle may be large.
+constexpr float ShareOfEdge = 0.55f;
+/// How near to a fill point's place, in its size, another point stands for it.
+constexpr double ShareOfSize = 0.4;
+/// ... if its normal is within 37 degrees: it is not of another sheet.
+constexpr float LikeNormal = 0.8f;
+/// In how many parts a triangle's sides are divided by the places that have to be covered.
+constexpr int CoveredParts = 6;
+/// Each division halves an edge: more are those of sizes that next to nothing is left of.
+constexpr int MostDivisions = 24;
+/// Normals that nearly cancel have no mean.
+constexpr double LeastMean = 1e-3;
+}
+
+vtkPointSplatRefinement::vtkPointSplatRefinement(
+  const vtkPointSplatStars& stars, const float* normals, const float* curvatures)
+  : Stars(stars)
+  , Normals(normals)
+  , Curvatures(curvatures)
+  , Covers(stars.Sizes.size(), 1.0f)
+{
+}
+
+vtkPointSplatRefinement::Point vtkPointSplatRefinement::Get(Index index) const
+{
+  if (index >= FirstIndex)
+  {
+    return this->Points[index - FirstIndex];
+  }
+  const Site site = static_cast<Site>(index);
+  Point point{};
+  this->Stars.GetPosition(site, point.X);
+  std::copy_n(this->Normals + std::size_t(3) * site, 3, point.Normal);
+  std::copy_n(this->Curvatures + std::size_t(6) * site, 6, point.Curvature);
+  point.Size = this->Stars.Sizes[site];
+  point.Cover = this->Covers[site];
+  point.Count = 1;
+  point.Ends[0] = site;
+  point.Weights[0] = 1;
+  return point;
+}
+
+bool vtkPointSplatRefinement::IsLong(const Point& a, const Point& b, double& length) const
+{
+  length = std::sqrt(vtkMath::Distance2BetweenPoints(a.X, b.X));
+  return a.Size > 0 && b.Size > 0 && std::isfinite(length) &&
+    length > LongEdge * 0.5 * (double(a.Size) + b.Size);
+}
+
+/// Adds half of a point's ends to a middle's.
+void vtkPointSplatRefinement::AddEnds(const Point& of, Point& to) const
+{
+  for (int k = 0; k < of.Count; ++k)
+  {
+    int at = 0;
+    while (at < to.Count && to.Ends[at] != of.Ends[k])
+    {
+      ++at;
+    }
+    if (at == to.Count && to.Count < 3)
+    {
+      to.Ends[to.Count++] = of.Ends[k];
+    }
+    to.Weights[std::min(at, 2)] += 0.5f * of.Weights[k];
+  }
+}
+
+vtkPointSplatRefinement::Index vtkPointSplatRefinement::Divide(Index a, Index b)
+{
+  const std::pair<Index, Index> edge = std::minmax(a, b);
+  const auto known = this->Middles.find(edge);
+  if (known != this->Middles.end())
+  {
+    return known->second;
+  }
+  const Point middle = this->MakeMiddle(this->Get(edge.first), this->Get(edge.second));
+  Index index = FirstIndex + this->Points.size();
+  if (!this->FindNear(middle, index))
+  {
+    this->Points.push_back(middle);
+    this->Insert(index, middle);
+  }
+  this->Middles.emplace(edge, index);
+  return index;
+}
+
+namespace
+{
+/// Gives a middle its curvature, which along the edge is along.
+void Bend(const vtkPointSplatRefinement::Point& p, const vtkPointSplatRefinement::Point& q,
+  const double way[3], double along, vtkPointSplatRefinement::Point& middle)
+{
+  double across[3];
+  const double plane[3] = { middle.Plane[0], middle.Plane[1], middle.Plane[2] };
+  vtkMath::Cross(plane, way, across);
+  const double share = double(p.Size) * p.Size / (double(p.Size) * p.Size + double(q.Size) * q.Size);
+  const int rows[6] = { 0, 1, 2, 0, 1, 0 }, columns[6] = { 0, 1, 2, 1, 2, 2 };
+  double beside = 0;
+  for (int c = 0; c < 6; ++c)
+  {
+    const double mean = share * p.Curvature[c] + (1 - share) * q.Curvature[c];
+    beside += (c < 3 ? 1 : 2) * mean * across[rows[c]] * across[columns[c]];
+  }
+  for (int c = 0; c < 6; ++c)
+  {
+    middle.Curvature[c] = static_cast<float>(along * way[rows[c]] * way[columns[c]] +
+      beside * across[rows[c]] * across[columns[c]]);
+  }
+}
+}
+
+vtkPointSplatRefinement::Point vtkPointSplatRefinement::MakeMiddle(
+  const Point& p, const Point& q) const
+{
+  Point middle{};
+  middle.Cover = 1;
+  double way[3];
+  vtkMath::Subtract(q.X, p.X, way);
+  const double length = vtkMath::Normalize(way);
+  double n[3] = { p.Normal[0], p.Normal[1], p.Normal[2] };
+  double m[3] = { q.Normal[0], q.Normal[1], q.Normal[2] };
+  const double lean = vtkMath::Dot(n, way);
+  double otherLean = vtkMath::Dot(m, way);
+  if (vtkMath::Dot(n, m) < 2 * lean * otherLean)
+  {
+    vtkMath::MultiplyScalar(m, -1);
+    otherLean = -otherLean;
+  }
+  double normal[3];
+  vtkMath::Add(n, m, normal);
+  if (vtkMath::Normalize(normal) < LeastMean)
+  {
+    std::copy_n(n, 3, normal);
+  }
+  double plane[3];
+  const double along = vtkMath::Dot(normal, way);
+  for (int c = 0; c < 3; ++c)
+  {
+    plane[c] = normal[c] - along * way[c];
+  }
+  if (vtkMath::Normalize(plane) < LeastMean)
+  {
+    std::copy_n(normal, 3, plane);
+  }
+  // Of a ball it falls behind the first end, and rises before the second.
+  const double rise = lean * otherLean < 0
+    ? std::copysign(std::min(std::abs(lean), std::abs(otherLean)), otherLean)
+    : 0;
+  for (int c = 0; c < 3; ++c)
+  {
+    middle.X[c] = 0.5 * (p.X[c] + q.X[c]) + 0.25 * length * rise * normal[c];
+    middle.Normal[c] = static_cast<float>(normal[c]);
+    middle.Plane[c] = static_cast<float>(plane[c]);
+  }
+  Bend(p, q, way, (otherLean - lean) / length, middle);
+  const float half = static_cast<float>(0.5 * length);
+  const float graded = vtkPointSplatStars::GetGraded(std::min(p.Size, q.Size), half);
+  middle.Size = std::min(graded, std::max(2 * ShareOfEdge * half, std::min(p.Size, q.Size)));
+  this->AddEnds(p, middle);
+  this->AddEnds(q, middle);
+  return middle;
+}
+
+std::size_t vtkPointSplatRefinement::CellHash::operator()(const Cell& cell) const
+{
+  std::uint64_t hash = static_cast<std::uint64_t>(cell.Level);
+  for (const std::int64_t place : cell.Place)
+  {
+    hash = (hash ^ static_cast<std::uint64_t>(place)) * 0x9e3779b97f4a7c15u;
+    hash ^= hash >> 29;
+  }
+  return static_cast<std::size_t>(hash);
+}
+
+/// Cells of a level are twice as wide as its smallest sizes.
+vtkPointSplatRefinement::Cell vtkPointSplatRefinement::FindCell(const double x[3], int level)
+{
+  Cell cell{ level, { { 0, 0, 0 } } };
+  for (int c = 0; c < 3; ++c)
+  {
+    const double place = std::floor(std::ldexp(x[c], -level - 1));
+    // Where coordinates are so large that floats hold no cells all are one.
+    cell.Place[c] = std::abs(place) < 1e18 ? static_cast<std::int64_t>(place) : 0;
+  }
+  return cell;
+}
+
+void vtkPointSplatRefinement::Insert(Index index, const Point& point)
+{
+  const int level = std::ilogb(point.Size);
+  for (const int near : { level - 1, level, level + 1 })
+  {
+    this->Cells.emplace(FindCell(point.X, near), index);
+  }
+}
+
+bool vtkPointSplatRefinement::FindNear(const Point& point, Index& found) const
+{
+  const int level = std::ilogb(point.Size);
+  double corner[3];
+  for (int c = 0; c < 3; ++c)
+  {
+    corner[c] = point.X[c] - std::ldexp(1.0, level);
+  }
+  const Cell first = FindCell(corner, level);
+  double least = std::pow(ShareOfSize * point.Size, 2);
+  bool any = false;
+  for (int k = 0; k < 8; ++k)
+  {
+    Cell cell = first;
+    for (int c = 0; c < 3; ++c)
+    {
+      cell.Place[c] += (k >> c) & 1;
+    }
+    const auto [begin, end] = this->Cells.equal_range(cell);
+    for (auto at = begin; at != end; ++at)
+    {
+      const Point other = this->Get(at->second);
+      const double squared = vtkMath::Distance2BetweenPoints(point.X, other.X);
+      // Of two that are as near it is the same one, whatever order they are found in.
+      if ((squared < least || (any && squared == least && at->second < found)) &&
+        vtkMath::Dot(point.Normal, other.Normal) > LikeNormal)
+      {
+        least = squared;
+        found = at->second;
+        any = true;
+      }
+    }
+  }
+  return any;
+}
+
+void vtkPointSplatRefinement::Cover(const Index corners[3])
+{
+  const Point points[3] = { this->Get(corners[0]), this->Get(corners[1]), this->Get(corners[2]) };
+  if (std::any_of(points, points + 3, [](const Point& point) { return !(point.Size > 0); }))
+  {
+    return; // what is beside such a one is not the surface's
+  }
+  double needed = 0; // squared, in radii
+  for (int i = 0; i <= CoveredParts; ++i)
+  {
+    for (int j = 0; j <= CoveredParts - i; ++j)
+    {
+      const double shares[3] = { double(i) / CoveredParts, double(j) / CoveredParts,
+        double(CoveredParts - i - j) / CoveredParts };
+      double place[3] = { 0, 0, 0 }, nearest = std::numeric_limits<double>::max();
+      for (int k = 0; k < 3; ++k)
+      {
+        for (int c = 0; c < 3; ++c)
+        {
+          place[c] += shares[k] * points[k].X[c];
+        }
+      }
+      for (const Point& point : points)
+      {
+        const double radius = vtkPointSplatStars::GetRadius(point.Size);
+        nearest =
+          std::min(nearest, vtkMath::Distance2BetweenPoints(place, point.X) / (radius * radius));
+      }
+      needed = std::max(needed, nearest);
+    }
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    float& cover = corners[k] < FirstIndex ? this->Covers[corners[k]]
+                                           : this->Points[corners[k] - FirstIndex].Cover;
+    cover = std::max(cover, static_cast<float>(std::sqrt(needed)));
+  }
+}
+
+bool vtkPointSplatRefinement::Make(std::size_t most)
+{
+  struct Part
+  {
+    Index Corners[3];
+    int Divisions;
+  };
+  std::vector<Part> parts;
+  std::vector<Site> corners;
+  for (const vtkPointSplatStars::Triangle& triangle : this->Stars.Triangles)
+  {
+    corners.insert(corners.end(), triangle.begin(), triangle.end());
+  }
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  for (const Site corner : corners)
+  {
+    const Point point = this->Get(corner);
+    if (point.Size > 0)
+    {
+      this->Insert(corner, point);
+    }
+  }
+  for (const vtkPointSplatStars::Triangle& triangle : this->Stars.Triangles)
+  {
+    parts.push_back({ { triangle[0], triangle[1], triangle[2] }, 0 });
+    while (!parts.empty())
+    {
+      const Part part = parts.back();
+      parts.pop_back();
+      int longest = -1;
+      double largest = 0;
+      const Point corners[3] = { this->Get(part.Corners[0]), this->Get(part.Corners[1]),
+        this->Get(part.Corners[2]) };
+      for (int k = 0; k < 3; ++k)
+      {
+        double length;
+        if (this->IsLong(corners[k], corners[(k + 1) % 3], length) && length > largest)
+        {
+          largest = length;
+          longest = k;
+        }
+      }
+      if (longest < 0)
+      {
+        this->Cover(part.Corners);
+      }
+      if (longest < 0 || part.Divisions == MostDivisions)
+      {
+        continue;
+      }
+      const Index a = part.Corners[longest], b = part.Corners[(longest + 1) % 3],
+                  c = part.Corners[(longest + 2) % 3];
+      const Index middle = this->Divide(a, b);
+      parts.push_back({ { a, middle, c }, part.Divisions + 1 });
+      parts.push_back({ { middle, b, c }, part.Divisions + 1 });
+    }
+    if (this->Points.size() > most)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPointSplatRefinement
+ * @brief   fill points: splats between points that are farther apart than their splats are large
+ *
+ * An internal helper of vtkPointSplatEstimation; see the stages there.
+ *
+ * 1. An edge of the stars' triangles (vtkPointSplatStars.h) that is longer than LongEdge times the mean of
+ *    its ends' sizes is divided: a point is put in its middle. Both triangles at an edge get the same one.
+ * 2. A triangle whose longest such edge was divided makes two, which are looked at in turn, until all edges
+ *    are short enough. Sizes are graded to the middle from both ends, and at most ShareOfEdge of the edge.
+ *    Where some point of about that size, a site or a fill point, lies within ShareOfSize of its place, that takes
+ *    its: needles between a point and a dense row beside it have one row of fill points, and not each its own, and
+ *    triangles that two sites see in different ways have the same.
+ * 3. A fill point's normal is the mean of the ends', the second one's turned to where the first one's mirror
+ *    image points; its disk's plane goes through the edge. Between ends whose normals lean the same way from
+ *    it, as on an arc, it is lifted by what an arc rises over its chord, a quarter of the length times the lesser of
+ *    their sines; at an edge or a tip, where one end's normal is across it, it stays on the chord. Along
+ *    the edge it is curved as the ends' normals say, and across it as the ends are in the mean, weighted by the
+ *    squares of their sizes: a fillet's curvature says nothing of the face beside it.
+ * 4. *Cover.* The splats of the triangles that remain are larger, in the same proportion, where those of its three
+ *    corners do not cover one together; sizes stay as they are.
+ * 5. Ends, and weights of them, tell what else a fill point has: of up to three sites.
+ *
+ * Numbers of fill points depend on the triangles alone, and not on what is drawn: there are none where
+ * sites are even.
+ */
+#ifndef vtkPointSplatRefinement_h
+#define vtkPointSplatRefinement_h
+
+#include "vtkPointSplatStars.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkPointSplatRefinement
+{
+public:
+  using Site = vtkPointSplatStars::Site;
+
+  struct Point
+  {
+    double X[3]; // world coordinates
+    float Normal[3], Plane[3]; // unit length
+    float Curvature[6];        // as vtkPointSplatCurvature's
+    float Clip[6];             // its lines, as in the array
+    float Size;
+    float Cover;               // by how much its splat is larger than its size asks for
+    int Count;                 // of ends
+    Site Ends[3];
+    float Weights[3];          // their sum is 1
+  };
+
+  /// normals: 3 floats a site, unit length; curvatures: 6.
+  vtkPointSplatRefinement(
+    const vtkPointSplatStars& stars, const float* normals, const float* curvatures);
+
+  /// Returns false if more than most points are to be made.
+  bool Make(std::size_t most);
+
+  std::vector<Point> Points;
+  std::vector<float> Covers; // the same of each site
+
+private:
+  using Index = std::uint64_t; // a site, or a fill point's number from FirstIndex on
+  static constexpr Index FirstIndex = Index(1) << 32;
+
+  Point Get(Index index) const;
+  bool IsLong(const Point& a, const Point& b, double& length) const;
+  Index Divide(Index a, Index b);
+  Point MakeMiddle(const Point& p, const Point& q) const;
+  void AddEnds(const Point& of, Point& to) const;
+  void Cover(const Index corners[3]);
+
+  const vtkPointSplatStars& Stars;
+  const float* Normals;
+  const float* Curvatures;
+  struct Hash
+  {
+    std::size_t operator()(const std::pair<Index, Index>& edge) const
+    {
+      return std::hash<Index>()(edge.first * 0x9e3779b97f4a7c15u ^ edge.second);
+    }
+  };
+  std::unordered_map<std::pair<Index, Index>, Index, Hash> Middles;
+
+  /// Points in cells of a grid about as wide as they are large, one for each power of two and the next ones.
+  struct Cell
+  {
+    int Level;
+    std::array<std::int64_t, 3> Place;
+    bool operator==(const Cell& other) const
+    {
+      return this->Level == other.Level && this->Place == other.Place;
+    }
+  };
+  struct CellHash
+  {
+    std::size_t operator()(const Cell& cell) const;
+  };
+  static Cell FindCell(const double x[3], int level);
+  void Insert(Index index, const Point& point);
+  bool FindNear(const Point& point, Index& found) const;
+  std::unordered_multimap<Cell, Index, CellHash> Cells;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,285 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatStars.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkMath.h"
+#include "vtkSMPThreadLocal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+// Those that are fitted by hand are from Testing/Accuracy/fit_constants.py.
+namespace
+{
+/// How much normals may turn within a size, and what is left of one at least.
+constexpr float MostTurn = 0.6f;
+constexpr float LeastBent = 0.3f;
+/// A neighbour is far from so many sizes on: in random samplings hardly any is.
+constexpr float FarNeighbor = 2.4f;
+/// By how much the surface may turn on the way to a disk's rim for it to be flat enough for any disk.
+constexpr float FlatTurn = 0.2f;
+/// Normals of two faces part by more than this cosine (20 degrees), and where points are too few for the crease between
+/// them to be found, so that just the ends of both are, by this (60 degrees).
+constexpr float CreaseCosine = 0.94f;
+constexpr float EndsCosine = 0.5f;
+/// From how many times the spacing on points beside the border of a denser part say that the surface goes on there.
+constexpr float Sparser = 2;
+
+bool HasFold(const vtkPointSplatCreases::Splat& splat)
+{
+  return std::any_of(splat.Fold, splat.Fold + 6, [](float v) { return v != 0; });
+}
+}
+
+vtkPointSplatStars::vtkPointSplatStars(std::size_t sites, PositionGetter getPosition)
+  : GetPosition(std::move(getPosition))
+  , Sizes(sites, 0.0f)
+  , Uneven(sites, 0)
+{
+}
+
+void vtkPointSplatStars::SetSize(Site site, const Measures& measures, bool bends)
+{
+  float size = measures.Distance;
+  if (bends && measures.Turn > 0)
+  {
+    size = std::min(size, std::max(MostTurn / measures.Turn, LeastBent * size));
+  }
+  this->Sizes[site] = size;
+  this->Uneven[site] = size > 0 && measures.Farthest > FarNeighbor * size;
+}
+
+float vtkPointSplatStars::GetMedianSize() const
+{
+  std::vector<float> sizes;
+  std::copy_if(this->Sizes.begin(), this->Sizes.end(), std::back_inserter(sizes),
+    [](float size) { return size > 0; });
+  return sizes.empty() ? 0.0f : vtkPointSplatDisks::GetQuantile(sizes, 0.5);
+}
+
+void vtkPointSplatStars::RaiseSizes(float least)
+{
+  for (float& size : this->Sizes)
+  {
+    size = size > 0 ? std::max(size, least) : size;
+  }
+}
+
+/// Whether a triangle connects two faces one of which ends at a line, and does not go on behind it.
+bool vtkPointSplatStars::IsOverCrease(const Cloud& cloud, const Triangle& triangle)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    const Site a = triangle[k], b = triangle[(k + 1) % 3];
+    const vtkPointSplatCreases::Splat* splats[2] = { (*cloud.Creased)[a], (*cloud.Creased)[b] };
+    const bool folded = std::any_of(splats, splats + 2,
+      [](const vtkPointSplatCreases::Splat* splat) { return splat && HasFold(*splat); });
+    const bool ends = cloud.Borders->IsEnd(a) || cloud.Borders->IsEnd(b);
+    const float* n = cloud.Normals + std::size_t(3) * a;
+    const float* m = cloud.Normals + std::size_t(3) * b;
+    const float cosine = std::abs(vtkMath::Dot(n, m));
+    if (!folded &&
+      (((splats[0] || splats[1]) && cosine < CreaseCosine) || (ends && cosine < EndsCosine)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Whether a triangle lies, as seen from that corner, past a border or in a hole.
+bool vtkPointSplatStars::IsOutside(
+  const vtkPointSplatBorders& borders, const Triangle& triangle, int corner) const
+{
+  double x[3], y[3];
+  this->GetPosition(triangle[corner], x);
+  float middle[3] = { 0, 0, 0 };
+  for (const int other : { (corner + 1) % 3, (corner + 2) % 3 })
+  {
+    this->GetPosition(triangle[other], y);
+    float way[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      way[c] = static_cast<float>(y[c] - x[c]);
+    }
+    vtkMath::Normalize(way);
+    vtkMath::Add(middle, way, middle);
+  }
+  return borders.IsOutside(triangle[corner], middle);
+}
+
+/// Whether a triangle lies past a border or in a hole: all of its corners are on that, since another one would be
+/// a point of the surface there.
+bool vtkPointSplatStars::IsOutside(
+  const vtkPointSplatBorders& borders, const Triangle& triangle) const
+{
+  return std::all_of(triangle.begin(), triangle.end(),
+           [&borders](Site corner) { return borders.IsEnd(corner); }) &&
+    (this->IsOutside(borders, triangle, 0) || this->IsOutside(borders, triangle, 1) ||
+      this->IsOutside(borders, triangle, 2));
+}
+
+std::vector<vtkPointSplatStars::Site> vtkPointSplatStars::FindContinued(const Cloud& cloud) const
+{
+  const std::vector<float>& spacing = cloud.Disks->Spacing;
+  std::vector<Site> continued;
+  for (const Triangle& triangle : this->Triangles)
+  {
+    const float largest =
+      std::max({ spacing[triangle[0]], spacing[triangle[1]], spacing[triangle[2]] });
+    for (int k = 0; k < 3; ++k)
+    {
+      if (cloud.Borders->IsEnd(triangle[k]) && largest > Sparser * spacing[triangle[k]] &&
+        this->IsOutside(*cloud.Borders, triangle, k))
+      {
+        continued.push_back(triangle[k]);
+      }
+    }
+  }
+  std::sort(continued.begin(), continued.end());
+  continued.erase(std::unique(continued.begin(), continued.end()), continued.end());
+  return continued;
+}
+
+bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
+{
+  const vtkPointSplatDisks& disks = *cloud.Disks;
+  std::vector<unsigned char> small(this->Sizes.size(), 0);
+  for (Site s = 0; s < this->Sizes.size(); ++s)
+  {
+    small[s] = this->Sizes[s] > 0 && !(*cloud.Creased)[s] && !disks.IsAlone(s) &&
+      disks.HasSmallWitness(s, this->Sizes);
+    this->Uneven[s] = this->Uneven[s] && !(*cloud.Creased)[s] && !disks.IsAlone(s);
+  }
+  std::transform(this->Uneven.begin(), this->Uneven.end(), small.begin(), this->Uneven.begin(),
+    [](unsigned char a, unsigned char b) { return a | b; });
+
+  vtkSMPThreadLocal<std::vector<Triangle>> found;
+  auto find = [&](const vtkPointSplatNeighbors::Neighborhood& around, int round) {
+    vtkPointSplatDisk disk;
+    const bool closed =
+      disk.Estimate(around, cloud.Normals, false, cloud.Usual, disks.HoleLimit);
+    // Neighbours that are not known of could lie in the triangles' circumcircles.
+    float largest = 0;
+    disk.VisitTriangles([&largest](int, int, float circumscribed) {
+      largest = std::max(largest, circumscribed);
+    });
+    const bool sure = 4 * largest * largest <= around.SquaredDistance[around.Count - 1];
+    if (round < 2 && !(closed && sure))
+    {
+      return false;
+    }
+    const float reach = disks.GetReach(around.Center);
+    bool bends =
+      disks.Turn[around.Center] * reach > FlatTurn || disks.IsTooLarge(around.Center);
+    std::vector<Triangle>& local = found.Local();
+    const std::size_t before = local.size();
+    disk.VisitTriangles([&](int a, int b, float circumscribed) {
+      Triangle triangle{ { around.Center, around.Slots[a], around.Slots[b] } };
+      float spacing = disk.Spacing;
+      for (const Site corner : triangle)
+      {
+        spacing = std::max(spacing, disks.Spacing[corner]);
+        bends = bends || disks.Turn[corner] * reach > FlatTurn;
+      }
+      // A hole has no points, and is no larger than usual where any corner's points are so sparse.
+      if (circumscribed <= disks.HoleLimit * spacing)
+      {
+        std::sort(triangle.begin(), triangle.end());
+        local.push_back(triangle);
+      }
+    });
+    this->Uneven[around.Center] = bends;
+    if (!bends)
+    {
+      local.resize(before);
+    }
+    return sure || !bends;
+  };
+  const double progress = self->GetProgress();
+  const std::vector<unsigned char> wanted = this->Uneven;
+  if (!cloud.Neighbors->VisitWidely(self, progress, progress, cloud.Count, find,
+        [&wanted](Site s) { return wanted[s] != 0; }))
+  {
+    return false;
+  }
+  for (const std::vector<Triangle>& local : found)
+  {
+    std::copy_if(local.begin(), local.end(), std::back_inserter(this->Triangles),
+      [&](const Triangle& triangle) {
+        return !IsOverCrease(cloud, triangle) && !this->IsOutside(*cloud.Borders, triangle);
+      });
+  }
+  this->Grade();
+  return true;
+}
+
+void vtkPointSplatStars::Find(const vtkPointSplatFans& mesh)
+{
+  for (Site s = 0; s < this->Sizes.size(); ++s)
+  {
+    if (this->Uneven[s])
+    {
+      mesh.VisitTriangles(static_cast<vtkIdType>(s), [this](const vtkIdType corners[3]) {
+        Triangle triangle;
+        std::transform(corners, corners + 3, triangle.begin(),
+          [](vtkIdType id) { return static_cast<Site>(id); });
+        std::sort(triangle.begin(), triangle.end());
+        this->Triangles.push_back(triangle);
+      });
+    }
+  }
+  this->Grade();
+}
+
+void vtkPointSplatStars::Grade()
+{
+  std::sort(this->Triangles.begin(), this->Triangles.end());
+  this->Triangles.erase(
+    std::unique(this->Triangles.begin(), this->Triangles.end()), this->Triangles.end());
+
+  struct Edge
+  {
+    Site A, B;
+    float Length;
+  };
+  std::vector<std::pair<Site, Site>> pairs;
+  for (const Triangle& t : this->Triangles)
+  {
+    pairs.insert(pairs.end(), { { t[0], t[1] }, { t[0], t[2] }, { t[1], t[2] } });
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  std::vector<Edge> edges;
+  for (const auto& [a, b] : pairs)
+  {
+    if (this->Sizes[a] > 0 && this->Sizes[b] > 0)
+    {
+      double x[3], y[3];
+      this->GetPosition(a, x);
+      this->GetPosition(b, y);
+      edges.push_back(
+        { a, b, static_cast<float>(std::sqrt(vtkMath::Distance2BetweenPoints(x, y))) });
+    }
+  }
+  // Each sweep carries sizes on by an edge at least, until none changes.
+  for (bool changed = true; changed;)
+  {
+    changed = false;
+    for (const Edge& edge : edges)
+    {
+      float &a = this->Sizes[edge.A], &b = this->Sizes[edge.B];
+      const float mostA = GetGraded(b, edge.Length), mostB = GetGraded(a, edge.Length);
+      changed = changed || mostA < a || mostB < b;
+      a = std::min(a, mostA);
+      b = std::min(b, mostB);
+    }
+  }
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPointSplatStars
+ * @brief   the sizes of splats where points are uneven or the surface bends, and the triangles there
+ *
+ * An internal helper of vtkPointSplatEstimation; see the stages there. One round disk a point cannot cover
+ * what is around it where points are many times as dense on one side as on the other, or where the
+ * surface bends by much from one to the next: it would stand off the surface. There disks are as small as they have
+ * to be, and vtkPointSplatRefinement puts others between.
+ *
+ * A site is a slot of a cloud, or a point of a mesh.
+ * 1. *Size.* About how far points are apart: the mean distance of the neighbours of a site's star that are
+ *    no more than twice as far as the third. Where given normals turn by more than MostTurn (34 degrees)
+ *    within that, it is the distance within which they turn by so much, and at least LeastBent of the former.
+ *    No size is less than a Grain (vtkPointSplatSheet.h) of the median.
+ * 2. *Uneven* sites are those with a neighbour in their star that is farther than FarNeighbor sizes, or, of
+ *    a cloud, some witness of less than half of their size. Even samplings have none of them, random
+ *    ones some percent.
+ * 3. Their stars are found once more: the triangles between a site and neighbours that are next to each other
+ *    around it (Delaunay's in the tangent plane), but for those that reach over holes or lie past borders, and those
+ *    over creases, where splats end at lines. Sites where all is flat, as far as the disk reaches, and no neighbour
+ *    is so small that it bounds this, are not uneven: there one large disk harms nothing.
+ * 4. *Grading.* No size is larger than that of a site next to it in such a triangle and Slope of the way to that:
+ *    a disk does not reach over a denser part to what lies beyond, which may be an edge.
+ */
+#ifndef vtkPointSplatStars_h
+#define vtkPointSplatStars_h
+
+#include "vtkPointSplatBorders.h"
+#include "vtkPointSplatDisks.h"
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+class vtkAlgorithm;
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkPointSplatStars
+{
+public:
+  using Site = vtkPointSplatNeighbors::Slot;
+  using Triangle = std::array<Site, 3>; // in ascending order
+  using PositionGetter = std::function<void(Site, double[3])>;
+
+  /// How a site lies to its neighbours (vtkPointSplatDisks).
+  struct Measures
+  {
+    float Distance, Turn, Farthest;
+  };
+
+  /// getPosition: in world coordinates.
+  vtkPointSplatStars(std::size_t sites, PositionGetter getPosition);
+
+  /// bends: whether normals tell where the surface bends.
+  void SetSize(Site site, const Measures& measures, bool bends);
+
+  /// Of those that have a star.
+  float GetMedianSize() const;
+
+  /// Gives all sites with a star this size at least.
+  void RaiseSizes(float least);
+
+  /**
+   * Finds the triangles of a cloud's uneven sites. normals: 3 floats a slot, of the disks' planes; count: of
+   * neighbours; usual: as in vtkPointSplatSheet. creased: of each slot the splat at a crease, or null.
+   * Returns false if self was aborted.
+   */
+  struct Cloud
+  {
+    const vtkPointSplatNeighbors* Neighbors;
+    const float* Normals;
+    const vtkPointSplatDisks* Disks;
+    const vtkPointSplatBorders* Borders;
+    const std::vector<const vtkPointSplatCreases::Splat*>* Creased;
+    float Usual;
+    int Count;
+  };
+  bool Find(vtkAlgorithm* self, const Cloud& cloud);
+
+  /// The sites at which the borders say that the surface ends, and a triangle that it goes on to where points are
+  /// sparser: there just their denser part ends. In order.
+  std::vector<Site> FindContinued(const Cloud& cloud) const;
+
+  /// Takes the triangles of a mesh's uneven sites.
+  void Find(const vtkPointSplatFans& mesh);
+
+  /// The radius of the splat of an uneven site.
+  float GetRadius(Site site) const { return RadiusPerSize * this->Sizes[site]; }
+  static float GetRadius(float size) { return RadiusPerSize * size; }
+  /// The size that a site some way off one of another size may have.
+  static float GetGraded(float size, float way) { return size + Slope * way; }
+
+  const PositionGetter GetPosition;
+  std::vector<float> Sizes; // 0 where there is no star
+  std::vector<unsigned char> Uneven;
+  std::vector<Triangle> Triangles; // each once, in order
+
+private:
+  static constexpr float RadiusPerSize = 0.65f;
+  static constexpr float Slope = 0.3f;
+
+  void Grade();
+
+  static bool IsOverCrease(const Cloud& cloud, const Triangle& triangle);
+  bool IsOutside(const vtkPointSplatBorders& borders, const Triangle& triangle) const;
+  bool IsOutside(const vtkPointSplatBorders& borders, const Triangle& triangle, int corner) const;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
