@@ -287,14 +287,41 @@ void vtkPointSplatRefinement::Cover(const Index corners[3])
   }
 }
 
+/// Adds a triangle to those that are to be divided, or covers it.
+void vtkPointSplatRefinement::Add(const Index corners[3], int divisions, std::vector<Part>& parts)
+{
+  const Point points[3] = { this->Get(corners[0]), this->Get(corners[1]), this->Get(corners[2]) };
+  int longest = -1;
+  double length, largest = 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    if (this->IsLong(points[k], points[(k + 1) % 3], length) && length > largest)
+    {
+      largest = length;
+      longest = k;
+    }
+  }
+  if (longest < 0)
+  {
+    this->Cover(corners);
+    return;
+  }
+  if (divisions == MostDivisions)
+  {
+    return;
+  }
+  Part part{ largest, { 0, 0, 0 }, { 0, 0, 0 }, divisions };
+  for (int k = 0; k < 3; ++k)
+  {
+    part.Corners[k] = corners[(longest + k) % 3];
+    part.Middle[k] = points[longest].X[k] + points[(longest + 1) % 3].X[k];
+  }
+  parts.push_back(part);
+  std::push_heap(parts.begin(), parts.end());
+}
+
 bool vtkPointSplatRefinement::Make(std::size_t most)
 {
-  struct Part
-  {
-    Index Corners[3];
-    int Divisions;
-  };
-  std::vector<Part> parts;
   std::vector<Site> corners;
   for (const vtkPointSplatStars::Triangle& triangle : this->Stars.Triangles)
   {
@@ -310,40 +337,21 @@ bool vtkPointSplatRefinement::Make(std::size_t most)
       this->Insert(corner, point);
     }
   }
+  std::vector<Part> parts;
   for (const vtkPointSplatStars::Triangle& triangle : this->Stars.Triangles)
   {
-    parts.push_back({ { triangle[0], triangle[1], triangle[2] }, 0 });
-    while (!parts.empty())
-    {
-      const Part part = parts.back();
-      parts.pop_back();
-      int longest = -1;
-      double largest = 0;
-      const Point corners[3] = { this->Get(part.Corners[0]), this->Get(part.Corners[1]),
-        this->Get(part.Corners[2]) };
-      for (int k = 0; k < 3; ++k)
-      {
-        double length;
-        if (this->IsLong(corners[k], corners[(k + 1) % 3], length) && length > largest)
-        {
-          largest = length;
-          longest = k;
-        }
-      }
-      if (longest < 0)
-      {
-        this->Cover(part.Corners);
-      }
-      if (longest < 0 || part.Divisions == MostDivisions)
-      {
-        continue;
-      }
-      const Index a = part.Corners[longest], b = part.Corners[(longest + 1) % 3],
-                  c = part.Corners[(longest + 2) % 3];
-      const Index middle = this->Divide(a, b);
-      parts.push_back({ { a, middle, c }, part.Divisions + 1 });
-      parts.push_back({ { middle, b, c }, part.Divisions + 1 });
-    }
+    const Index indices[3] = { triangle[0], triangle[1], triangle[2] };
+    this->Add(indices, 0, parts);
+  }
+  while (!parts.empty())
+  {
+    std::pop_heap(parts.begin(), parts.end());
+    const Part part = parts.back();
+    parts.pop_back();
+    const Index *c = part.Corners, middle = this->Divide(c[0], c[1]);
+    const Index halves[2][3] = { { c[0], middle, c[2] }, { middle, c[1], c[2] } };
+    this->Add(halves[0], part.Divisions + 1, parts);
+    this->Add(halves[1], part.Divisions + 1, parts);
     if (this->Points.size() > most)
     {
       return false;

@@ -8,8 +8,8 @@
  *
  * 1. An edge of the stars' triangles (vtkPointSplatStars.h) that is longer than LongEdge times the mean of
  *    its ends' sizes is divided: a point is put in its middle. Both triangles at an edge get the same one.
- * 2. A triangle whose longest such edge was divided makes two, which are looked at in turn, until all edges
- *    are short enough. Sizes are graded to the middle from both ends, and at most ShareOfEdge of the edge.
+ * 2. A triangle whose longest such edge was divided makes two, until all edges are short enough. The longest edges of all
+ *    are divided first, so that what is made depends on what is near, and but for ties not on the order of points. Sizes are graded to the middle from both ends, and at most ShareOfEdge of the edge.
  *    Where some point of about that size, a site or a fill point, lies within ShareOfSize of its place, that takes
  *    its: needles between a point and a dense row beside it have one row of fill points, and not each its own, and
  *    triangles that two sites see in different ways have the same.
@@ -31,6 +31,7 @@
 
 #include "vtkPointSplatStars.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -71,6 +72,23 @@ public:
 private:
   using Index = std::uint64_t; // a site, or a fill point's number from FirstIndex on
   static constexpr Index FirstIndex = Index(1) << 32;
+
+  /// A triangle to be divided at the first edge, its longest one.
+  struct Part
+  {
+    double Length;
+    double Middle[3];
+    Index Corners[3];
+    int Divisions;
+    bool operator<(const Part& other) const
+    {
+      return this->Length != other.Length
+        ? this->Length < other.Length
+        : std::lexicographical_compare(
+            this->Middle, this->Middle + 3, other.Middle, other.Middle + 3);
+    }
+  };
+  void Add(const Index corners[3], int divisions, std::vector<Part>& parts);
 
   Point Get(Index index) const;
   bool IsLong(const Point& a, const Point& b, double& length) const;

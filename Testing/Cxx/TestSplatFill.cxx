@@ -411,6 +411,18 @@ void TestSameAgain()
   }
   Expect(places[0] == places[1], "fill points do not depend on threads");
 
+  vtkSmartPointer<vtkPolyData> disc = MakeDisc(), turned = MakeDisc();
+  const vtkIdType count = disc->GetNumberOfPoints();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    turned->GetPoints()->SetPoint(i, disc->GetPoint(count - 1 - i));
+    turned->GetPointData()->GetNormals()->SetTuple(
+      i, disc->GetPointData()->GetNormals()->GetTuple(count - 1 - i));
+  }
+  const Filled other(turned);
+  AtMost(std::abs(double(other.CountFill()) - double(places[0].size())), 0.01 * places[0].size(),
+    "fill points of the same points in another order, how many more or fewer");
+
   Filled filled(MakeDisc());
   vtkNew<vtkCallbackCommand> stop;
   stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*) {

@@ -13,7 +13,8 @@
  * 2. *Estimation* of a process' own points and those that came.
  * 3. Those that came are dropped, and fill points that are nearest to them, which their process has: the output
  *    has the points of the input, in their order, and behind them the other fill points. Their arrays are of those of
- *    their ends that are this process'.
+ *    their ends that are this process'. Which places between the same points they have depends on what else is near, so
+ *    that those of two processes do not fit everywhere: of a disc's area 0.01 % beside their border is not covered.
  * 4. *Orientation*, where normals are to be consistent and no process has any, or sensors: pieces
  *    of surface that go on on other processes are turned the way that one process would turn the
  *    whole (vtkPVPointSplatOrientation).
