@@ -53,6 +53,7 @@ vtkPointSplatDisks::vtkPointSplatDisks(Slot slots, bool elliptical)
   , Opening(slots, 0.0f)
   , Whole(slots, 0)
   , Spacing(slots, 0.0f)
+  , NearSpacing(slots, std::numeric_limits<float>::max())
   , Axes(elliptical ? std::size_t(6) * slots : 0)
   , Planes(std::size_t(3) * slots, 0.0f)
   , Curvatures(elliptical ? 0 : std::size_t(6) * slots, 0.0f)
@@ -82,6 +83,7 @@ void vtkPointSplatDisks::Set(const vtkPointSplatNeighbors::Neighborhood& around,
   this->Opening[s] = disk.Opening;
   this->Whole[s] = disk.Sheet.Whole;
   this->Spacing[s] = disk.Spacing;
+  this->NearSpacing[s] = std::min(this->NearSpacing[s], vtkPointSplatSheet::GetSpacing(around));
   this->Distance[s] = disk.Distance;
   this->Nearest[s] = around.Count > 0 ? std::sqrt(around.SquaredDistance[0]) : 0.0f;
   for (int w = 0; w < NumberOfWitnesses && around.Count >= NumberOfWitnesses; ++w)

@@ -97,6 +97,7 @@ public:
   std::vector<float> Opening; // the distance of its cell's farthest vertex, 0 for an open cell
   std::vector<unsigned char> Whole; // whether all neighbours are of its sheet
   std::vector<float> Spacing; // of the neighbours that the disk is made of
+  std::vector<float> NearSpacing; // of the nearest ones, of whatever sheet
   std::vector<float> Axes;    // both, unless circular
   std::vector<float> Planes;  // their normals
   std::vector<float> Curvatures; // tensors, if circular

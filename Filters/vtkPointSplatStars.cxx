@@ -181,10 +181,10 @@ bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
     const std::size_t before = local.size();
     disk.VisitTriangles([&](int a, int b, float circumscribed) {
       Triangle triangle{ { around.Center, around.Slots[a], around.Slots[b] } };
-      float spacing = disk.Spacing;
+      float spacing = 0;
       for (const Site corner : triangle)
       {
-        spacing = std::max(spacing, disks.Spacing[corner]);
+        spacing = std::max(spacing, disks.NearSpacing[corner]);
         bends = bends || disks.Turn[corner] * reach > FlatTurn;
       }
       // A hole has no points, and is no larger than usual where any corner's points are so sparse.

@@ -319,6 +319,37 @@ void TestNotch()
   Expect(outside == 0, std::to_string(outside) + " fill points are beside the surface");
 }
 
+/// A rim alone, with nothing inside, has no lid: the nearest points of its own say how large a hole is.
+void TestRing()
+{
+  vtkSmartPointer<vtkPolyData> disc = RimmedDisc(0.05).MakeMesh({ 48, 4, 0, 8 });
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < disc->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    disc->GetPoint(i, x);
+    if (std::hypot(x[0], x[1]) > 0.99)
+    {
+      points->InsertNextPoint(x);
+      normals->InsertNextTuple(disc->GetPointData()->GetNormals()->GetTuple(i));
+    }
+  }
+  vtkNew<vtkPolyData> ring;
+  ring->SetPoints(points);
+  ring->GetPointData()->SetNormals(normals);
+  Filled filled(ring);
+  Expect(filled.CountFill() > 0, "a coarse rim has fill points");
+  int inside = 0;
+  for (const std::array<double, 3>& x : filled.GetPlaces())
+  {
+    inside += std::hypot(x[0], x[1]) < 0.9;
+  }
+  Expect(inside == 0, std::to_string(inside) + " fill points are in a ring's opening");
+}
+
 /**
  * A cube of which one face is five times as dense as others: fill points bevel its edges by no more than a mesh of the
  * points would, whose edges are about 0.05 long.
@@ -448,6 +479,7 @@ int TestSplatFill(int, char*[])
   Expect(left.CountFill() == 0, "large triangles can be left to what draws them");
   TestArrays();
   TestNotch();
+  TestRing();
   TestCreases();
   TestGhosts();
   TestBadInput();
