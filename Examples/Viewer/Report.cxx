@@ -4,6 +4,8 @@
 
 #include "Messages.h"
 
+#include "vtkBoundingBox.h"
+#include "vtkDataSet.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkVersion.h"
@@ -15,6 +17,25 @@
 
 namespace
 {
+/// Of the points of the file: fill points may lie a little outside.
+void FindBounds(const Surface& surface, double bounds[6])
+{
+  surface.Mapper->GetBounds(bounds);
+  auto data = vtkDataSet::SafeDownCast(surface.Mapper->GetInputDataObject(0, 0));
+  if (!data || surface.NumberOfFillPoints == 0)
+  {
+    return;
+  }
+  vtkBoundingBox box;
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints() - surface.NumberOfFillPoints; ++i)
+  {
+    double x[3];
+    data->GetPoint(i, x);
+    box.AddPoint(x);
+  }
+  box.GetBounds(bounds);
+}
+
 std::string Quoted(const std::string& text)
 {
   std::string out = "\"";
@@ -111,12 +132,14 @@ void WriteReport(const std::string& file, const Scene& scene, vtkRenderWindow* w
   for (const Surface& surface : scene.Surfaces)
   {
     vtkPointSplatMapper* mapper = surface.Mapper;
-    total += mapper->GetNumberOfSplats();
-    const double* bounds = mapper->GetBounds();
+    total += mapper->GetNumberOfSplats() - surface.NumberOfFillPoints;
+    double bounds[6];
+    FindBounds(surface, bounds);
     const double* colour = surface.Actor->GetProperty()->GetColor();
     out << separator << "    {\"name\": " << Quoted(surface.Name) << ", \"isovalue\": "
         << (surface.Isovalue ? Number(*surface.Isovalue) : "null")
-        << ", \"points\": " << mapper->GetNumberOfSplats()
+        << ", \"points\": " << mapper->GetNumberOfSplats() - surface.NumberOfFillPoints
+        << ", \"fill_points\": " << surface.NumberOfFillPoints
         << ", \"skipped\": " << mapper->GetNumberOfSkippedPoints()
         << ", \"method\": " << Quoted(mapper->GetMethodUsed())
         << ", \"transparency\": " << Quoted(mapper->GetTransparencyUsed())

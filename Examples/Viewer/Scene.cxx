@@ -363,6 +363,7 @@ void AddPoints(Scene& scene, const Options& options, const std::string& name, vt
   }
   Surface& surface = AddSurface(scene, options, name, drawn);
   surface.Normals = normals;
+  surface.NumberOfFillPoints = static_cast<vtkIdType>(estimation->GetFillPoints().size());
 
   ColourPoints(scene, options, surface, points);
   // What colours without normals come from, cameras and laser scanners, has seen them in the light.

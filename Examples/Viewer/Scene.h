@@ -24,6 +24,8 @@ struct Surface
   /// Where the colours are from: "actor", "RGB", or an array's name.
   std::string Colours;
   bool Lit = true;
+  /// How many of the points that are drawn lie between those of the file.
+  vtkIdType NumberOfFillPoints = 0;
   vtkSmartPointer<vtkActor> Actor;
   vtkSmartPointer<vtkPointSplatMapper> Mapper;
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Session.h"
 
+#include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkHardwareSelector.h"
 #include "vtkLegendBoxActor.h"
@@ -9,6 +10,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
+#include "vtkPointSplatArrays.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
@@ -212,8 +214,16 @@ void Session::Pick()
 //------------------------------------------------------------------------------
 std::vector<std::string> Session::Describe(const Surface& surface, vtkIdType point)
 {
-  std::vector<std::string> lines{ NameOf(surface.Name) + ": point " + std::to_string(point) };
   auto data = vtkDataSet::SafeDownCast(surface.Mapper->GetInputDataObject(0, 0));
+  auto sources = data && point < data->GetNumberOfPoints()
+    ? data->GetPointData()->GetArray(vtkPointSplatArrays::Source)
+    : nullptr;
+  if (sources && surface.NumberOfFillPoints > 0)
+  {
+    // A fill point stands for the point of the file that it is nearest to.
+    point = static_cast<vtkIdType>(sources->GetTuple1(point));
+  }
+  std::vector<std::string> lines{ NameOf(surface.Name) + ": point " + std::to_string(point) };
   if (!data || point >= data->GetNumberOfPoints())
   {
     return lines;

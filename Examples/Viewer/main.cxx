@@ -104,7 +104,7 @@ void PrintSummary(
   {
     points += surface.Mapper->IsProgressing()
       ? vtkDataSet::SafeDownCast(surface.Mapper->GetInputDataObject(0, 0))->GetNumberOfPoints()
-      : surface.Mapper->GetNumberOfSplats();
+      : surface.Mapper->GetNumberOfSplats() - surface.NumberOfFillPoints;
   }
   std::printf("%lld points in %zu surface%s, %s by %s", static_cast<long long>(points),
     scene.Surfaces.size(), scene.Surfaces.size() == 1 ? "" : "s",
