@@ -36,6 +36,8 @@ constexpr float KernelReach = 2.5f;
 constexpr float OnLine = 0.15f;
 /// The cosine (20 degrees) between a line and the direction of the face behind it.
 constexpr float AcrossCosine = 0.94f;
+/// Faces whose normals agree so well (10 degrees) are one: others part by 20 at least.
+constexpr float OwnCosine = 0.985f;
 
 /// The members of a point's face and what they look like in mirrors at its lines.
 struct Mirrored
@@ -257,7 +259,8 @@ bool vtkPointSplatCreases::FindSplat(
         // The face behind a line is the one whose normal is across it.
         const float part = vtkMath::Dot(crease.Meeting[f], plane);
         const float across = vtkMath::Dot(crease.Meeting[f], line.Direction);
-        if (across * across > AcrossCosine * AcrossCosine * (1 - part * part))
+        // Of the disk's own face there is nothing across.
+        if (part < OwnCosine && across * across > AcrossCosine * AcrossCosine * (1 - part * part))
         {
           std::copy_n(crease.Meeting[f], 3, splat.Fold + 3 * lines);
         }

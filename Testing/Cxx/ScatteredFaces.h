@@ -15,6 +15,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkTransform.h"
 
 #include <cmath>
 #include <vector>
@@ -45,6 +46,18 @@ public:
     this->Normals->InsertNextTuple(n);
     this->EdgesOf.push_back(edges);
     this->BordersOf.emplace_back();
+  }
+
+  /// Turns points and normals, but not the edges that they know, about a slanted axis.
+  void Turn(double degrees)
+  {
+    vtkNew<vtkTransform> turn;
+    turn->RotateWXYZ(degrees, 1, 2, 3);
+    for (vtkIdType id = 0; id < this->Points->GetNumberOfPoints(); ++id)
+    {
+      this->Points->SetPoint(id, turn->TransformPoint(this->Points->GetPoint(id)));
+      this->Normals->SetTuple(id, turn->TransformNormal(this->Normals->GetTuple(id)));
+    }
   }
 
   /// Whether a line of a point, with that vector and its length, is where the surface ends, or at
@@ -329,6 +342,13 @@ public:
   double GetFold(vtkIdType id, int k, double f[3]) const
   {
     return this->GetVector(vtkPointSplatArrays::Fold, id, k, f);
+  }
+  /// How much of a direction is along the normal of a disk's plane.
+  double GetPlanePart(vtkIdType id, const double v[3]) const
+  {
+    double n[3];
+    this->GetArray(vtkPointSplatArrays::PlaneNormal)->GetTuple(id, n);
+    return std::abs(vtkMath::Dot(n, v));
   }
   double GetRadius(vtkIdType id) const
   {

@@ -216,13 +216,15 @@ void Vertices(bool split)
   AtMost(missed, 0, what + ", points at the edge without a line");
 }
 
-/// Where three faces meet whose normals were averaged, the disk folds twice.
-void AveragedCorners()
+/// Where three faces meet whose normals were averaged, the disk folds twice, and not into its own plane, also
+/// where the faces lie aslant and their normals are rounded.
+void AveragedCorners(double degrees)
 {
   ScatteredFaces mesh;
   mesh.AddGridCube(21);
+  mesh.Turn(degrees);
   const Estimated splats(mesh);
-  int edge = 0, corner = 0, wrong = 0;
+  int edge = 0, corner = 0, wrong = 0, flat = 0;
   for (vtkIdType id = 0; id < mesh.GetNumberOfPoints(); ++id)
   {
     const int expected = static_cast<int>(mesh.EdgesOf[id].size());
@@ -231,7 +233,9 @@ void AveragedCorners()
     {
       double v[3];
       lines += splats.GetLine(id, k, v) > 0;
-      folds += splats.GetFold(id, k, v) > 0;
+      const bool is = splats.GetFold(id, k, v) > 0;
+      folds += is;
+      flat += is && splats.GetPlanePart(id, v) > 0.5;
     }
     edge += expected == 1;
     corner += expected == 2;
@@ -240,6 +244,7 @@ void AveragedCorners()
   }
   Expect(edge == 12 * 19 && corner == 8, "the mesh has edges and corners");
   AtMost(wrong, 0, "vertices at edges that do not fold once, and at corners twice");
+  AtMost(flat, 0, "folds into the disk's own plane");
 }
 
 void Threads()
@@ -324,7 +329,8 @@ int TestSplatCreases(int, char*[])
   Smooth();
   Vertices(false);
   Vertices(true);
-  AveragedCorners();
+  AveragedCorners(0);
+  AveragedCorners(17);
   Threads();
   BadInput();
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
