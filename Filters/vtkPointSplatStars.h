@@ -20,9 +20,12 @@
  * 3. Their stars are found once more: the triangles between a site and neighbours that are next to each other
  *    around it (Delaunay's in the tangent plane), but for those that reach over holes or lie past borders, and those
  *    over creases, where splats end at lines. Sites where all is flat, as far as the disk reaches, and no neighbour
- *    is so small that it bounds this, are not uneven: there one large disk harms nothing.
+ *    is so small that it bounds this, are not uneven: there one large disk harms nothing. What is a hole goes by
+ *    the spacing of the corner whose nearest points are sparsest: a ring of dense points has no lid.
  * 4. *Grading.* No size is larger than that of a site next to it in such a triangle and Slope of the way to that:
  *    a disk does not reach over a denser part to what lies beyond, which may be an edge.
+ * 5. *Continued borders.* Where a triangle goes on past a border (vtkPointSplatBorders.h) to a point that is much
+ *    sparser, just the denser part of the points ends there, and not the surface.
  */
 #ifndef vtkPointSplatStars_h
 #define vtkPointSplatStars_h
