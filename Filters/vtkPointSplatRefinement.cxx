@@ -32,10 +32,10 @@ constexpr double LeastMean = 1e-3;
 
 vtkPointSplatRefinement::vtkPointSplatRefinement(
   const vtkPointSplatStars& stars, const float* normals, const float* curvatures)
-  : Stars(stars)
+  : Covers(stars.Sizes.size(), 1.0f)
+  , Stars(stars)
   , Normals(normals)
   , Curvatures(curvatures)
-  , Covers(stars.Sizes.size(), 1.0f)
 {
 }
 
