@@ -295,6 +295,13 @@ bool vtkPointSplatEstimates::Measure(const Neighborhood& around, int round)
     }
     return true;
   }
+  if (round > 0 && disk.Sheet.IsFewAfar && this->Missing)
+  {
+    // Estimated normals of a row agree with the next row's by chance: this may be where the surface goes on, as beside a
+    // dense edge, but does not say how far one disk reaches.
+    this->FindStar(around, disk);
+    return true;
+  }
   std::copy_n(disk.Normal, 3, this->Disks->Planes.data() + std::size_t(3) * s);
   const bool fits =
     std::equal(disk.Normal, disk.Normal + 3, directions + std::size_t(3) * s);
@@ -315,11 +322,16 @@ bool vtkPointSplatEstimates::Measure(const Neighborhood& around, int round)
     largest = vtkPointSplatDisks::GetLargest(curvature.Strongest, disk.Length1);
   }
   this->Disks->Set(around, disk, largest);
+  this->FindStar(around, disk);
+  return closed;
+}
+
+void vtkPointSplatEstimates::FindStar(const Neighborhood& around, const vtkPointSplatDisk& disk)
+{
   if (this->Self->GetFillGaps() && !this->Elliptical)
   {
     this->Disks->SetStar(around, disk, vtkPointSplatSheet::Grain * this->Median);
   }
-  return closed;
 }
 
 /// But for the corners of triangles, whose disks these tell.

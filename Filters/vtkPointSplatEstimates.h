@@ -65,6 +65,7 @@ private:
   float GetUsualSpacing() const;
   bool FindDisks();
   bool Measure(const Neighborhood& around, int round);
+  void FindStar(const Neighborhood& around, const vtkPointSplatDisk& disk);
   Twins FindTwins() const;
   bool FindBorders(const Twins& twins);
   bool FindCreases(Twins twins);

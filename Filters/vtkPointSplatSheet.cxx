@@ -152,6 +152,7 @@ void vtkPointSplatSheet::Select(
   }
   this->Whole = this->Count == around.Count;
   const int countFar = around.Count - countNear;
+  this->IsFewAfar = false;
   if (this->Count - this->Near < LeastFarShare * countFar)
   {
     // Few are on a sparse flat face beside a dense edge; that many with the same normal are not by chance.
@@ -165,6 +166,7 @@ void vtkPointSplatSheet::Select(
     }
     const int flat = kept - this->Near;
     this->Count = flat >= FewMembers && flat >= LeastFlatShare * countFar ? kept : this->Near;
+    this->IsFewAfar = this->Count > this->Near;
   }
   this->IsFlatAfar =
     std::all_of(this->Members + this->Near, this->Members + this->Count,

@@ -71,6 +71,8 @@ public:
   int Near = 0;
   /// Whether those that are not near have the centre's normal, all of them: the sheet is a plane there.
   bool IsFlatAfar = false;
+  /// Whether these are few of those that are far: the others are of other sheets.
+  bool IsFewAfar = false;
   /// Whether all neighbours are of the sheet.
   bool Whole = false;
   float Spacing = 0; // as given
