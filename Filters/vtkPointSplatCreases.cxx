@@ -191,6 +191,11 @@ bool vtkPointSplatCreases::FitFaces(
   });
 }
 
+bool vtkPointSplatCreases::HasFold(const Splat& splat)
+{
+  return std::any_of(splat.Fold, splat.Fold + 6, [](float v) { return v != 0; });
+}
+
 bool vtkPointSplatCreases::HasLine(const Splat& splat)
 {
   return std::any_of(splat.Clip, splat.Clip + 6, [](float v) { return v != 0; });
@@ -422,9 +427,7 @@ void vtkPointSplatCreases::Write(
   const std::vector<Slot>& slotOf, vtkFloatArray* clips, vtkFloatArray* folds) const
 {
   const vtkIdType count = static_cast<vtkIdType>(slotOf.size());
-  const bool folded = std::any_of(this->Splats.begin(), this->Splats.end(), [](const Splat& s) {
-    return std::any_of(s.Fold, s.Fold + 6, [](float v) { return v != 0; });
-  });
+  const bool folded = std::any_of(this->Splats.begin(), this->Splats.end(), &HasFold);
   std::vector<const Splat*> splatOf(this->Neighbors.GetNumberOfSlots(), nullptr);
   for (const Splat& splat : this->Splats)
   {

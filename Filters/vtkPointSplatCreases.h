@@ -79,6 +79,9 @@ public:
   /// What was found, in order of slots and ids.
   std::vector<Splat> Splats;
 
+  /// Whether a splat goes on behind one of its lines.
+  static bool HasFold(const Splat& splat);
+
 private:
   using Neighborhood = vtkPointSplatNeighbors::Neighborhood;
 

@@ -467,6 +467,17 @@ void vtkPointSplatEstimates::SetCreases()
   }
 }
 
+/// Of each slot whether it has a splat that ends at one.
+std::vector<unsigned char> vtkPointSplatEstimates::GetSlotsAtCreases() const
+{
+  std::vector<unsigned char> at(this->Neighbors.GetNumberOfSlots(), 0);
+  for (const vtkPointSplatCreases::Splat& splat : this->Creases->Splats)
+  {
+    at[splat.At] = 1;
+  }
+  return at;
+}
+
 bool vtkPointSplatEstimates::IsDrawn(vtkIdType id) const
 {
   return !(this->Ghosts && (this->Ghosts[id] & vtkDataSetAttributes::DUPLICATEPOINT));

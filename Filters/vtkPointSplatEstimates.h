@@ -70,6 +70,7 @@ private:
   bool FindBorders(const Twins& twins);
   bool FindCreases(Twins twins);
   void SetCreases();
+  std::vector<unsigned char> GetSlotsAtCreases() const;
   bool FindStars();
   void FindFill();
   void FindMeshFill();

@@ -91,11 +91,7 @@ void vtkPointSplatEstimates::FindMeshFill()
     stars.SetSize(static_cast<Slot>(id), { disk.Distance, disk.Turn, disk.Farthest }, true);
     std::copy_n(disk.Curvature, 6, curvatures.data() + 6 * id);
   }
-  std::vector<unsigned char> creased(this->Neighbors.GetNumberOfSlots(), 0);
-  for (const vtkPointSplatCreases::Splat& splat : this->Creases->Splats)
-  {
-    creased[splat.At] = 1;
-  }
+  const std::vector<unsigned char> creased = this->GetSlotsAtCreases();
   for (vtkIdType id = 0; id < this->NumberOfPoints; ++id)
   {
     if (slotOf[id] != vtkPointSplatNeighbors::None && creased[slotOf[id]])

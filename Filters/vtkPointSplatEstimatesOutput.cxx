@@ -82,11 +82,7 @@ void vtkPointSplatEstimates::WriteMesh()
     return;
   }
   const std::vector<Slot>& slotOf = this->Neighbors.GetSlots();
-  std::vector<unsigned char> ends(this->Neighbors.GetNumberOfSlots(), 0);
-  for (const vtkPointSplatCreases::Splat& splat : this->Creases->Splats)
-  {
-    ends[splat.At] = 1;
-  }
+  const std::vector<unsigned char> ends = this->GetSlotsAtCreases();
   const float* n = this->Normals->GetPointer(0);
   vtkSMPTools::For(0, this->NumberOfPoints, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType id = begin; id < end; ++id)

@@ -29,11 +29,6 @@ constexpr float CreaseCosine = 0.94f;
 constexpr float EndsCosine = 0.5f;
 /// From how many times the spacing on points beside the border of a denser part say that the surface goes on there.
 constexpr float Sparser = 2;
-
-bool HasFold(const vtkPointSplatCreases::Splat& splat)
-{
-  return std::any_of(splat.Fold, splat.Fold + 6, [](float v) { return v != 0; });
-}
 }
 
 vtkPointSplatStars::vtkPointSplatStars(std::size_t sites, PositionGetter getPosition)
@@ -78,7 +73,7 @@ bool vtkPointSplatStars::IsOverCrease(const Cloud& cloud, const Triangle& triang
     const Site a = triangle[k], b = triangle[(k + 1) % 3];
     const vtkPointSplatCreases::Splat* splats[2] = { (*cloud.Creased)[a], (*cloud.Creased)[b] };
     const bool folded = std::any_of(splats, splats + 2,
-      [](const vtkPointSplatCreases::Splat* splat) { return splat && HasFold(*splat); });
+      [](const vtkPointSplatCreases::Splat* splat) { return splat && vtkPointSplatCreases::HasFold(*splat); });
     const bool ends = cloud.Borders->IsEnd(a) || cloud.Borders->IsEnd(b);
     const float* n = cloud.Normals + std::size_t(3) * a;
     const float* m = cloud.Normals + std::size_t(3) * b;
@@ -149,15 +144,11 @@ std::vector<vtkPointSplatStars::Site> vtkPointSplatStars::FindContinued(const Cl
 bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
 {
   const vtkPointSplatDisks& disks = *cloud.Disks;
-  std::vector<unsigned char> small(this->Sizes.size(), 0);
   for (Site s = 0; s < this->Sizes.size(); ++s)
   {
-    small[s] = this->Sizes[s] > 0 && !(*cloud.Creased)[s] && !disks.IsAlone(s) &&
-      disks.HasSmallWitness(s, this->Sizes);
-    this->Uneven[s] = this->Uneven[s] && !(*cloud.Creased)[s] && !disks.IsAlone(s);
+    const bool small = this->Sizes[s] > 0 && disks.HasSmallWitness(s, this->Sizes);
+    this->Uneven[s] = (this->Uneven[s] || small) && !(*cloud.Creased)[s] && !disks.IsAlone(s);
   }
-  std::transform(this->Uneven.begin(), this->Uneven.end(), small.begin(), this->Uneven.begin(),
-    [](unsigned char a, unsigned char b) { return a | b; });
 
   vtkSMPThreadLocal<std::vector<Triangle>> found;
   auto find = [&](const vtkPointSplatNeighbors::Neighborhood& around, int round) {

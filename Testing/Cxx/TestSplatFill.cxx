@@ -25,28 +25,44 @@ namespace
 {
 constexpr double Rim = 0.1;
 
+/// A cloud in the making.
+class Gathered
+{
+public:
+  Gathered()
+  {
+    this->Normals->SetName("Normals");
+    this->Normals->SetNumberOfComponents(3);
+    this->Cloud->SetPoints(this->Points);
+    this->Cloud->GetPointData()->SetNormals(this->Normals);
+  }
+  void Add(const double x[3], const double n[3])
+  {
+    this->Points->InsertNextPoint(x);
+    this->Normals->InsertNextTuple(n);
+  }
+  const vtkSmartPointer<vtkPolyData> Cloud = vtkSmartPointer<vtkPolyData>::New();
+
+private:
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkFloatArray> Normals;
+};
+
 using Place = std::function<void(double u, double v, double x[3], double n[3])>;
 
 vtkSmartPointer<vtkPolyData> MakeRandom(int count, const Place& place)
 {
   vtkNew<vtkMinimalStandardRandomSequence> random;
   random->SetSeed(11);
-  auto cloud = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkFloatArray> normals;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
+  Gathered gathered;
   for (int i = 0; i < count; ++i)
   {
     double x[3], n[3];
     const double u = random->GetNextValue();
     place(u, random->GetNextValue(), x, n);
-    points->InsertNextPoint(x);
-    normals->InsertNextTuple(n);
+    gathered.Add(x, n);
   }
-  cloud->SetPoints(points);
-  cloud->GetPointData()->SetNormals(normals);
-  return cloud;
+  return gathered.Cloud;
 }
 
 void PlaceOnBall(double u, double v, double x[3], double n[3])
@@ -281,13 +297,10 @@ void TestArrays()
 /// In the notch of an L there is nothing, dense though one of its ends is; but its corner is as round as gaps may be wide.
 void TestNotch()
 {
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkFloatArray> normals;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
-  const auto add = [&](double x, double y) {
-    points->InsertNextPoint(x, y, 0);
-    normals->InsertNextTuple3(0, 0, 1);
+  Gathered gathered;
+  const auto add = [&gathered](double u, double v) {
+    const double x[3] = { u, v, 0 }, n[3] = { 0, 0, 1 };
+    gathered.Add(x, n);
   };
   for (int j = 0; j <= 40; ++j)
   {
@@ -306,10 +319,7 @@ void TestNotch()
       add(0.1 * i, -0.1 * j);
     }
   }
-  vtkNew<vtkPolyData> cloud;
-  cloud->SetPoints(points);
-  cloud->GetPointData()->SetNormals(normals);
-  Filled filled(cloud);
+  Filled filled(gathered.Cloud);
   Expect(filled.CountFill() > 0, "between dense and sparse rows there are fill points");
   int outside = 0;
   for (const std::array<double, 3>& x : filled.GetPlaces())
@@ -323,24 +333,17 @@ void TestNotch()
 void TestRing()
 {
   vtkSmartPointer<vtkPolyData> disc = RimmedDisc(0.05).MakeMesh({ 48, 4, 0, 8 });
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkFloatArray> normals;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
+  Gathered ring;
   for (vtkIdType i = 0; i < disc->GetNumberOfPoints(); ++i)
   {
     double x[3];
     disc->GetPoint(i, x);
     if (std::hypot(x[0], x[1]) > 0.99)
     {
-      points->InsertNextPoint(x);
-      normals->InsertNextTuple(disc->GetPointData()->GetNormals()->GetTuple(i));
+      ring.Add(x, disc->GetPointData()->GetNormals()->GetTuple(i));
     }
   }
-  vtkNew<vtkPolyData> ring;
-  ring->SetPoints(points);
-  ring->GetPointData()->SetNormals(normals);
-  Filled filled(ring);
+  Filled filled(ring.Cloud);
   Expect(filled.CountFill() > 0, "a coarse rim has fill points");
   int inside = 0;
   for (const std::array<double, 3>& x : filled.GetPlaces())
