@@ -87,6 +87,7 @@ vtkPointSplatCloudInput vtkPointSplatMapper::vtkInternals::MakeInput(
   input.Owner = this->Self;
   input.NeedSizes = settings.Method != vtkPointSplatSettings::ImageSpace;
   input.ProjectNoise = this->Self->ProjectNoise;
+  input.FollowMotion = this->Self->FollowMotion;
   input.FillGaps = this->Self->FillGaps;
   input.FillMeshGaps = this->Self->Hybrid == HYBRID_OFF;
   if (this->Self->ScalarVisibility)

@@ -40,6 +40,7 @@ void vtkPointSplatMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetProgressive(other->Progressive);
     this->SetProjectNoise(other->ProjectNoise);
     this->SetFillGaps(other->FillGaps);
+    this->SetFollowMotion(other->FollowMotion);
     this->SetShadows(other->Shadows);
     this->SetNumberOfShadowSamples(other->NumberOfShadowSamples);
     this->SetNumberOfInteractiveShadowSamples(other->NumberOfInteractiveShadowSamples);
@@ -92,6 +93,7 @@ void vtkPointSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfFillSteps: " << this->GetNumberOfFillSteps() << "\n";
   os << indent << "ProjectNoise: " << (this->ProjectNoise ? "On" : "Off") << "\n";
   os << indent << "FillGaps: " << (this->FillGaps ? "On" : "Off") << "\n";
+  os << indent << "FollowMotion: " << (this->FollowMotion ? "On" : "Off") << "\n";
   os << indent << "LevelOfDetail: " << (this->LevelOfDetail ? "On" : "Off") << "\n";
   os << indent << "Hybrid: " << (this->Hybrid == HYBRID_OFF ? "Off" : "Automatic") << "\n";
   os << indent << "NumberOfTrianglesProjected: " << this->GetNumberOfTrianglesProjected() << "\n";

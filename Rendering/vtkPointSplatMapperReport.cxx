@@ -64,7 +64,8 @@ const char* vtkPointSplatMapper::GetChoices()
        << "\npoints: "
        << (this->Internals->GetCloud().IsProjected()
               ? "projected, their normals contradict their neighbours"
-              : "as given");
+              : "as given")
+       << (this->Internals->GetCloud().IsFollowing() ? ", with sizes of an earlier frame" : "");
   if (const vtkIdType unused = this->Internals->GetCloud().GetNumberOfUnusedPoints())
   {
     text << ", without " << unused << " that no cell uses";

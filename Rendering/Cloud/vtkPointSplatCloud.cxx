@@ -97,14 +97,17 @@ void vtkPointSplatCloud::Update(const vtkPointSplatCloudInput& input)
   this->Whole = input.Whole;
   this->WholeIds = input.WholeIds;
   Key splatKey = vtkPointSplatCloud::SplatKey(blocks);
-  if (!this->IsMadeFrom(input, splatKey))
+  if (!this->Follow(input))
   {
     this->Levels.Clear();
+    this->Motion.End();
     const bool whole = this->BuildSplats(input, blocks);
     this->Blocks = std::move(blocks);
     // What was aborted is made the next time.
     this->SplatsMadeFrom = whole ? std::move(splatKey) : Key();
+    this->StaysFrom = vtkPointSplatCloud::StayingKey(this->Blocks);
     this->SplatTime.Modified();
+    this->OrderTime.Modified();
   }
   else
   {
@@ -113,10 +116,13 @@ void vtkPointSplatCloud::Update(const vtkPointSplatCloudInput& input)
     {
       this->Blocks[b].Data = blocks[b].Data;
     }
-    this->TakeLevels(false);
+    if (this->TakeLevels(false) && this->Motion.HasBegun())
+    {
+      this->MoveTo(this->Blocks);
+    }
   }
 
-  Key colourKey{ { nullptr, this->SplatTime.GetMTime() } };
+  Key colourKey{ { nullptr, this->OrderTime.GetMTime() } };
   Key factorKey = colourKey;
   for (const Block& block : this->Blocks)
   {
@@ -441,17 +447,29 @@ double vtkPointSplatCloud::GetSpacing()
 //------------------------------------------------------------------------------
 double vtkPointSplatCloud::MeasureSpacing() const
 {
+  const bool rests = this->Motion.HasBegun();
+  const std::array<double, 6> bounds = rests ? this->RestingBounds : this->GetLocalBounds();
   double size = 0.0;
-  std::array<double, 3> low;
   for (size_t k = 0; k < 3; ++k)
   {
-    low[k] = this->Bounds[2 * k] - this->Origin[k];
-    size = std::max(size, this->Bounds[2 * k + 1] - this->Bounds[2 * k]);
+    size = std::max(size, bounds[2 * k + 1] - bounds[2 * k]);
   }
   return this->Count > 0
-    ? vtkPointSplatSpacing::Estimate(this->Splats, this->GetWordsPerSplat(),
-        static_cast<size_t>(this->Count), low, size)
+    ? (rests ? this->Stretch : 1.0) *
+      vtkPointSplatSpacing::Estimate(this->GetRestingSplats(), this->GetWordsPerSplat(),
+        static_cast<size_t>(this->Count), { { bounds[0], bounds[2], bounds[4] } }, size)
     : 0.0;
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 6> vtkPointSplatCloud::GetLocalBounds() const
+{
+  std::array<double, 6> bounds = this->Bounds;
+  for (size_t k = 0; k < 6; ++k)
+  {
+    bounds[k] -= this->Origin[k / 2];
+  }
+  return bounds;
 }
 
 //------------------------------------------------------------------------------
@@ -466,6 +484,7 @@ const vtkPointSplatBlocks& vtkPointSplatCloud::GetBlocks()
 {
   if (this->SplatTime > this->BlockTime)
   {
+    this->MoveAll();
     this->SplatBlocks.Make(this->Splats, this->GetWordsPerSplat(), this->Count);
     this->BlockTime.Modified();
   }
@@ -475,6 +494,7 @@ const vtkPointSplatBlocks& vtkPointSplatCloud::GetBlocks()
 //------------------------------------------------------------------------------
 bool vtkPointSplatCloud::MakeGroups(const vtkPointSplatGroups::Request& request)
 {
+  this->MoveAll();
   vtkPointSplatGroups::Splats splats{ this->Splats, this->GetWordsPerSplat(), this->Origin, {} };
   for (const Block& block : this->Blocks)
   {
@@ -511,8 +531,9 @@ std::vector<uint32_t> vtkPointSplatCloud::MakeIds(IdKind kind) const
 }
 
 //------------------------------------------------------------------------------
-vtkPointSplatCloud::Buffers& vtkPointSplatCloud::Fill(ContextBuffers& all, bool grouped)
+vtkPointSplatCloud::Buffers& vtkPointSplatCloud::Fill(ContextBuffers& all, Extent extent)
 {
+  const bool grouped = extent == GroupedSplats;
   const vtkPointSplatContext& context = vtkPointSplatContext::Entered();
   all.remove_if([](const auto& entry) { return !entry.first.IsAlive(); });
   auto found = std::find_if(
@@ -541,8 +562,7 @@ vtkPointSplatCloud::Buffers& vtkPointSplatCloud::Fill(ContextBuffers& all, bool 
       filled.Modified();
     }
   };
-  fill(buffers.Splats, buffers.SplatTime, this->SplatTime, this->Splats, this->GetWordsPerSplat());
-  fill(buffers.ClipLines, buffers.ClipLineTime, this->SplatTime, this->ClipLines, 4);
+  this->FillSplats(buffers, extent);
   fill(buffers.Colours, buffers.ColourTime, this->ColourTime, this->Colours, 1);
   if (this->ColourTime > buffers.ValueTime)
   {
@@ -560,10 +580,69 @@ vtkPointSplatCloud::Buffers& vtkPointSplatCloud::Fill(ContextBuffers& all, bool 
 }
 
 //------------------------------------------------------------------------------
+void vtkPointSplatCloud::FillSplats(Buffers& buffers, Extent extent)
+{
+  const size_t words = this->GetWordsPerSplat();
+  const bool some = extent == MovedSplats && !this->AllMoved;
+  if (!some)
+  {
+    this->MoveAll();
+  }
+  if (extent == GroupedSplats)
+  {
+    if (std::max(this->SplatTime.GetMTime(), this->Groups.GetMTime()) > buffers.SplatTime)
+    {
+      buffers.Splats.Upload(this->Groups.Ordered(this->Splats, words));
+      buffers.ClipLines.Upload(this->Groups.Ordered(this->ClipLines, 4));
+      buffers.SplatTime.Modified();
+    }
+    return;
+  }
+  const bool anew = this->SplatTime > buffers.SplatTime;
+  if (!some && (anew || !buffers.Parts.empty()))
+  {
+    buffers.Splats.Upload(this->Splats);
+    buffers.ClipLines.Upload(this->ClipLines);
+    buffers.Parts.clear();
+    buffers.SplatTime.Modified();
+    return;
+  }
+  if (anew)
+  {
+    buffers.Splats.Reserve(static_cast<GLsizeiptr>(4 * this->Splats.size()));
+    buffers.ClipLines.Reserve(static_cast<GLsizeiptr>(4 * this->ClipLines.size()));
+    buffers.Parts.assign(this->Motion.GetNumberOfParts(), false);
+    buffers.SplatTime.Modified();
+  }
+  // Parts that follow one another at once.
+  for (size_t part = 0; part < buffers.Parts.size(); ++part)
+  {
+    const vtkPointSplatMotion::Part& first = this->Motion.GetPart(part);
+    size_t count = 0;
+    for (; part < buffers.Parts.size() && !buffers.Parts[part] && this->Motion.IsMoved(part) &&
+         this->Motion.GetPart(part).First == first.First + count;
+         ++part)
+    {
+      count += this->Motion.GetPart(part).Count;
+      buffers.Parts[part] = true;
+    }
+    if (count > 0)
+    {
+      --part; // the one that ended the run may begin another
+      buffers.Splats.Replace(words * first.First, this->Splats, words * count);
+      if (!this->ClipLines.empty())
+      {
+        buffers.ClipLines.Replace(4 * size_t(first.First), this->ClipLines, 4 * count);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkPointSplatCloud::Buffers& vtkPointSplatCloud::UploadIds(IdKind kind)
 {
   Buffers& buffers = this->Upload();
-  vtkMTimeType changed = this->SplatTime;
+  vtkMTimeType changed = this->OrderTime;
   for (const Block& block : this->Blocks)
   {
     changed = std::max( // of cells

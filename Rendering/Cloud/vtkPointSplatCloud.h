@@ -11,6 +11,8 @@
 // 4. Of large clouds that stay as they are levels are made, of splats that stand for those below
 //    them (vtkPointSplatLevels.h); then splats are in the order of these.
 // 5. Where triangles are to be drawn in the place of splats, they are found (vtkPointSplatTriangles.h).
+// 6. Where nothing but positions and normals changed, splats are moved along, if sizes can follow
+//    (vtkPointSplatMotion.h).
 // Each of these is made anew only when an array that it is made from is another one or was
 // modified; a data set that was copied shallowly, or whose scalars alone changed, keeps its splats.
 //
@@ -51,6 +53,7 @@
 #include "vtkPointSplatFillPoints.h"
 #include "vtkPointSplatGroups.h"
 #include "vtkPointSplatLevels.h"
+#include "vtkPointSplatMotion.h"
 #include "vtkPointSplatPacking.h"
 #include "vtkPointSplatTriangles.h"
 
@@ -98,7 +101,7 @@ public:
     IdKind IdsAre = PointIds;
     vtkPointSplatHandle VertexArray{ vtkPointSplatHandle::VertexArray };
     vtkTimeStamp SplatTime;
-    vtkTimeStamp ClipLineTime;
+    std::vector<bool> Parts; // of vtkPointSplatMotion, that are there; none: all splats are
     vtkTimeStamp ColourTime;
     vtkTimeStamp ValueTime;
     vtkTimeStamp FactorTime;
@@ -121,6 +124,14 @@ public:
    */
   void Update(const vtkPointSplatCloudInput& input);
 
+  /**
+   * Moves the splats to where the input's points are now, if that can be done without estimating anything, or
+   * if they are there. What Update() does beside it is left to that.
+   */
+  bool Follow(const vtkPointSplatCloudInput& input);
+  /// Whether sizes are those of an earlier frame.
+  bool IsFollowing() const { return this->Motion.HasBegun(); }
+
   ///@{
   /**
    * What splats are made from: an input with another key gets other splats. IsMadeFrom(): Update()
@@ -142,9 +153,15 @@ public:
    * The buffers of the entered context, filled: in Morton order, or in that of the groups. With
    * ids of a kind, which are made at need.
    */
-  Buffers& Upload() { return this->Fill(this->PerContext, false); }
-  Buffers& UploadGrouped() { return this->Fill(this->GroupedPerContext, true); }
+  Buffers& Upload() { return this->Fill(this->PerContext, AllSplats); }
+  Buffers& UploadGrouped() { return this->Fill(this->GroupedPerContext, GroupedSplats); }
   Buffers& UploadIds(IdKind kind);
+  ///@}
+  ///@{
+  /// The same where only those splats are read that lie in the levels' blocks which MoveBlocks() was told of.
+  Buffers& UploadMoved() { return this->Fill(this->PerContext, MovedSplats); }
+  /// Brings the splats of some of the levels' blocks, and these blocks, to where points were moved to.
+  void MoveBlocks(const std::vector<uint32_t>& blocks);
   ///@}
 
   /// Makes the triangles between the splats, if that is not done.
@@ -221,7 +238,7 @@ public:
   /// The point, of its block, that a splat was made from.
   vtkIdType GetPointId(vtkIdType splat) const
   {
-    return this->Splats[this->GetWordsPerSplat() * static_cast<size_t>(splat) + 7];
+    return this->GetRestingSplats()[this->GetWordsPerSplat() * static_cast<size_t>(splat) + 7];
   }
   size_t GetWordsPerSplat() const { return this->Circular ? 8 : 16; }
   bool IsCircular() const { return this->Circular; }
@@ -296,6 +313,7 @@ private:
   /// Warns where given radii cannot be those of points with this spacing.
   void CheckRadii(vtkObject* owner) const;
   double MeasureSpacing() const;
+  std::array<double, 6> GetLocalBounds() const;
   void Measure();
   void BuildColours(const vtkPointSplatCloudInput& input);
   void BuildScalarColours(const vtkPointSplatCloudInput& input, std::vector<bool>& scalars);
@@ -306,13 +324,37 @@ private:
   std::vector<uint32_t> MakeIds(IdKind kind) const;
   /// RGBA, 8 bits each, whether splats have colours or values.
   uint32_t ColourOf(vtkIdType splat) const;
-  Buffers& Fill(ContextBuffers& all, bool grouped);
+  enum Extent
+  {
+    AllSplats,
+    MovedSplats,
+    GroupedSplats
+  };
+  Buffers& Fill(ContextBuffers& all, Extent extent);
+  void FillSplats(Buffers& buffers, Extent extent);
   /// Widens Low and High by points' finite coordinates; the middle is the origin then.
   void AddRange(vtkDataArray* points);
   void ForgetRange();
   void SetOriginToMiddle();
   bool CanHaveLevels();
-  void TakeLevels(bool wait);
+  /// Whether there are levels that were not there before.
+  bool TakeLevels(bool wait);
+  /// What must stay for splats to be moved along; nothing: they cannot be.
+  static Key StayingKey(const std::vector<Block>& blocks);
+  /// False where some block has points that are not drawn, or what is given says more than radii.
+  static bool CanMove(const std::vector<Block>& blocks);
+  void BeginMotion(vtkPointSplatMotion::Splats splats);
+  std::vector<uint32_t> FindAnchors(const std::vector<uint32_t>& splats) const;
+  std::vector<vtkPointSplatMotion::Part> MakeParts(const std::vector<uint32_t>& anchors);
+  bool MoveTo(const std::vector<Block>& blocks);
+  /// Moves what was not asked for; all splats are where points are then.
+  void MoveAll();
+  void MoveParts(const std::vector<uint32_t>& parts);
+  /// The splats as their levels and fill points know them: where they were estimated.
+  const std::vector<uint32_t>& GetRestingSplats() const
+  {
+    return this->Motion.HasBegun() ? this->Motion.GetRest().Words : this->Splats;
+  }
 
   std::vector<uint32_t> Splats;
   std::vector<uint32_t> ClipLines; // floats, as their bits
@@ -351,7 +393,15 @@ private:
   std::map<Key, vtkPointSplatPacking> Kept;
   vtkPointSplatGroups Groups;
   vtkPointSplatBlocks SplatBlocks;
-  vtkPointSplatLevels Levels;
+  vtkPointSplatMotion Motion;
+  std::vector<uint32_t> PartsOfBlocks; // of the levels: the first one of each, and the end
+  bool AllMoved = true;
+  double RestingRadius = 0.0; // the median
+  double LargestRestingRadius = 0.0;
+  std::array<double, 6> RestingBounds{ { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 } }; // about the origin
+  double Stretch = 1.0;
+  Key StaysFrom; // see StayingKey()
+  vtkPointSplatLevels Levels; // of the resting splats, which must be there longer
   vtkPointSplatLevels::Deviations ColourDeviations;
   vtkPointSplatLevels::Deviations FactorDeviations;
   vtkMTimeType LevelsAskedFor = 0; // the splats' time
@@ -368,6 +418,7 @@ private:
   Key FactorsMadeFrom;
   Key CoordinatesMadeFrom;
   vtkTimeStamp SplatTime;
+  vtkTimeStamp OrderTime; // when splats became others, or were put in another order; not where they moved
   vtkTimeStamp ColourTime;
   vtkTimeStamp FactorTime;
   vtkTimeStamp CoordinateTime;

@@ -25,6 +25,6 @@ void vtkPointSplatCloud::NumberFillPoints(
 //------------------------------------------------------------------------------
 vtkIdType vtkPointSplatCloud::NumberOf(const Block& block, size_t splat) const
 {
-  const uint32_t* words = this->Splats.data() + this->GetWordsPerSplat() * splat;
+  const uint32_t* words = this->GetRestingSplats().data() + this->GetWordsPerSplat() * splat;
   return block.Fill ? block.Fill->GetNumber(words) : static_cast<vtkIdType>(words[7]);
 }

@@ -78,6 +78,8 @@ struct vtkPointSplatCloudInput
   bool FillGaps = false;
   /// The same of triangles' corners.
   bool FillMeshGaps = true;
+  /// Whether sizes of an earlier frame are those of points that moved since, where that can be.
+  bool FollowMotion = true;
   /// Whether some actor has textures; whether light goes by the points' tangents.
   bool NeedCoordinates = false;
   bool NeedTangents = false;

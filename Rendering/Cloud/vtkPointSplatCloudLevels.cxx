@@ -26,10 +26,11 @@ bool vtkPointSplatCloud::CanHaveLevels()
   }
   // Bodies alone are on no surface; a scan's outliers keep theirs.
   const size_t words = this->GetWordsPerSplat();
+  const std::vector<uint32_t>& splats = this->GetRestingSplats();
   vtkIdType bodies = 0;
   for (size_t i = 0; i < static_cast<size_t>(this->Count); ++i)
   {
-    bodies += (this->Splats[words * i + 6] & BodyBit) != 0u ? 1 : 0;
+    bodies += (splats[words * i + 6] & BodyBit) != 0u ? 1 : 0;
   }
   return static_cast<double>(bodies) <= MostBodies * static_cast<double>(this->Count);
 }
@@ -43,13 +44,13 @@ double vtkPointSplatCloud::GetUsualRadius()
 //------------------------------------------------------------------------------
 void vtkPointSplatCloud::WantLevels()
 {
-  if (this->Levels.AreMade() || this->LevelsTriedFor == this->SplatTime.GetMTime())
+  if (this->Levels.AreMade() || this->LevelsTriedFor == this->OrderTime.GetMTime())
   {
     return;
   }
-  if (this->LevelsAskedFor != this->SplatTime.GetMTime())
+  if (this->LevelsAskedFor != this->OrderTime.GetMTime())
   {
-    this->LevelsAskedFor = this->SplatTime.GetMTime();
+    this->LevelsAskedFor = this->OrderTime.GetMTime();
     return;
   }
   this->BeginLevels();
@@ -60,7 +61,7 @@ vtkMTimeType vtkPointSplatCloud::GetLevelsPending() const
 {
   const bool pending = !this->Whole && !this->Levels.AreMade() &&
     this->LevelsTriedFor != this->LevelsAskedFor &&
-    this->LevelsAskedFor == this->SplatTime.GetMTime();
+    this->LevelsAskedFor == this->OrderTime.GetMTime();
   return pending ? this->LevelsAskedFor : 0;
 }
 
@@ -81,7 +82,7 @@ bool vtkPointSplatCloud::BeginLevels()
   {
     ends.push_back(static_cast<uint32_t>(block.First + block.Count));
   }
-  this->Levels.Begin(this->Splats, this->GetWordsPerSplat(), std::move(ends),
+  this->Levels.Begin(this->GetRestingSplats(), this->GetWordsPerSplat(), std::move(ends),
     static_cast<float>(this->GetUsualRadius()));
   return true;
 }
@@ -89,7 +90,7 @@ bool vtkPointSplatCloud::BeginLevels()
 //------------------------------------------------------------------------------
 void vtkPointSplatCloud::MakeLevels()
 {
-  this->LevelsAskedFor = this->SplatTime.GetMTime();
+  this->LevelsAskedFor = this->OrderTime.GetMTime();
   if (this->BeginLevels())
   {
     this->TakeLevels(true);
@@ -97,12 +98,31 @@ void vtkPointSplatCloud::MakeLevels()
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatCloud::TakeLevels(bool wait)
+bool vtkPointSplatCloud::TakeLevels(bool wait)
 {
-  if ((wait || this->Levels.IsReady()) &&
-    this->Levels.Take(this->Splats, this->ClipLines, this->GetWordsPerSplat()))
+  if (!wait && !this->Levels.IsReady())
+  {
+    return false;
+  }
+  const bool moves = this->Motion.HasBegun();
+  vtkPointSplatMotion::Splats splats = moves
+    ? this->Motion.Take()
+    : vtkPointSplatMotion::Splats{ std::move(this->Splats), std::move(this->ClipLines) };
+  const bool taken = this->Levels.Take(splats.Words, splats.Lines, this->GetWordsPerSplat());
+  if (moves)
+  {
+    this->BeginMotion(std::move(splats));
+  }
+  else
+  {
+    this->Splats = std::move(splats.Words);
+    this->ClipLines = std::move(splats.Lines);
+  }
+  if (taken)
   {
     this->SplatTime.Modified();
-    this->LevelsTriedFor = this->SplatTime.GetMTime();
+    this->OrderTime.Modified();
+    this->LevelsTriedFor = this->OrderTime.GetMTime();
   }
+  return taken;
 }

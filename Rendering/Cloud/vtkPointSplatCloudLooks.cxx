@@ -97,6 +97,7 @@ void vtkPointSplatCloud::BuildScalarColours(
   const vtkPointSplatCloudInput& input, std::vector<bool>& scalars)
 {
   const size_t words = this->GetWordsPerSplat();
+  const std::vector<uint32_t>& splats = this->GetRestingSplats();
   for (size_t b = 0; b < this->Blocks.size(); ++b)
   {
     const Block& block = this->Blocks[b];
@@ -122,7 +123,7 @@ void vtkPointSplatCloud::BuildScalarColours(
     vtkSMPTools::For(block.First, block.First + block.Count, [&](vtkIdType begin, vtkIdType end) {
       for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
       {
-        const vtkIdType point = this->Splats[words * i + 7];
+        const vtkIdType point = splats[words * i + 7];
         const vtkIdType id = ofPoints ? this->NumberOf(block, i)
           : colours.OfCells           ? cells[static_cast<size_t>(point)]
                                       : colours.Only;
@@ -202,6 +203,10 @@ void vtkPointSplatCloud::UpdateCoordinates(const vtkPointSplatCloudInput& input)
   const size_t count = static_cast<size_t>(this->Count);
   for (size_t b = 0; b < arrays.size(); ++b)
   {
+    if (arrays[b][0] || arrays[b][1])
+    {
+      this->MoveAll();
+    }
     const size_t first = static_cast<size_t>(this->Blocks[b].First);
     const Block& block = this->Blocks[b];
     const size_t perSplat = this->GetWordsPerSplat();

@@ -22,6 +22,7 @@ void vtkPointSplatCloud::MakeTriangles()
   {
     return;
   }
+  this->MoveAll();
   this->Triangles.Make(
     meshes, { this->Splats, this->GetWordsPerSplat(), this->Count, this->Levels });
   this->TrianglesMadeFrom = std::move(key);

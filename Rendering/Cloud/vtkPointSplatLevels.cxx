@@ -8,6 +8,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstring>
@@ -350,4 +351,38 @@ void vtkPointSplatLevels::AppendValues(std::vector<uint32_t>& data) const
 void vtkPointSplatLevels::AppendFirst(std::vector<uint32_t>& data) const
 {
   this->Append(data, [](const uint32_t* from, uint32_t) { return from[0]; });
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatLevels::Refit(size_t number, const std::vector<uint32_t>& splats, size_t words)
+{
+  Block& block = this->Blocks[number];
+  double cone[3] = { 0.0, 0.0, 0.0 };
+  double radii = 0.0;
+  std::vector<std::array<double, 3>> normals(block.Count);
+  block.Radius = 0.0f;
+  for (uint32_t i = 0; i < block.Count; ++i)
+  {
+    const uint32_t* splat = splats.data() + words * (block.First + i);
+    float p[4];
+    std::memcpy(p, splat, sizeof(p));
+    vtkPointSplatCodes::DecodeNormal(splat[5], normals[i].data());
+    for (int k = 0; k < 3; ++k)
+    {
+      block.Low[k] = i > 0 ? std::min(block.Low[k], p[k]) : p[k];
+      block.High[k] = i > 0 ? std::max(block.High[k], p[k]) : p[k];
+      cone[k] += normals[i][static_cast<size_t>(k)];
+    }
+    block.Radius = std::max(block.Radius, p[3]);
+    radii += p[3];
+  }
+  block.MeanRadius = static_cast<float>(radii / std::max<uint32_t>(block.Count, 1));
+  vtkMath::Normalize(cone);
+  double least = 1.0;
+  for (uint32_t i = 0; i < block.Count; ++i)
+  {
+    least = std::min(least, vtkMath::Dot(cone, normals[i].data()));
+  }
+  std::copy_n(cone, 3, block.Cone);
+  block.Angle = static_cast<float>(std::acos(std::max(least, -1.0)));
 }

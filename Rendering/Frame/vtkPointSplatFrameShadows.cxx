@@ -335,7 +335,7 @@ void vtkPointSplatFrameShadows::SetFactors(vtkPointSplatItem& item, bool shadows
   }
   else if (item.Cloud->GetFactorCount() > 0)
   {
-    item.Factors = grouped ? &item.Cloud->UploadGrouped().Factors : &item.Cloud->Upload().Factors;
+    item.Factors = grouped ? &item.Cloud->UploadGrouped().Factors : &item.Upload().Factors;
     item.FactorCount = item.Cloud->GetFactorCount();
     item.FactorDeviations = item.Cloud->GetFactorDeviations();
   }

@@ -70,7 +70,7 @@ vtkPointSplatSettings vtkPointSplatSource::GetSettings(vtkRenderer* renderer, vt
 //------------------------------------------------------------------------------
 void vtkPointSplatSource::UpdateCloud(const vtkPointSplatCloudInput& input, bool mayBeDraft)
 {
-  if (mayBeDraft && this->Drafts.Update(input, *this->Cloud))
+  if (mayBeDraft && !this->Cloud->Follow(input) && this->Drafts.Update(input, *this->Cloud))
   {
     return;
   }

@@ -149,6 +149,11 @@ struct vtkPointSplatItem
     return this->Levels.Pixels > 0.0 ||
       (this->TrianglePixels > 0.0 && this->Cloud->GetLevels().AreMade());
   }
+  /// The cloud's buffers, with the splats that were selected at least.
+  vtkPointSplatCloud::Buffers& Upload() const
+  {
+    return this->IsSelectedByLevels() ? this->Cloud->UploadMoved() : this->Cloud->Upload();
+  }
   /// Splats of a block, as a power of two.
   int GetBlockShift() const
   {

@@ -79,7 +79,7 @@ bool vtkPointSplatPointSums::DrawAll(const vtkPointSplatRequest& request,
       return false;
     }
     vtkPointSplatCloud::Buffers& buffers =
-      identifies && !ofCells ? item.Cloud->UploadIds(request.Ids) : item.Cloud->Upload();
+      identifies && !ofCells ? item.Cloud->UploadIds(request.Ids) : item.Upload();
     program.Use();
     vtkPointSplatQuads::SetUniforms(program, item, request.View, tagMask);
     units.Bind(program, "Splats", GL_TEXTURE_BUFFER, buffers.Splats.GetTexture());

@@ -134,7 +134,7 @@ bool vtkPointSplatTiles::Project(
       continue;
     }
     vtkPointSplatCloud::Buffers& buffers =
-      variant.Ids ? item.Cloud->UploadIds(request.Ids) : item.Cloud->Upload();
+      variant.Ids ? item.Cloud->UploadIds(request.Ids) : item.Upload();
     item.SetUniforms(*program, request.View);
     program->Set("RecordCount", static_cast<unsigned int>(count));
     item.SetBlockUniforms(*program);
@@ -187,7 +187,7 @@ bool vtkPointSplatTiles::ProjectTriangles(const vtkPointSplatRequest& request,
     }
     const vtkPointSplatBuffer& corners = item.Cloud->UploadTriangles();
     vtkPointSplatCloud::Buffers& buffers =
-      variant.Ids ? item.Cloud->UploadIds(request.Ids) : item.Cloud->Upload();
+      variant.Ids ? item.Cloud->UploadIds(request.Ids) : item.Upload();
     item.SetUniforms(*program, request.View);
     program->Set("RecordCount", static_cast<unsigned int>(count));
     program->Set("TriangleCount", static_cast<unsigned int>(item.GetNumberOfTriangles()));

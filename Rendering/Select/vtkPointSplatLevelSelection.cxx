@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -100,43 +104,77 @@ bool vtkPointSplatLevelSelection::IsOutside(const Block& block) const
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatLevelSelection::Visit(const Block& block, vtkPointSplatRuns& chosen)
+vtkPointSplatLevelSelection::Decision vtkPointSplatLevelSelection::Decide(const Block& block) const
 {
   if (this->IsOutside(block))
   {
-    return;
+    return Decision::LeaveOut;
   }
   const Sides sides = this->SidesOf(block);
   const bool front = sides.Front && (this->Item.Culling & 2) == 0;
   const bool back = sides.Back && (this->Item.Culling & 1) == 0;
   if (!front && !back)
   {
-    return;
+    return Decision::LeaveOut;
   }
   const bool magnified =
     this->Item.TrianglePixels > 0.0 && this->Patches.IsMagnified(this->ExtentOf(block));
   if (block.Level > 0 && (magnified || !this->IsFine(block, sides)))
   {
-    const std::vector<Block>& blocks = this->Item.Cloud->GetLevels().GetBlocks();
-    for (uint32_t child = 0; child < block.ChildCount; ++child)
-    {
-      this->Visit(blocks[block.FirstChild + child], chosen);
-    }
-    return;
+    return Decision::Divide;
   }
-  if (magnified)
-  {
-    const std::vector<Block>& blocks = this->Item.Cloud->GetLevels().GetBlocks();
-    this->Patches.Take(
-      this->Item.Cloud->GetTriangles().GetPatch(static_cast<size_t>(&block - blocks.data())));
-    return;
-  }
+  return magnified ? Decision::TakeTriangles : Decision::TakeSplats;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatLevelSelection::Visit(const Block& block, vtkPointSplatRuns& chosen)
+{
+  const std::vector<Block>& blocks = this->Item.Cloud->GetLevels().GetBlocks();
   constexpr uint32_t most = 1u << vtkPointSplatBlocks::PieceShift;
-  for (uint32_t i = 0; i < block.Count; i += most)
+  switch (this->Decide(block))
   {
-    chosen.Runs.push_back({ block.First + i, std::min(most, block.Count - i) });
+    case Decision::LeaveOut:
+      return;
+    case Decision::Divide:
+      for (uint32_t child = 0; child < block.ChildCount; ++child)
+      {
+        this->Visit(blocks[block.FirstChild + child], chosen);
+      }
+      return;
+    case Decision::TakeTriangles:
+      this->Patches.Take(
+        this->Item.Cloud->GetTriangles().GetPatch(static_cast<size_t>(&block - blocks.data())));
+      return;
+    case Decision::TakeSplats:
+      for (uint32_t i = 0; i < block.Count; i += most)
+      {
+        chosen.Runs.push_back({ block.First + i, std::min(most, block.Count - i) });
+      }
+      chosen.LargestRadius = std::max<double>(chosen.LargestRadius, block.Radius);
   }
-  chosen.LargestRadius = std::max<double>(chosen.LargestRadius, block.Radius);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatLevelSelection::MoveVisited()
+{
+  const vtkPointSplatLevels& levels = this->Item.Cloud->GetLevels();
+  std::vector<uint32_t> front(levels.GetNumberOfRoots());
+  std::iota(front.begin(), front.end(), 0u);
+  while (!front.empty())
+  {
+    this->Item.Cloud->MoveBlocks(front);
+    std::vector<uint32_t> next;
+    for (uint32_t number : front)
+    {
+      const Block& block = levels.GetBlocks()[number];
+      if (this->Decide(block) == Decision::Divide)
+      {
+        next.resize(next.size() + block.ChildCount);
+        std::iota(next.end() - static_cast<std::ptrdiff_t>(block.ChildCount), next.end(), block.FirstChild);
+      }
+    }
+    front = std::move(next);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -144,6 +182,10 @@ std::shared_ptr<const vtkPointSplatRuns> vtkPointSplatLevelSelection::Choose()
 {
   auto chosen = std::make_shared<vtkPointSplatRuns>();
   const vtkPointSplatLevels& levels = this->Item.Cloud->GetLevels();
+  if (this->Item.Cloud->IsFollowing())
+  {
+    this->MoveVisited();
+  }
   for (size_t root = 0; root < levels.GetNumberOfRoots(); ++root)
   {
     this->Visit(levels.GetBlocks()[root], *chosen);

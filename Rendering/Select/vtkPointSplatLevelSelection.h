@@ -18,7 +18,17 @@ public:
 
 private:
   using Block = vtkPointSplatLevels::Block;
+  enum class Decision
+  {
+    LeaveOut,
+    Divide,
+    TakeTriangles,
+    TakeSplats
+  };
+  Decision Decide(const Block& block) const;
   void Visit(const Block& block, vtkPointSplatRuns& chosen);
+  /// Where points move, brings the blocks that Visit() will come to to where they are now, and no others.
+  void MoveVisited();
   bool IsOutside(const Block& block) const;
   /// Of all triangles of the points that a block stands for.
   const vtkPointSplatTriangles::Extent& ExtentOf(const Block& block) const;

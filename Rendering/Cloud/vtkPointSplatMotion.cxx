@@ -1,0 +1,607 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatMotion.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkDataArrayRange.h"
+#include "vtkSMPThreadLocal.h"
+#include "vtkSMPTools.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+#include <utility>
+
+namespace
+{
+constexpr size_t Words = 8; // of circular splats
+constexpr size_t JudgedPoints = size_t(1) << 15;
+// Fitted with Testing/Benchmark/moving.py --strain: up to here pictures are as near to the surface's as with new sizes.
+constexpr float LargestStrain = 0.2f;
+constexpr double MostStrained = 0.01;
+// Beside a point, where to look for its neighbours; and how far off these are, in its radii.
+constexpr int Window = 8;
+constexpr float FarthestNeighbour = 4.0f;
+constexpr float LeastCosine = 0.5f; // of the angle between neighbours' normals
+// Of single points whose neighbours disagree; beyond, they left their surface.
+constexpr float LeastStretch = 0.5f;
+constexpr float MostStretch = 2.0f;
+
+constexpr uint32_t BendMask = 0x3fffffffu; // as in vtkPointSplatProjection.glsl
+constexpr float BendSteps = 511.0f;
+
+glm::vec3 PositionOf(const uint32_t* splat)
+{
+  glm::vec3 p;
+  std::memcpy(&p, splat, sizeof(p));
+  return p;
+}
+
+float FloatOf(uint32_t bits)
+{
+  float value;
+  std::memcpy(&value, &bits, sizeof(value));
+  return value;
+}
+
+uint32_t BitsOf(float value)
+{
+  uint32_t bits;
+  std::memcpy(&bits, &value, sizeof(bits));
+  return bits;
+}
+
+/// The nearest whole number; std::lrint() is a call.
+int Round(float v)
+{
+  return static_cast<int>(v + std::copysign(0.5f, v));
+}
+
+///@{
+/// As in vtkPointSplatOctahedron.glsl, in single precision: this is done for each splat of each frame.
+inline glm::vec3 Decode(uint32_t code)
+{
+  glm::vec3 n(static_cast<float>(static_cast<int16_t>(code & 0xffffu)),
+    static_cast<float>(static_cast<int16_t>(code >> 16)), 0.0f);
+  n *= 1.0f / 32767.0f;
+  n.z = 1.0f - std::abs(n.x) - std::abs(n.y);
+  const float fold = std::max(-n.z, 0.0f);
+  n.x -= std::copysign(fold, n.x);
+  n.y -= std::copysign(fold, n.y);
+  return n * (1.0f / std::sqrt(glm::dot(n, n)));
+}
+
+inline uint32_t Code(glm::vec3 n)
+{
+  n *= 1.0f / (std::abs(n.x) + std::abs(n.y) + std::abs(n.z));
+  glm::vec2 f(n.x, n.y);
+  if (n.z < 0.0f)
+  {
+    f = { std::copysign(1.0f - std::abs(n.y), n.x), std::copysign(1.0f - std::abs(n.x), n.y) };
+  }
+  const auto quantise = [](float v) {
+    return static_cast<uint32_t>(Round(v * 32767.0f)) & 0xffffu;
+  };
+  return quantise(f.x) | (quantise(f.y) << 16);
+}
+///@}
+
+/**
+ * Some basis with a normal as its third vector (Duff et al. 2017, Building an orthonormal basis, revisited).
+ */
+struct Basis
+{
+  explicit Basis(const glm::vec3& n)
+    : N(n)
+  {
+    const float sign = std::copysign(1.0f, n.z);
+    const float a = -1.0f / (sign + n.z);
+    const float b = n.x * n.y * a;
+    this->S = glm::vec3(1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x);
+    this->T = glm::vec3(b, sign + n.y * n.y * a, -n.y);
+  }
+  glm::vec3 In(const glm::vec3& v) const
+  {
+    return { glm::dot(v, this->S), glm::dot(v, this->T), glm::dot(v, this->N) };
+  }
+
+  glm::vec3 S, T, N;
+};
+
+/// The first of the tangents by which bend and lines are coded, in single precision: across z, or x.
+glm::vec3 TangentOf(const glm::vec3& n)
+{
+  const glm::vec3 s = std::abs(n.z) < 0.7f ? glm::vec3(n.y, -n.x, 0.0f) : glm::vec3(0.0f, n.z, -n.y);
+  return s * (1.0f / std::sqrt(glm::dot(s, s)));
+}
+
+/**
+ * How a point's surroundings moved: from one basis to another, turned about the normal, and stretched.
+ */
+struct Turn
+{
+  Turn(const Basis& from, const Basis& to, const glm::vec2& turn)
+    : From(from)
+    , To(to)
+    , Stretch(std::sqrt(glm::dot(turn, turn)))
+    , Cosine(turn.x / this->Stretch)
+    , Sine(turn.y / this->Stretch)
+  {
+  }
+  /// Turned, not stretched.
+  glm::vec3 operator()(const glm::vec3& v) const
+  {
+    const glm::vec3 c = this->From.In(v);
+    return (this->Cosine * c.x - this->Sine * c.y) * this->To.S +
+      (this->Sine * c.x + this->Cosine * c.y) * this->To.T + c.z * this->To.N;
+  }
+
+  const Basis& From;
+  const Basis& To;
+  float Stretch, Cosine, Sine;
+};
+
+/// The bend, turned from some tangents to others, and enlarged with the radius.
+uint32_t MoveBend(uint32_t code, const glm::vec2& angle, float enlarged)
+{
+  const auto element = [code](int shift) {
+    return static_cast<float>(static_cast<int32_t>(code << (22 - shift)) >> 22);
+  };
+  const float a = element(0), b = element(10), d = element(20);
+  const float c = angle.x, s = angle.y;
+  const auto quantise = [enlarged](float v) {
+    return static_cast<uint32_t>(Round(std::clamp(v * enlarged, -BendSteps, BendSteps))) & 1023u;
+  };
+  return quantise(c * c * a - 2.0f * c * s * b + s * s * d) |
+    quantise(c * s * (a - d) + (c * c - s * s) * b) << 10 |
+    quantise(s * s * a + 2.0f * c * s * b + c * c * d) << 20;
+}
+
+/// Words 4, 6 and 7 of a splat, whose normal is there, and its lines if it can have some. enlarged: by what its radius
+/// is, beside the stretch.
+void MoveShape(const uint32_t* rest, const uint32_t* restLines, const Turn& turn, float enlarged,
+  uint32_t* to, uint32_t* lines)
+{
+  to[6] = rest[6];
+  to[7] = rest[7];
+  const bool flat = (rest[6] & BendMask) == 0u;
+  const bool clipped = restLines && (restLines[0] | restLines[1] | restLines[2] | restLines[3]) != 0u;
+  if (lines && !clipped)
+  {
+    std::fill_n(lines, 4, 0u);
+  }
+  if (rest[4] == rest[5] && flat && !clipped)
+  {
+    to[4] = to[5];
+    return;
+  }
+  const glm::vec3 plane = Decode(rest[4]);
+  // Tangents go by the coded plane.
+  to[4] = rest[4] == rest[5] ? to[5] : Code(turn(plane));
+  const glm::vec3 now = Decode(to[4]);
+  const glm::vec3 tangent = TangentOf(now);
+  const glm::vec3 turned = turn(TangentOf(plane));
+  glm::vec2 angle(glm::dot(turned, tangent), glm::dot(turned, glm::cross(now, tangent)));
+  angle /= std::max(std::sqrt(glm::dot(angle, angle)), 1e-6f);
+  if (!flat)
+  {
+    to[6] = (rest[6] & ~BendMask) | MoveBend(rest[6], angle, enlarged);
+  }
+  for (int k = 0; k < 4 && clipped; k += 2)
+  {
+    const float u = FloatOf(restLines[k]) * enlarged, v = FloatOf(restLines[k + 1]) * enlarged;
+    lines[k] = BitsOf(angle.x * u - angle.y * v);
+    lines[k + 1] = BitsOf(angle.y * u + angle.x * v);
+  }
+}
+
+bool IsGood(float x)
+{
+  return std::abs(x) <= VTK_FLOAT_MAX; // NaN compares false
+}
+
+/// Whether all points can be drawn.
+struct Look
+{
+  template <typename PointArray, typename NormalArray>
+  void operator()(PointArray* pointArray, NormalArray* normalArray, vtkDataArray* radii)
+  {
+    const auto points = vtk::DataArrayTupleRange<3>(pointArray);
+    const auto normals = vtk::DataArrayTupleRange<3>(normalArray);
+    std::atomic<bool> good{ true };
+    vtkSMPTools::For(0, points.size(), [&](vtkIdType begin, vtkIdType end) {
+      bool all = true;
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        float squares = 0.0f;
+        for (int k = 0; k < 3; ++k)
+        {
+          const float n = static_cast<float>(normals[i][k]);
+          squares += n * n;
+          all = all && IsGood(static_cast<float>(points[i][k]));
+        }
+        all = all && squares > 0.0f && IsGood(squares);
+        if (radii)
+        {
+          const float radius = static_cast<float>(radii->GetComponent(i, 0));
+          all = all && radius > 0.0f && IsGood(radius);
+        }
+      }
+      if (!all)
+      {
+        good = false;
+      }
+    });
+    this->Good = good;
+  }
+
+  bool Good = false;
+};
+}
+
+/**
+ * What came of the parts that a thread moved.
+ */
+struct vtkPointSplatMotion::Sums
+{
+  double Stretch = 0.0;
+  float LargestStretch = 0.0f; // of radii
+  size_t Count = 0;
+  size_t Strained = 0;
+
+  void Add(const Sums& other)
+  {
+    this->Stretch += other.Stretch;
+    this->LargestStretch = std::max(this->LargestStretch, other.LargestStretch);
+    this->Count += other.Count;
+    this->Strained += other.Strained;
+  }
+};
+
+/**
+ * Moves parts, where the arrays' types are known.
+ */
+class vtkPointSplatMotion::Worker
+{
+public:
+  Worker(vtkPointSplatMotion& motion, Splats& moved)
+    : Motion(motion)
+    , Rest(motion.Rest.Words.data())
+    , RestLines(motion.Rest.Lines.empty() ? nullptr : motion.Rest.Lines.data())
+    , Now(moved.Words.data())
+    , Lines(moved.Lines.data())
+  {
+  }
+
+  template <typename PointArray, typename NormalArray>
+  void operator()(PointArray* points, NormalArray* normals, const std::vector<uint32_t>& parts,
+    vtkDataArray* radii)
+  {
+    vtkSMPThreadLocal<Sums> sums;
+    vtkSMPTools::For(0, static_cast<vtkIdType>(parts.size()), 16, [&](vtkIdType begin, vtkIdType end) {
+      Anchored anchored;
+      Sums& own = sums.Local();
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const uint32_t number = parts[static_cast<size_t>(i)];
+        const Part& part = this->Motion.Parts[number];
+        if (this->Motion.Known[number] == 0)
+        {
+          this->Motion.FindNeighbours(part);
+          this->Motion.Known[number] = 1;
+        }
+        this->Place(part, points, normals, anchored);
+        for (uint32_t k = 0; k < part.Count; ++k)
+        {
+          this->Move(part, k, anchored, radii, own);
+        }
+      }
+    });
+    for (const Sums& own : sums)
+    {
+      this->All.Add(own);
+    }
+  }
+
+  Sums All;
+
+private:
+  /// The anchors of a part's splats: at rest, and now.
+  struct Anchored
+  {
+    std::vector<glm::vec3> Rest;
+    std::vector<glm::vec3> Now;
+    std::vector<glm::vec3> Normal; // now
+
+    void Resize(size_t count)
+    {
+      for (std::vector<glm::vec3>* all : { &this->Rest, &this->Now, &this->Normal })
+      {
+        all->resize(count);
+      }
+    }
+  };
+
+  template <typename PointArray, typename NormalArray>
+  void Place(const Part& part, PointArray* pointArray, NormalArray* normalArray, Anchored& anchored) const
+  {
+    const auto points = vtk::DataArrayTupleRange<3>(pointArray);
+    const auto normals = vtk::DataArrayTupleRange<3>(normalArray);
+    const std::array<double, 3>& origin = this->Motion.Origin;
+    anchored.Resize(part.Count);
+    for (uint32_t k = 0; k < part.Count; ++k)
+    {
+      const size_t i = part.First + k;
+      anchored.Rest[k] = PositionOf(this->Rest + Words * this->Motion.Anchors[i]);
+      const vtkIdType id = this->Rest[Words * i + 7];
+      const auto point = points[id];
+      const auto normal = normals[id];
+      glm::vec3 n;
+      for (int c = 0; c < 3; ++c)
+      {
+        anchored.Now[k][c] =
+          static_cast<float>(static_cast<double>(point[c]) - origin[static_cast<size_t>(c)]);
+        n[c] = static_cast<float>(normal[c]);
+      }
+      anchored.Normal[k] = n * (1.0f / std::sqrt(glm::dot(n, n)));
+    }
+  }
+
+  void Move(const Part& part, uint32_t k, const Anchored& anchored, vtkDataArray* radii, Sums& sums) const
+  {
+    const size_t i = part.First + k;
+    const size_t anchor = this->Motion.Anchors[i];
+    const uint32_t* own = this->Rest + Words * i;
+    uint32_t* to = this->Now + Words * i;
+    const Basis old(Decode(this->Rest[Words * anchor + 5]));
+    const Basis current(anchored.Normal[k]);
+    glm::vec2 product(0.0f); // z' conj(z)
+    float squares = 0.0f, newSquares = 0.0f;
+    float heights = 0.0f, newHeights = 0.0f, mixed = 0.0f;
+    for (int8_t offset : this->Motion.Neighbours[i])
+    {
+      if (offset == 0)
+      {
+        break;
+      }
+      const size_t j = static_cast<size_t>(static_cast<int>(k) + offset);
+      const glm::vec3 z = old.In(anchored.Rest[j] - anchored.Rest[k]);
+      const glm::vec3 w = current.In(anchored.Now[j] - anchored.Now[k]);
+      product += glm::vec2(w.x * z.x + w.y * z.y, w.y * z.x - w.x * z.y);
+      squares += z.x * z.x + z.y * z.y;
+      newSquares += w.x * w.x + w.y * w.y;
+      heights += z.z * z.z;
+      newHeights += w.z * w.z;
+      mixed += w.z * z.z;
+    }
+    glm::vec2 turning(1.0f, 0.0f);
+    float enlarged = 1.0f;
+    if (squares > 0.0f)
+    {
+      const float stretch = std::sqrt(glm::dot(product, product)) / squares;
+      const float across = std::max(newSquares - stretch * stretch * squares, 0.0f);
+      const float along = newHeights - 2.0f * stretch * mixed + stretch * stretch * heights;
+      // NaN compares false.
+      const bool follows = across + along <= LargestStrain * LargestStrain * newSquares;
+      turning = follows ? product / squares : this->TurnOfOne(i, k, old, current, anchored);
+      enlarged = follows ? 1.0f + std::sqrt(across / newSquares) : 1.0f;
+      sums.Strained += follows ? 0 : 1;
+    }
+    const Turn turn(old, current, turning);
+    // Points' own splats lie where these are.
+    const glm::vec3 p = anchored.Now[k] + turn.Stretch * turn(PositionOf(own) - anchored.Rest[k]);
+    std::memcpy(to, anchor == i ? &anchored.Now[k] : &p, sizeof(p));
+    to[5] = Code(anchor == i ? anchored.Normal[k] : turn(Decode(own[5])));
+    float larger = turn.Stretch * enlarged;
+    if (radii)
+    {
+      larger = static_cast<float>(radii->GetComponent(own[7], 0)) / FloatOf(this->Rest[Words * anchor + 3]);
+    }
+    to[3] = BitsOf(FloatOf(own[3]) * larger);
+    MoveShape(own, this->RestLines ? this->RestLines + 4 * i : nullptr, turn, enlarged, to,
+      this->RestLines ? this->Lines + 4 * i : nullptr);
+    sums.Stretch += turn.Stretch;
+    sums.LargestStretch = std::max(sums.LargestStretch, larger);
+    ++sums.Count;
+  }
+
+  /// Where neighbours disagree, as beside a point that jumped: the turn and stretch of the way to the one whose stretch is the
+  /// median, and no stretch where that is none of a surface.
+  glm::vec2 TurnOfOne(
+    size_t i, uint32_t k, const Basis& old, const Basis& current, const Anchored& anchored) const
+  {
+    std::array<glm::vec2, MostNeighbours> turns;
+    size_t count = 0;
+    for (int8_t offset : this->Motion.Neighbours[i])
+    {
+      const size_t j = static_cast<size_t>(static_cast<int>(k) + offset);
+      const glm::vec3 z = old.In(anchored.Rest[j] - anchored.Rest[k]);
+      const glm::vec3 w = current.In(anchored.Now[j] - anchored.Now[k]);
+      const float squares = z.x * z.x + z.y * z.y;
+      if (offset == 0 || !(squares > 0.0f))
+      {
+        continue;
+      }
+      glm::vec2 turn = glm::vec2(w.x * z.x + w.y * z.y, w.y * z.x - w.x * z.y) / squares;
+      for (size_t n = 0; n < count; ++n)
+      {
+        if (glm::dot(turn, turn) < glm::dot(turns[n], turns[n]))
+        {
+          std::swap(turn, turns[n]);
+        }
+      }
+      turns[count++] = turn;
+    }
+    const glm::vec2 turn = count > 0 ? turns[(count - 1) / 2] : glm::vec2(1.0f, 0.0f);
+    const float stretch = std::sqrt(glm::dot(turn, turn));
+    return stretch >= LeastStretch && stretch <= MostStretch ? turn
+      : stretch > 0.0f && stretch <= VTK_FLOAT_MAX           ? turn / stretch
+                                                             : glm::vec2(1.0f, 0.0f);
+  }
+
+  vtkPointSplatMotion& Motion;
+  const uint32_t* Rest;
+  const uint32_t* RestLines; // or null
+  uint32_t* Now;
+  uint32_t* Lines;
+};
+
+//------------------------------------------------------------------------------
+void vtkPointSplatMotion::Begin(Splats splats, std::vector<uint32_t> anchors, std::vector<Part> parts)
+{
+  this->Rest = std::move(splats);
+  this->Anchors = std::move(anchors);
+  this->Parts = std::move(parts);
+  this->Moved.assign(this->Parts.size(), 0);
+  this->Known.assign(this->Parts.size(), 0);
+  this->Neighbours.assign(this->Anchors.size(), {});
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatMotion::End()
+{
+  *this = vtkPointSplatMotion();
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatMotion::Splats vtkPointSplatMotion::Take()
+{
+  Splats rest = std::move(this->Rest);
+  this->End();
+  return rest;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatMotion::FindNeighbours(const Part& part)
+{
+  const uint32_t* rest = this->Rest.Words.data();
+  const int count = static_cast<int>(part.Count);
+  std::vector<glm::vec3> positions(part.Count);
+  std::vector<glm::vec3> normals(part.Count);
+  for (uint32_t k = 0; k < part.Count; ++k)
+  {
+    const uint32_t* anchor = rest + Words * this->Anchors[part.First + k];
+    positions[k] = PositionOf(anchor);
+    normals[k] = Decode(anchor[5]);
+  }
+  for (int k = 0; k < count; ++k)
+  {
+    const size_t own = static_cast<size_t>(k);
+    const float radius = FloatOf(rest[Words * (part.First + own) + 3]);
+    const float far = radius > 0.0f ? FarthestNeighbour * FarthestNeighbour * radius * radius : VTK_FLOAT_MAX;
+    std::array<int8_t, MostNeighbours>& nearest = this->Neighbours[part.First + own];
+    std::array<float, MostNeighbours> distances;
+    distances.fill(VTK_FLOAT_MAX);
+    int8_t any = 0; // the nearest of all, where none is such a neighbour: how all turns it tells as well
+    float least = VTK_FLOAT_MAX;
+    for (int other = std::max(k - Window, 0); other <= std::min(k + Window, count - 1); ++other)
+    {
+      const glm::vec3 d = positions[static_cast<size_t>(other)] - positions[own];
+      float squares = glm::dot(d, d);
+      int8_t offset = static_cast<int8_t>(other - k);
+      if (!(squares > 0.0f))
+      {
+        continue;
+      }
+      any = squares < least ? offset : any;
+      least = std::min(least, squares);
+      if (squares > far || glm::dot(normals[own], normals[static_cast<size_t>(other)]) < LeastCosine)
+      {
+        continue;
+      }
+      // Insertion into the few that are nearest.
+      for (size_t n = 0; n < MostNeighbours; ++n)
+      {
+        if (squares < distances[n])
+        {
+          std::swap(squares, distances[n]);
+          std::swap(offset, nearest[n]);
+        }
+      }
+    }
+    nearest[0] = nearest[0] == 0 ? any : nearest[0];
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatMotion::Outcome vtkPointSplatMotion::MoveTo(
+  std::vector<Block> blocks, const std::array<double, 3>& origin, Splats& moved)
+{
+  this->Blocks = std::move(blocks);
+  this->Origin = origin;
+  std::fill(this->Moved.begin(), this->Moved.end(), 0);
+  moved.Words.resize(this->Rest.Words.size());
+  moved.Lines.resize(this->Rest.Lines.size());
+  using Reals = vtkArrayDispatch::Reals;
+  using Dispatcher = vtkArrayDispatch::Dispatch2ByValueType<Reals, Reals>;
+  const bool sized = FloatOf(this->Rest.Words[3]) > 0.0f; // all splats are, or none
+  bool judged = false;
+  for (const Block& block : this->Blocks)
+  {
+    Look look;
+    if (!Dispatcher::Execute(block.Points.Get(), block.Normals.Get(), look, block.Radii.Get()))
+    {
+      look(block.Points.Get(), block.Normals.Get(), block.Radii.Get());
+    }
+    if (!look.Good)
+    {
+      return Outcome();
+    }
+    judged = judged || (sized && !block.Radii);
+  }
+  std::vector<uint32_t> some;
+  const size_t step = std::max<size_t>(1, this->Rest.Words.size() / Words / JudgedPoints);
+  for (size_t part = 0; part < this->Parts.size(); part += step)
+  {
+    if (this->Parts[part].OfPoints)
+    {
+      some.push_back(static_cast<uint32_t>(part));
+    }
+  }
+  const Sums sums = this->MoveParts(some, moved);
+  const double count = static_cast<double>(std::max<size_t>(sums.Count, 1));
+  Outcome outcome;
+  outcome.Followed = !judged || static_cast<double>(sums.Strained) <= MostStrained * count;
+  outcome.Stretch = sums.Stretch / count;
+  outcome.LargestStretch = sums.LargestStretch;
+  return outcome;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatMotion::Move(const std::vector<uint32_t>& parts, Splats& moved)
+{
+  std::vector<uint32_t> missing;
+  std::copy_if(parts.begin(), parts.end(), std::back_inserter(missing),
+    [this](uint32_t part) { return this->Moved[part] == 0; });
+  this->MoveParts(missing, moved);
+  for (uint32_t part : missing)
+  {
+    this->Moved[part] = 1;
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatMotion::Sums vtkPointSplatMotion::MoveParts(
+  const std::vector<uint32_t>& parts, Splats& moved)
+{
+  using Reals = vtkArrayDispatch::Reals;
+  using Dispatcher = vtkArrayDispatch::Dispatch2ByValueType<Reals, Reals>;
+  Worker worker(*this, moved);
+  for (uint32_t b = 0; b < this->Blocks.size(); ++b)
+  {
+    const Block& block = this->Blocks[b];
+    std::vector<uint32_t> own;
+    std::copy_if(parts.begin(), parts.end(), std::back_inserter(own),
+      [this, b](uint32_t part) { return this->Parts[part].Block == b; });
+    if (!own.empty() &&
+      !Dispatcher::Execute(block.Points.Get(), block.Normals.Get(), worker, own, block.Radii.Get()))
+    {
+      worker(block.Points.Get(), block.Normals.Get(), own, block.Radii.Get());
+    }
+  }
+  return worker.All;
+}
