@@ -254,15 +254,23 @@ vtkPointSplatOctreeCut::Runs vtkPointSplatOctreeCut::Make(const Wish& wish) cons
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkPointSplatOctreeCut::CountOf(const std::vector<Run>& runs)
+{
+  vtkIdType count = 0;
+  for (const Run& run : runs)
+  {
+    count += run.Count;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
 vtkIdType vtkPointSplatOctreeCut::CountOf(const Runs& runs)
 {
   vtkIdType count = 0;
   for (const auto& one : runs)
   {
-    for (const Run& run : one.second)
-    {
-      count += run.Count;
-    }
+    count += vtkPointSplatOctreeCut::CountOf(one.second);
   }
   return count;
 }

@@ -46,6 +46,7 @@ public:
   /// Reads the tree of a piece. False: what the file has cannot be right.
   bool AddPiece(hid_t file, int piece);
   Runs Make(const Wish& wish) const;
+  static vtkIdType CountOf(const std::vector<vtkPointSplatHDF5::Run>& runs);
   static vtkIdType CountOf(const Runs& runs);
   /// How many splats two cuts have in common.
   static vtkIdType CountOfCommon(const Runs& one, const Runs& other);

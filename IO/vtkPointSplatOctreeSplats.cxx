@@ -38,12 +38,16 @@ vtkSmartPointer<vtkAbstractArray> ReadChunkOf(
 //------------------------------------------------------------------------------
 vtkPointSplatOctreeSplats::vtkPointSplatOctreeSplats(
   const vtkPointSplatOctreeCut& tree, const vtkPointSplatOctreeCut::Runs& runs)
-  : Count(vtkPointSplatOctreeCut::CountOf(runs))
 {
   for (const auto& one : runs)
   {
     const auto [piece, level] = one.first;
-    this->Sources.push_back({ piece, level, &tree.GetLevel(piece, level), one.second });
+    this->Sources.push_back({ piece, level, &tree.GetLevel(piece, level), one.second,
+      vtkPointSplatOctreeCut::CountOf(one.second) });
+  }
+  for (const Source& source : this->Sources)
+  {
+    this->Count += source.Count;
   }
   const size_t most = this->Sources.empty() ? 0 : this->Sources[0].Level->Heads.size();
   for (size_t a = 0; a < most; ++a)
@@ -96,14 +100,15 @@ const ArrayHead& vtkPointSplatOctreeSplats::GetHead(size_t array) const
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatOctreeSplats::Append(
-  const Source& source, size_t number, vtkAbstractArray* to, vtkPointSplatChunkCache& cache)
+bool vtkPointSplatOctreeSplats::Fill(
+  const Source& source, size_t number, const Place& to, vtkPointSplatChunkCache& cache)
 {
   const ArrayHead& head = source.Level->Heads[number];
   OpenArray from; // no sooner than something is missing
   vtkPointSplatChunkCache::Key key{ source.Piece, source.LevelNumber,
     static_cast<vtkIdType>(number), 0 };
   vtkSmartPointer<vtkAbstractArray> chunk;
+  vtkIdType at = to.First;
   for (const Run& run : source.Runs)
   {
     vtkIdType next = 0;
@@ -134,7 +139,8 @@ bool vtkPointSplatOctreeSplats::Append(
       {
         return false;
       }
-      to->InsertTuples(to->GetNumberOfTuples(), next - first, begin, chunk);
+      to.Array->InsertTuples(at, next - first, begin, chunk);
+      at += next - first;
     }
   }
   return true;
@@ -149,14 +155,17 @@ vtkSmartPointer<vtkAbstractArray> vtkPointSplatOctreeSplats::Read(
   {
     return nullptr;
   }
-  all->Allocate(this->Count * all->GetNumberOfComponents());
+  all->SetNumberOfTuples(this->Count);
+  vtkIdType first = 0;
   for (size_t s = 0; s < this->Sources.size(); ++s)
   {
-    if (!vtkPointSplatOctreeSplats::Append(
-          this->Sources[s], this->Arrays[array][s], all, cache))
+    const Source& source = this->Sources[s];
+    if (!vtkPointSplatOctreeSplats::Fill(
+          source, this->Arrays[array][s], { all, first }, cache))
     {
       return nullptr;
     }
+    first += source.Count;
   }
   return all;
 }

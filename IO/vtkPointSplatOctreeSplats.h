@@ -40,13 +40,22 @@ private:
     vtkIdType LevelNumber;
     const vtkPointSplatOctreeCut::Level* Level;
     std::vector<vtkPointSplatHDF5::Run> Runs;
+    vtkIdType Count; // of all runs
+  };
+  /**
+   * Where tuples go: into an array that has them, from one on.
+   */
+  struct Place
+  {
+    vtkAbstractArray* Array;
+    vtkIdType First;
   };
   /// Of an array of the first source its number in each source; empty where one has none, or one of
   /// another kind.
   std::vector<size_t> NumbersOf(size_t wanted) const;
-  /// Appends a source's tuples to those that the array has.
-  static bool Append(const Source& source, size_t number, vtkAbstractArray* to,
-    vtkPointSplatChunkCache& cache);
+  /// False: a source's tuples cannot be read.
+  static bool Fill(
+    const Source& source, size_t number, const Place& to, vtkPointSplatChunkCache& cache);
 
   std::vector<Source> Sources;
   std::vector<std::vector<size_t>> Arrays; // of each its number in each source

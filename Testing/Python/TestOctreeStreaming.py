@@ -375,6 +375,27 @@ class TestOctreeStreaming(OctreeTest):
         self.assertEqual(self.count(reader), 0)
         self.assertIn("is not there", self.said())
 
+    def test_damaged_files(self):
+        """Bytes that changed are an error or other values, never a crash, wherever the camera goes."""
+        self.write(torus(8000))
+        with open(self.name, "rb") as file:
+            good = file.read()
+        dice = np.random.default_rng(9)
+        errors = 0
+        for _ in range(80):
+            bad = np.frombuffer(good, np.uint8).copy()
+            bad[dice.integers(len(bad), size=dice.choice((1, 8, 64)))] = dice.integers(256)
+            bad.tofile(self.name)
+            camera = camera_at(0, -9, 4)
+            reader = self.reader(camera)
+            for _ in range(4):
+                self.count(reader)
+                camera.Dolly(1.6)
+                reader.FollowCamera()
+                reader.Prefetch(1)
+            errors += self.said() != ""
+        self.assertGreater(errors, 10)
+
     def test_file_is_closed(self):
         def opened():
             return sum(os.path.realpath(f"/proc/self/fd/{f}").startswith(self.folder)
