@@ -99,7 +99,7 @@ public:
   ///@{
   /**
    * Writes points from wherever they come: Open() once, Append() for each piece, Close(). True, or
-   * false and an error; then there is no file. An Append() of no points does nothing.
+   * false and an error; then what was there before is as it was. An Append() of no points does nothing.
    */
   bool Open();
   bool Append(vtkPointSet* points);
