@@ -15,9 +15,9 @@ namespace vtkPointSplatHDF5
 {
 namespace
 {
-// A data set's chunks that are kept unpacked: of points of three doubles, a hundred.
-constexpr size_t CacheBytes = size_t(1) << 25;
-constexpr size_t CacheSlots = 10007;
+// A data set's chunks that HDF5 keeps unpacked: runs come in order, so that some are enough.
+constexpr size_t CacheBytes = size_t(1) << 21;
+constexpr size_t CacheSlots = 521;
 constexpr hsize_t TextChunk = hsize_t(1) << 18; // bytes
 constexpr size_t MostText = size_t(1) << 16; // of an attribute
 
@@ -69,11 +69,21 @@ Handle TextType(size_t length)
   return type;
 }
 
+/// What is written takes the place of what was there.
+void RemoveAttribute(hid_t where, const char* name)
+{
+  if (H5Aexists(where, name) > 0)
+  {
+    H5Adelete(where, name);
+  }
+}
+
 template <typename T>
 bool Write(hid_t where, const char* name, hid_t type, const std::vector<T>& numbers)
 {
   const hsize_t size = numbers.size();
   const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
+  RemoveAttribute(where, name);
   const Handle attribute(
     H5Acreate2(where, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
   return attribute && H5Awrite(attribute, type, numbers.data()) >= 0;
@@ -106,7 +116,7 @@ struct Shape
 };
 
 /// The data set and its size.
-Handle OpenArray(hid_t where, const std::string& dataset, hsize_t size[2])
+Handle OpenDataSet(hid_t where, const std::string& dataset, hsize_t size[2])
 {
   const Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);
   H5Pset_chunk_cache(access, CacheSlots, CacheBytes, 1.0);
@@ -193,8 +203,7 @@ bool WriteDataArray(
   return WriteValues(where, dataset, TypeOf(array->GetDataType()), shape, values);
 }
 
-bool ReadBits(hid_t data, const hsize_t start[2], const hsize_t count[2], vtkBitArray* to,
-  vtkIdType first)
+bool ReadBits(hid_t data, const hsize_t start[2], const hsize_t count[2], vtkBitArray* to)
 {
   std::vector<unsigned char> bits(count[0] * count[1]);
   if (!ReadRun(data, H5T_NATIVE_UCHAR, start, count, bits.data()))
@@ -203,26 +212,26 @@ bool ReadBits(hid_t data, const hsize_t start[2], const hsize_t count[2], vtkBit
   }
   for (size_t i = 0; i < bits.size(); ++i)
   {
-    to->SetValue(first + static_cast<vtkIdType>(i), bits[i]);
+    to->SetValue(static_cast<vtkIdType>(i), bits[i]);
   }
   return true;
 }
 
 /// Of a tuple before those wanted the end is where their text begins.
-bool ReadStrings(hid_t data, hid_t text, const hsize_t start[2], const hsize_t count[2],
-  const std::pair<vtkStringArray*, vtkIdType>& to)
+bool ReadStrings(const OpenArray& from, const hsize_t start[2], const hsize_t count[2],
+  vtkStringArray* to)
 {
   const hsize_t before = start[0] > 0 ? 1 : 0;
-  const hsize_t from[2] = { start[0] - before, 0 };
+  const hsize_t first[2] = { start[0] - before, 0 };
   const hsize_t size[2] = { count[0] + before, count[1] };
   std::vector<long long> ends(size[0] * size[1]);
-  if (!ReadRun(data, H5T_NATIVE_LLONG, from, size, ends.data()))
+  if (!ReadRun(from.Data, H5T_NATIVE_LLONG, first, size, ends.data()))
   {
     return false;
   }
   const size_t skipped = static_cast<size_t>(before * count[1]);
   const long long begin = skipped > 0 ? ends[skipped - 1] : 0;
-  const Handle space(H5Dget_space(text), H5Sclose);
+  const Handle space(H5Dget_space(from.Text), H5Sclose);
   const long long all = H5Sget_simple_extent_npoints(space);
   if (begin < 0 || ends.back() < begin || ends.back() > all ||
     !std::is_sorted(ends.begin() + static_cast<std::ptrdiff_t>(skipped), ends.end()) ||
@@ -233,14 +242,14 @@ bool ReadStrings(hid_t data, hid_t text, const hsize_t start[2], const hsize_t c
   std::vector<char> bytes(static_cast<size_t>(ends.back() - begin));
   const hsize_t textStart[2] = { static_cast<hsize_t>(begin), 0 };
   const hsize_t textCount[2] = { bytes.size(), 1 };
-  if (!bytes.empty() && !ReadRun(text, H5T_NATIVE_UCHAR, textStart, textCount, bytes.data()))
+  if (!bytes.empty() && !ReadRun(from.Text, H5T_NATIVE_UCHAR, textStart, textCount, bytes.data()))
   {
     return false;
   }
   long long last = begin;
   for (size_t i = skipped; i < ends.size(); ++i)
   {
-    to.first->SetValue(to.second + static_cast<vtkIdType>(i - skipped),
+    to->SetValue(static_cast<vtkIdType>(i - skipped),
       std::string(bytes.data() + (last - begin), static_cast<size_t>(ends[i] - last)));
     last = ends[i];
   }
@@ -294,6 +303,7 @@ bool WriteText(hid_t where, const char* name, const std::string& text)
 {
   const Handle type = TextType(text.size());
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  RemoveAttribute(where, name);
   const Handle attribute(
     H5Acreate2(where, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
   return attribute && H5Awrite(attribute, type, text.c_str()) >= 0;
@@ -387,7 +397,7 @@ std::vector<ArrayHead> ReadHeads(hid_t group)
   for (;;)
   {
     hsize_t size[2];
-    const Handle data = OpenArray(group, DataSetName(static_cast<int>(heads.size())), size);
+    const Handle data = OpenDataSet(group, DataSetName(static_cast<int>(heads.size())), size);
     ArrayHead head;
     std::vector<long long> type(1);
     std::vector<long long> role(1);
@@ -406,44 +416,41 @@ std::vector<ArrayHead> ReadHeads(hid_t group)
 }
 
 //------------------------------------------------------------------------------
-bool ReadTuples(
-  hid_t group, int number, const std::vector<Run>& runs, vtkAbstractArray* array, vtkIdType at)
+OpenArray::OpenArray(hid_t group, int number)
 {
   const std::string dataset = DataSetName(number);
-  hsize_t size[2];
-  const Handle data = OpenArray(group, dataset, size);
-  if (!data || size[1] != static_cast<hsize_t>(array->GetNumberOfComponents()))
+  this->Data = OpenDataSet(group, dataset, this->Size);
+  if (this->Data && H5Lexists(group, (dataset + "Text").c_str(), H5P_DEFAULT) > 0)
+  {
+    hsize_t size[2];
+    this->Text = OpenDataSet(group, dataset + "Text", size);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool ReadTuples(const OpenArray& from, const Run& run, vtkAbstractArray* array)
+{
+  const hsize_t start[2] = { static_cast<hsize_t>(run.First), 0 };
+  const hsize_t count[2] = { static_cast<hsize_t>(run.Count), from.Size[1] };
+  if (!from || from.Size[1] != static_cast<hsize_t>(array->GetNumberOfComponents()) ||
+    run.First < 0 || run.Count < 0 || start[0] + count[0] > from.Size[0])
   {
     return false;
   }
-  auto* strings = vtkStringArray::SafeDownCast(array);
-  auto* flags = vtkBitArray::SafeDownCast(array);
-  const Handle text(
-    strings ? H5Dopen2(group, (dataset + "Text").c_str(), H5P_DEFAULT) : -1, H5Dclose);
-  for (const Run& run : runs)
+  if (count[0] * count[1] == 0)
   {
-    const hsize_t start[2] = { static_cast<hsize_t>(run.First), 0 };
-    const hsize_t count[2] = { static_cast<hsize_t>(run.Count), size[1] };
-    const vtkIdType first = at * static_cast<vtkIdType>(size[1]);
-    if (count[0] * count[1] == 0)
-    {
-      continue;
-    }
-    if (run.First < 0 || run.Count < 0 || start[0] + count[0] > size[0])
-    {
-      return false;
-    }
-    const bool good = strings ? text && ReadStrings(data, text, start, count, { strings, first })
-      : flags                 ? ReadBits(data, start, count, flags, first)
-                              : ReadRun(data, TypeOf(array->GetDataType()), start, count,
-                                  array->GetVoidPointer(first));
-    if (!good)
-    {
-      return false;
-    }
-    at += run.Count;
+    return true;
   }
-  return true;
+  if (auto* strings = vtkStringArray::SafeDownCast(array))
+  {
+    return from.Text && ReadStrings(from, start, count, strings);
+  }
+  if (auto* flags = vtkBitArray::SafeDownCast(array))
+  {
+    return ReadBits(from.Data, start, count, flags);
+  }
+  return ReadRun(
+    from.Data, TypeOf(array->GetDataType()), start, count, array->GetVoidPointer(0));
 }
 
 //------------------------------------------------------------------------------
@@ -476,6 +483,6 @@ vtkSmartPointer<vtkAbstractArray> ReadArray(hid_t group, int number, const Array
   {
     array->SetNumberOfTuples(head.Tuples);
   }
-  return array && ReadTuples(group, number, { { 0, head.Tuples } }, array, 0) ? array : nullptr;
+  return array && ReadTuples(OpenArray(group, number), { 0, head.Tuples }, array) ? array : nullptr;
 }
 }

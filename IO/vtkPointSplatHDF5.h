@@ -130,9 +130,21 @@ struct ArrayHead
 std::vector<ArrayHead> ReadHeads(hid_t group);
 /// An array without tuples; none where this VTK knows no such type.
 vtkSmartPointer<vtkAbstractArray> NewArray(const ArrayHead& head);
-/// Puts the runs' tuples into the array, which has room for them, from a tuple on.
-bool ReadTuples(
-  hid_t group, int number, const std::vector<Run>& runs, vtkAbstractArray* array, vtkIdType at);
+/**
+ * An array that is open to be read.
+ */
+struct OpenArray
+{
+  OpenArray() = default;
+  OpenArray(hid_t group, int number);
+  explicit operator bool() const { return static_cast<bool>(this->Data); }
+
+  Handle Data;
+  Handle Text; // of strings
+  hsize_t Size[2] = { 0, 0 };
+};
+/// Puts a run's tuples into the array, which has room for them, from its first tuple on.
+bool ReadTuples(const OpenArray& from, const Run& run, vtkAbstractArray* array);
 /// All of an array; none where it cannot be read.
 vtkSmartPointer<vtkAbstractArray> ReadArray(hid_t group, int number, const ArrayHead& head);
 }

@@ -3,12 +3,14 @@
 #include "vtkPointSplatOctreeCut.h"
 
 #include "vtkPointSplatArrays.h"
+#include "vtkPointSplatOctreeView.h"
 
 #include "vtkDataArray.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <queue>
 
 namespace
@@ -126,7 +128,10 @@ bool vtkPointSplatOctreeCut::AddBlocks(
     }
     Block block{ number, static_cast<int>(range[0]),
       { static_cast<vtkIdType>(range[1]), static_cast<vtkIdType>(range[2]) }, 0, 0,
-      vtkBoundingBox(), static_cast<float>(radii[3 * i]) };
+      vtkBoundingBox(),
+      // A size that is none is in no order with others.
+      std::isnan(radii[3 * i]) ? std::numeric_limits<float>::infinity()
+                               : static_cast<float>(radii[3 * i]) };
     if (inner)
     {
       block.FirstChild = first + static_cast<size_t>(child[0]);
@@ -168,37 +173,60 @@ vtkIdType vtkPointSplatOctreeCut::ChildrenOf(
 }
 
 //------------------------------------------------------------------------------
-vtkPointSplatOctreeCut::Runs vtkPointSplatOctreeCut::Make(
-  vtkIdType room, const vtkBoundingBox& box) const
+double vtkPointSplatOctreeCut::SizeOf(const Block& block, const Wish& wish)
 {
-  const auto smaller = [this](size_t a, size_t b) {
-    const Block& first = this->Blocks[a];
-    const Block& second = this->Blocks[b];
-    return first.Radius != second.Radius ? first.Radius < second.Radius : a > b;
+  if (!wish.View)
+  {
+    return block.Radius;
+  }
+  return wish.View->IsOutside(block.Box) ? 0.0 : wish.View->PixelsOf(block.Box, block.Radius);
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatOctreeCut::Runs vtkPointSplatOctreeCut::Make(const Wish& wish) const
+{
+  struct Candidate
+  {
+    double Size;
+    float Radius; // decides where the eye is in several blocks
+    size_t Place;
+    bool operator<(const Candidate& other) const
+    {
+      return this->Size != other.Size ? this->Size < other.Size
+        : this->Radius != other.Radius ? this->Radius < other.Radius
+                                       : this->Place > other.Place;
+    }
   };
-  std::priority_queue<size_t, std::vector<size_t>, decltype(smaller)> open(smaller);
+  std::priority_queue<Candidate> open;
   vtkIdType splats = 0;
+  const auto add = [&](size_t place) {
+    const Block& block = this->Blocks[place];
+    open.push({ SizeOf(block, wish), block.Radius, place });
+    splats += block.Splats.Count;
+  };
   for (size_t root : this->Roots)
   {
-    if (Meets(box, this->Blocks[root].Box))
+    if (Meets(wish.Box, this->Blocks[root].Box))
     {
-      open.push(root);
-      splats += this->Blocks[root].Splats.Count;
+      add(root);
     }
   }
   Runs runs;
   std::vector<size_t> children;
   while (!open.empty())
   {
-    const Block& block = this->Blocks[open.top()];
+    const Candidate candidate = open.top();
     open.pop();
-    const vtkIdType below = this->ChildrenOf(block, box, children);
-    if (block.ChildCount > 0 && (room == 0 || splats - block.Splats.Count + below <= room))
+    const Block& block = this->Blocks[candidate.Place];
+    const bool large = !wish.View || candidate.Size > wish.Pixels;
+    const vtkIdType below = this->ChildrenOf(block, wish.Box, children);
+    if (large && block.ChildCount > 0 &&
+      (wish.Room == 0 || splats - block.Splats.Count + below <= wish.Room))
     {
-      splats += below - block.Splats.Count;
+      splats -= block.Splats.Count;
       for (size_t child : children)
       {
-        open.push(child);
+        add(child);
       }
       continue;
     }
@@ -223,4 +251,55 @@ vtkPointSplatOctreeCut::Runs vtkPointSplatOctreeCut::Make(
     own.resize(std::min(own.size(), last + 1));
   }
   return runs;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPointSplatOctreeCut::CountOf(const std::vector<Run>& runs)
+{
+  vtkIdType count = 0;
+  for (const Run& run : runs)
+  {
+    count += run.Count;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPointSplatOctreeCut::CountOf(const Runs& runs)
+{
+  vtkIdType count = 0;
+  for (const auto& one : runs)
+  {
+    count += vtkPointSplatOctreeCut::CountOf(one.second);
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPointSplatOctreeCut::CountOfCommon(const Runs& one, const Runs& other)
+{
+  vtkIdType count = 0;
+  for (const auto& own : one)
+  {
+    const auto theirs = other.find(own.first);
+    if (theirs == other.end())
+    {
+      continue;
+    }
+    auto second = theirs->second.begin();
+    for (const Run& first : own.second)
+    {
+      while (second != theirs->second.end() && second->First + second->Count <= first.First)
+      {
+        ++second;
+      }
+      for (auto at = second;
+           at != theirs->second.end() && at->First < first.First + first.Count; ++at)
+      {
+        count += std::min(first.First + first.Count, at->First + at->Count) -
+          std::max(first.First, at->First);
+      }
+    }
+  }
+  return count;
 }

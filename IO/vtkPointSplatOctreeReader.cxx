@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatOctreeReader.h"
 
+#include "vtkPointSplatChunkCache.h"
 #include "vtkPointSplatHDF5.h"
 #include "vtkPointSplatOctreeCut.h"
-#include "vtkPointSplatOctreeFile.h"
+#include "vtkPointSplatOctreeInput.h"
+#include "vtkPointSplatOctreeSplats.h"
+#include "vtkPointSplatOctreeView.h"
 
 #include "vtkAbstractArray.h"
-#include "vtkCellArray.h"
+#include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -17,14 +20,11 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <vtksys/SystemTools.hxx>
-
 #include <algorithm>
-#include <iterator>
-#include <string>
+#include <chrono>
+#include <optional>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -33,137 +33,10 @@ vtkStandardNewMacro(vtkPointSplatOctreeReader);
 namespace
 {
 using namespace vtkPointSplatHDF5;
-namespace Names = vtkPointSplatOctreeFile;
 
-/**
- * A file that is open, and what its root says.
- */
-struct File
-{
-  explicit File(const char* name)
-  {
-    if (!name || !*name)
-    {
-      this->Error = "There is no FileName.";
-      return;
-    }
-    const std::string quoted = "'" + std::string(name) + "' ";
-    if (!vtksys::SystemTools::FileExists(name, true))
-    {
-      this->Error = quoted + "is not there.";
-      return;
-    }
-    // Of a damaged file HDF5 may keep something open; not beyond the file itself.
-    const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-    H5Pset_fclose_degree(access, H5F_CLOSE_STRONG);
-    this->Data = Handle(H5Fopen(name, H5F_ACC_RDONLY, access), H5Fclose);
-    std::string type;
-    std::vector<long long> version(1);
-    if (!this->Data)
-    {
-      this->Error = quoted + "is truncated, or no HDF5 file.";
-    }
-    else if (!ReadText(this->Data, "Type", type) || type != Names::Type ||
-      !ReadNumbers(this->Data, "Version", version))
-    {
-      this->Error = quoted + "is an HDF5 file, but was not written by vtkPointSplatOctreeWriter.";
-    }
-    else if (version[0] != Names::Version)
-    {
-      this->Error = quoted + "is of version " + std::to_string(version[0]) + "; known is " +
-        std::to_string(Names::Version) + ".";
-    }
-    else if (!ReadNumbers(this->Data, "Pieces", this->Pieces) ||
-      !ReadNumbers(this->Data, "Points", this->Points) ||
-      !ReadNumbers(this->Data, "Bounds", this->Bounds))
-    {
-      this->Error = quoted + "is damaged.";
-    }
-  }
-
-  Handle Data;
-  std::string Error; // empty where all is well
-  std::vector<long long> Pieces{ 0 };
-  std::vector<long long> Points{ 0 };
-  std::vector<double> Bounds = std::vector<double>(6);
-};
-
-/**
- * A level of a piece, of which some runs are read.
- */
-struct Source
-{
-  const vtkPointSplatOctreeCut::Level* Level;
-  std::vector<Run> Runs;
-  vtkIdType Count;
-};
-
-std::vector<Source> SourcesOf(const vtkPointSplatOctreeCut& cut, vtkPointSplatOctreeCut::Runs runs)
-{
-  std::vector<Source> sources;
-  for (auto& one : runs)
-  {
-    Source source{ &cut.GetLevel(one.first.first, one.first.second), std::move(one.second), 0 };
-    for (const Run& run : source.Runs)
-    {
-      source.Count += run.Count;
-    }
-    sources.push_back(std::move(source));
-  }
-  return sources;
-}
-
-bool IsOfLevelsAlone(const std::string& name)
-{
-  return std::any_of(std::begin(Names::LevelArrays), std::end(Names::LevelArrays),
-    [&name](const char* other) { return name == other; });
-}
-
-/// Which of its arrays each source has for one of the first source's; empty where one has none, or one
-/// of another kind.
-std::vector<int> NumbersOf(const std::vector<Source>& sources, size_t wanted)
-{
-  const ArrayHead& first = sources[0].Level->Heads[wanted];
-  std::vector<int> numbers;
-  for (const Source& source : sources)
-  {
-    // Coordinates come first, whatever their name is, and others after.
-    const std::vector<ArrayHead>& heads = source.Level->Heads;
-    const auto at = wanted == 0
-      ? heads.begin()
-      : std::find_if(heads.begin() + 1, heads.end(),
-          [&first](const ArrayHead& head) { return head.Name == first.Name; });
-    if (at == heads.end() || at->DataType != first.DataType || at->Components != first.Components)
-    {
-      return {};
-    }
-    numbers.push_back(static_cast<int>(at - heads.begin()));
-  }
-  return numbers;
-}
-
-/// The array's tuples of all sources; none: they cannot be read.
-vtkSmartPointer<vtkAbstractArray> ReadOfAll(
-  const std::vector<Source>& sources, const std::vector<int>& numbers, vtkIdType count)
-{
-  vtkSmartPointer<vtkAbstractArray> array =
-    NewArray(sources[0].Level->Heads[static_cast<size_t>(numbers[0])]);
-  if (!array)
-  {
-    return nullptr;
-  }
-  array->SetNumberOfTuples(count);
-  vtkIdType at = 0;
-  for (size_t i = 0; i < sources.size(); ++i)
-  {
-    if (!ReadTuples(sources[i].Level->Group, numbers[i], sources[i].Runs, array, at))
-    {
-      return nullptr;
-    }
-    at += sources[i].Count;
-  }
-  return array;
-}
+constexpr vtkTypeInt64 Kibibyte = 1024;
+// A cut is read anew where more of its splats than this share are others.
+constexpr double ShareThatMatters = 0.02;
 
 bool ReadFieldData(hid_t file, vtkFieldData* data)
 {
@@ -186,8 +59,92 @@ bool ReadFieldData(hid_t file, vtkFieldData* data)
 }
 }
 
+/**
+ * What is kept between executions.
+ */
+class vtkPointSplatOctreeReader::Stream
+{
+public:
+  Stream() { this->Cache.SetBudget(512 * Kibibyte * Kibibyte); }
+
+  void Close()
+  {
+    this->File.reset();
+    this->Cache.Clear();
+    this->Read.clear();
+    this->Ahead.reset();
+  }
+  /// The cut that is wanted of the file, seen so.
+  vtkPointSplatOctreeCut::Runs Cut(
+    const vtkPointSplatOctreeReader& self, const vtkPointSplatOctreeView* view) const
+  {
+    vtkPointSplatOctreeCut::Wish wish{ self.MaximumNumberOfPoints, vtkBoundingBox(), view,
+      self.SplatPixels };
+    const double* b = self.Bounds;
+    if (b[0] <= b[1] && b[2] <= b[3] && b[4] <= b[5])
+    {
+      wish.Box.SetBounds(b);
+    }
+    if (view && !view->IsValid())
+    {
+      // Nothing is too large: the coarsest blocks.
+      wish.View = nullptr;
+      wish.Room = 1;
+    }
+    return this->File->GetTree().Make(wish);
+  }
+  /// Remembers how the camera moves.
+  void Note(const vtkPointSplatOctreeView& view)
+  {
+    if (!this->Now || !(*this->Now == view))
+    {
+      this->Before = this->Now;
+      this->Now = view;
+    }
+    this->Ahead.reset();
+  }
+  /// Chunks that are not in the cache, and will be wanted if the camera moves on.
+  std::vector<vtkPointSplatChunkCache::Key> ChunksAhead(const vtkPointSplatOctreeReader& self) const
+  {
+    const vtkPointSplatOctreeView next = this->Now->After(*this->Before);
+    if (!next.IsValid())
+    {
+      return {};
+    }
+    std::vector<vtkPointSplatChunkCache::Key> chunks =
+      vtkPointSplatOctreeSplats(this->File->GetTree(), this->Cut(self, &next)).GetChunks();
+    chunks.erase(std::remove_if(chunks.begin(), chunks.end(),
+                   [this](const vtkPointSplatChunkCache::Key& key) { return this->Cache.Has(key); }),
+      chunks.end());
+    // The last is read first: coordinates, then others.
+    std::reverse(chunks.begin(), chunks.end());
+    return chunks;
+  }
+  /// False: it cannot be read, or there is no room.
+  bool ReadAhead(const vtkPointSplatChunkCache::Key& key)
+  {
+    const vtkSmartPointer<vtkAbstractArray> chunk =
+      vtkPointSplatOctreeSplats::ReadChunk(this->File->GetTree(), key);
+    if (!chunk || !this->Cache.HasRoomBesideCut(chunk))
+    {
+      return false;
+    }
+    this->Cache.Add(key, chunk);
+    return true;
+  }
+
+  std::unique_ptr<vtkPointSplatOctreeInput> File; // with its tree, once something was read
+  vtkPointSplatChunkCache Cache;
+  vtkPointSplatOctreeCut::Runs Read; // the cut that is the output
+  bool IsBehind = false;             // the camera wants another
+  std::optional<vtkPointSplatOctreeView> Before;
+  std::optional<vtkPointSplatOctreeView> Now;
+  std::optional<std::vector<vtkPointSplatChunkCache::Key>> Ahead; // once it is known
+};
+
 //------------------------------------------------------------------------------
 vtkPointSplatOctreeReader::vtkPointSplatOctreeReader()
+  : Input(new Stream)
 {
   this->SetNumberOfInputPorts(0);
 }
@@ -195,6 +152,7 @@ vtkPointSplatOctreeReader::vtkPointSplatOctreeReader()
 //------------------------------------------------------------------------------
 vtkPointSplatOctreeReader::~vtkPointSplatOctreeReader()
 {
+  this->CloseFile();
   delete[] this->FileName;
 }
 
@@ -202,7 +160,98 @@ vtkPointSplatOctreeReader::~vtkPointSplatOctreeReader()
 bool vtkPointSplatOctreeReader::CanReadFile(const char* fileName)
 {
   const Silence silence;
-  return File(fileName).Error.empty();
+  return vtkPointSplatOctreeInput(fileName).GetError().empty();
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatOctreeReader::SetCamera(vtkCamera* camera)
+{
+  if (this->Camera != camera)
+  {
+    this->Camera = camera;
+    // How another camera has moved says nothing of this one.
+    this->Input->Before.reset();
+    this->Input->Now.reset();
+    this->Input->Ahead.reset();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkCamera* vtkPointSplatOctreeReader::GetCamera()
+{
+  return this->Camera;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatOctreeReader::SetViewSize(int width, int height)
+{
+  const int size[2] = { std::max(width, 1), std::max(height, 1) };
+  if (!std::equal(size, size + 2, this->ViewSize))
+  {
+    std::copy(size, size + 2, this->ViewSize);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatOctreeReader::SetCacheSize(vtkIdType size)
+{
+  // The output is the same, so that nothing has to run again.
+  const vtkIdType most = VTK_ID_MAX / Kibibyte;
+  this->Input->Cache.SetBudget(std::min(std::max<vtkIdType>(size, 0), most) * Kibibyte);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPointSplatOctreeReader::GetCacheSize()
+{
+  return static_cast<vtkIdType>(this->Input->Cache.GetBudget() / Kibibyte);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPointSplatOctreeReader::GetCacheSizeUsed()
+{
+  return static_cast<vtkIdType>(this->Input->Cache.GetSize() / Kibibyte);
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkPointSplatOctreeReader::GetNumberOfBytesRead()
+{
+  return this->Input->Cache.GetSizeOfAdded();
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatOctreeReader::CloseFile()
+{
+  const Silence silence;
+  this->Input->Close();
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatOctreeReader::OpenFile()
+{
+  if (this->Input->File && this->Input->File->Is(this->FileName))
+  {
+    return true;
+  }
+  // The old one is closed before: HDF5 would take the same file for what it knows of it.
+  this->Input->Close();
+  auto file = std::make_unique<vtkPointSplatOctreeInput>(this->FileName);
+  if (!file->GetError().empty())
+  {
+    vtkErrorMacro(<< file->GetError());
+    return false;
+  }
+  this->Input->File = std::move(file);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkPointSplatOctreeReader::GiveUp()
+{
+  this->Input->Close();
+  vtkErrorMacro("'" << this->FileName << "' is damaged.");
+  return 0;
 }
 
 //------------------------------------------------------------------------------
@@ -210,14 +259,18 @@ int vtkPointSplatOctreeReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   const Silence silence;
-  const File file(this->FileName);
-  if (!file.Error.empty())
+  if (!this->OpenFile())
   {
-    vtkErrorMacro(<< file.Error);
+    // What was read of another file would stay, since RequestData() is not called.
+    if (vtkPolyData* old = vtkPolyData::GetData(outputs))
+    {
+      old->Initialize();
+    }
     return 0;
   }
-  this->NumberOfPointsInFile = static_cast<vtkIdType>(file.Points[0]);
-  std::copy(file.Bounds.begin(), file.Bounds.end(), this->BoundsInFile);
+  const vtkPointSplatOctreeInput& file = *this->Input->File;
+  this->NumberOfPointsInFile = static_cast<vtkIdType>(file.GetNumberOfPoints());
+  std::copy(file.GetBounds().begin(), file.GetBounds().end(), this->BoundsInFile);
   vtkInformation* info = outputs->GetInformationObject(0);
   info->Set(vtkStreamingDemandDrivenPipeline::BOUNDS(), this->BoundsInFile, 6);
   return 1;
@@ -229,87 +282,132 @@ int vtkPointSplatOctreeReader::RequestData(
 {
   const Silence silence;
   vtkPolyData* output = vtkPolyData::GetData(outputs);
+  Stream& stream = *this->Input;
   this->CoarsestLevelRead = 0;
-  const File file(this->FileName);
-  if (!file.Error.empty())
+  if (!this->OpenFile())
   {
-    vtkErrorMacro(<< file.Error);
     return 0;
   }
-  const auto damaged = [&] {
-    output->Initialize();
-    vtkErrorMacro("'" << this->FileName << "' is damaged.");
-    return 0;
-  };
-  vtkPointSplatOctreeCut cut;
-  for (int piece = 0; piece < file.Pieces[0]; ++piece)
+  if (!stream.File->ReadTree())
   {
-    if (!cut.AddPiece(file.Data, piece))
-    {
-      return damaged();
-    }
+    return this->GiveUp();
   }
   this->UpdateProgress(0.1);
-  vtkBoundingBox box;
-  if (this->Bounds[0] <= this->Bounds[1] && this->Bounds[2] <= this->Bounds[3] &&
-    this->Bounds[4] <= this->Bounds[5])
+  std::optional<vtkPointSplatOctreeView> view;
+  if (this->Camera)
   {
-    box.SetBounds(this->Bounds);
+    view.emplace(this->Camera, this->ViewSize[0], this->ViewSize[1]);
+    if (!view->IsValid())
+    {
+      vtkWarningMacro("The camera has no place, no direction, or numbers that are none; the "
+                      "coarsest blocks are read.");
+    }
+    stream.Note(*view);
   }
-  const vtkPointSplatOctreeCut::Runs runs = cut.Make(this->MaximumNumberOfPoints, box);
-  const std::vector<Source> sources = SourcesOf(cut, runs);
-  vtkIdType count = 0;
-  for (const Source& source : sources)
-  {
-    count += source.Count;
-  }
-  for (const auto& one : runs)
+  stream.Read = stream.Cut(*this, view ? &*view : nullptr);
+  stream.IsBehind = false;
+  stream.Cache.BeginCut();
+  for (const auto& one : stream.Read)
   {
     this->CoarsestLevelRead = std::max(this->CoarsestLevelRead, one.first.second);
   }
-  if (count == 0)
+  const vtkPointSplatOctreeSplats splats(stream.File->GetTree(), stream.Read);
+  if (splats.GetNumberOfSplats() == 0)
   {
     return 1;
   }
   vtkPointData* data = output->GetPointData();
-  const std::vector<ArrayHead>& heads = sources[0].Level->Heads;
-  for (size_t a = 0; a < heads.size() && !this->AbortExecute; ++a)
+  const size_t count = splats.GetNumberOfArrays();
+  bool good = count > 0;
+  for (size_t a = 0; a < count && good && !this->AbortExecute; ++a)
   {
-    const std::vector<int> numbers =
-      a > 0 && IsOfLevelsAlone(heads[a].Name) ? std::vector<int>() : NumbersOf(sources, a);
-    if (numbers.empty() && a > 0)
-    {
-      continue;
-    }
-    const vtkSmartPointer<vtkAbstractArray> array =
-      numbers.empty() ? nullptr : ReadOfAll(sources, numbers, count);
+    const vtkSmartPointer<vtkAbstractArray> array = splats.Read(a, stream.Cache);
     auto* coordinates = a == 0 ? vtkDataArray::SafeDownCast(array) : nullptr;
-    if (!array || (a == 0 && !coordinates))
-    {
-      return damaged();
-    }
-    if (a == 0)
+    good = array && (a > 0 || coordinates);
+    if (good && a == 0)
     {
       vtkNew<vtkPoints> points;
       points->SetData(coordinates);
       output->SetPoints(points);
     }
-    else
+    else if (good)
     {
       const int index = data->AddArray(array);
-      const int role = heads[a].Role;
+      const int role = splats.GetHead(a).Role;
       if (role >= 0 && role < vtkDataSetAttributes::NUM_ATTRIBUTES)
       {
         data->SetActiveAttribute(index, role);
       }
     }
-    this->UpdateProgress(0.1 + 0.9 * (a + 1.0) / heads.size());
+    this->UpdateProgress(0.1 + 0.9 * (a + 1.0) / count);
   }
-  if (!ReadFieldData(file.Data, output->GetFieldData()))
+  if (!good || !ReadFieldData(stream.File->GetData(), output->GetFieldData()))
   {
-    return damaged();
+    output->Initialize();
+    return this->GiveUp();
   }
   return 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatOctreeReader::FollowCamera()
+{
+  Stream& stream = *this->Input;
+  if (!this->Camera || !stream.File || stream.Read.empty())
+  {
+    return false;
+  }
+  if (!stream.File->Is(this->FileName))
+  {
+    this->Modified();
+    return true;
+  }
+  const vtkPointSplatOctreeView view(this->Camera, this->ViewSize[0], this->ViewSize[1]);
+  if (stream.Now && *stream.Now == view)
+  {
+    return stream.IsBehind;
+  }
+  stream.Note(view);
+  const vtkPointSplatOctreeCut::Runs wanted = stream.Cut(*this, &view);
+  const vtkIdType all =
+    vtkPointSplatOctreeCut::CountOf(wanted) + vtkPointSplatOctreeCut::CountOf(stream.Read);
+  const vtkIdType common = vtkPointSplatOctreeCut::CountOfCommon(wanted, stream.Read);
+  stream.IsBehind = all - 2 * common > ShareThatMatters * all;
+  if (stream.IsBehind)
+  {
+    this->Modified();
+  }
+  return stream.IsBehind;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatOctreeReader::Prefetch(double seconds)
+{
+  const Silence silence;
+  Stream& stream = *this->Input;
+  if (!this->Camera || !stream.File || stream.Read.empty() || !stream.Before ||
+    !stream.File->Is(this->FileName))
+  {
+    return false;
+  }
+  const auto start = std::chrono::steady_clock::now();
+  if (!stream.Ahead)
+  {
+    stream.Ahead = stream.ChunksAhead(*this);
+  }
+  std::chrono::duration<double> spent(0.0);
+  do
+  {
+    if (stream.Ahead->empty() || !stream.ReadAhead(stream.Ahead->back()))
+    {
+      // What is damaged is for the next Update() to say.
+      stream.Ahead->clear();
+      return false;
+    }
+    stream.Ahead->pop_back();
+    spent = std::chrono::steady_clock::now() - start;
+  } while (spent.count() < seconds);
+  return !stream.Ahead->empty();
 }
 
 //------------------------------------------------------------------------------
@@ -323,6 +421,12 @@ void vtkPointSplatOctreeReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "MaximumNumberOfPoints: " << this->MaximumNumberOfPoints << "\n";
   print("Bounds", this->Bounds);
+  os << indent << "Camera: " << this->Camera.Get() << "\n";
+  os << indent << "ViewSize: " << this->ViewSize[0] << ", " << this->ViewSize[1] << "\n";
+  os << indent << "SplatPixels: " << this->SplatPixels << "\n";
+  os << indent << "CacheSize: " << this->GetCacheSize() << "\n";
+  os << indent << "CacheSizeUsed: " << this->GetCacheSizeUsed() << "\n";
+  os << indent << "NumberOfBytesRead: " << this->GetNumberOfBytesRead() << "\n";
   os << indent << "NumberOfPointsInFile: " << this->NumberOfPointsInFile << "\n";
   print("BoundsInFile", this->BoundsInFile);
   os << indent << "CoarsestLevelRead: " << this->CoarsestLevelRead << "\n";

@@ -6,6 +6,7 @@
 #include "vtkPointSplatHDF5.h"
 #include "vtkPointSplatOctree.h"
 #include "vtkPointSplatOctreeFile.h"
+#include "vtkPointSplatOctreeInput.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkBoundingBox.h"
@@ -129,14 +130,31 @@ bool WriteFieldData(hid_t piece, const char* name, vtkFieldData* data, bool bloc
 class vtkPointSplatOctreeWriter::File
 {
 public:
-  explicit File(const std::string& name)
+  /// A new one, or a copy of what is in its place.
+  File(const std::string& name, bool copy)
     : Name(name)
   {
     // As 1.10 writes it all has checksums, the file's own tables too.
     const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);
-    this->Data =
-      Handle(H5Fcreate((name + ".part").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
+    const std::string part = name + ".part";
+    if (!copy)
+    {
+      this->Data =
+        Handle(H5Fcreate(part.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
+      return;
+    }
+    std::error_code error;
+    std::filesystem::copy_file(
+      name, part, std::filesystem::copy_options::overwrite_existing, error);
+    if (!error)
+    {
+      this->Data = Handle(H5Fopen(part.c_str(), H5F_ACC_RDWR, access), H5Fclose);
+    }
+    if (!this->Data)
+    {
+      vtksys::SystemTools::RemoveFile(part);
+    }
   }
   ~File()
   {
@@ -239,14 +257,45 @@ bool vtkPointSplatOctreeWriter::Open()
   const Silence silence;
   this->Output.reset();
   this->NumberOfPointsWritten = this->NumberOfSkippedPoints = 0;
-  this->NumberOfPiecesWritten = 0;
+  this->NumberOfPiecesWritten = this->NumberOfPiecesBefore = 0;
   if (!this->FileName || !*this->FileName)
   {
     vtkErrorMacro("There is no FileName.");
     return false;
   }
-  this->Output.reset(new File(this->FileName));
+  if (this->AppendToFile && vtksys::SystemTools::FileExists(this->FileName, true))
+  {
+    const std::string error = this->TakeOver();
+    return error.empty() ? true : this->GiveUp(error.c_str());
+  }
+  this->Output.reset(new File(this->FileName, false));
   return this->Output->Data ? true : this->GiveUp("its folder is not there, or may not be written.");
+}
+
+//------------------------------------------------------------------------------
+std::string vtkPointSplatOctreeWriter::TakeOver()
+{
+  vtkPointSplatOctreeInput input(this->FileName);
+  if (!input.GetError().empty())
+  {
+    return "nothing can be added. " + input.GetError();
+  }
+  // What is damaged would be handed on, and who wrote this file would take the blame.
+  if (!input.ReadTree())
+  {
+    return "nothing can be added, since it is damaged.";
+  }
+  this->Output.reset(new File(this->FileName, true));
+  if (!this->Output->Data)
+  {
+    return "it cannot be copied beside its place; the disk may be full, or the folder may not be "
+           "written.";
+  }
+  this->Output->Bounds.SetBounds(input.GetBounds().data());
+  this->NumberOfPointsWritten = static_cast<vtkIdType>(input.GetNumberOfPoints());
+  this->NumberOfPiecesWritten = this->NumberOfPiecesBefore =
+    static_cast<int>(input.GetNumberOfPieces());
+  return "";
 }
 
 //------------------------------------------------------------------------------
@@ -342,7 +391,7 @@ bool vtkPointSplatOctreeWriter::Close()
     vtkErrorMacro("No file is open; call Open first.");
     return false;
   }
-  if (this->NumberOfPiecesWritten == 0)
+  if (this->NumberOfPiecesWritten == this->NumberOfPiecesBefore)
   {
     return this->GiveUp("there is no point that can be drawn.");
   }
@@ -368,6 +417,7 @@ void vtkPointSplatOctreeWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "NumberOfPieces: " << this->NumberOfPieces << "\n";
   os << indent << "CompressionLevel: " << this->CompressionLevel << "\n";
+  os << indent << "AppendToFile: " << (this->AppendToFile ? "on" : "off") << "\n";
   os << indent << "NumberOfPointsWritten: " << this->NumberOfPointsWritten << "\n";
   os << indent << "NumberOfPiecesWritten: " << this->NumberOfPiecesWritten << "\n";
   os << indent << "NumberOfSkippedPoints: " << this->NumberOfSkippedPoints << "\n";

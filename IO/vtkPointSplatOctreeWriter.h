@@ -29,10 +29,14 @@
  * are those of the array. Texts and bits are kept; variants are not, and reported.
  *
  * The file is written beside its place, with ".part" at its name's end, and renamed when it is
- * complete: where writing fails or is given up, what was there before is untouched.
+ * complete: where writing fails or is given up, what was there before is untouched. So it is where
+ * pieces are added to a file that is there (AppendToFile): they are added to a copy, for which the disk
+ * needs room. A vtkPointSplatOctreeReader that has the old file open goes on with it until its next
+ * Update().
  *
  * Bad input: as vtkPointSplatOctree has it, points that cannot be drawn are left out and counted. A
- * folder that cannot be written, or a full disk, is an error, and no file is left.
+ * folder that cannot be written, or a full disk, is an error, and no file is left. Pieces are not added
+ * to a file of another kind or version, nor to a truncated or damaged one: that is an error.
  *
  * @sa vtkPointSplatOctreeReader vtkPointSplatOctree
  */
@@ -44,6 +48,7 @@
 #include "vtkWriter.h"
 
 #include <memory> // For the file
+#include <string> // For what is wrong
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -78,13 +83,23 @@ public:
   vtkGetMacro(CompressionLevel, int);
   ///@}
 
+  ///@{
+  /**
+   * Whether pieces are added to those that the file has; where there is no file it is written anew.
+   * Off by default: what was there is replaced.
+   */
+  vtkSetMacro(AppendToFile, bool);
+  vtkGetMacro(AppendToFile, bool);
+  vtkBooleanMacro(AppendToFile, bool);
+  ///@}
+
   /// Writes the input. 1, or 0 and an error.
   int Write() override;
 
   ///@{
   /**
    * Writes points from wherever they come: Open() once, Append() for each piece, Close(). True, or
-   * false and an error; then there is no file. An Append() of no points does nothing.
+   * false and an error; then what was there before is as it was. An Append() of no points does nothing.
    */
   bool Open();
   bool Append(vtkPointSet* points);
@@ -92,7 +107,8 @@ public:
   ///@}
 
   ///@{
-  /// Of the file that was written last, or is being written.
+  /// Of the file that was written last, or is being written: of a file that was there the points and
+  /// pieces that it had, too.
   vtkGetMacro(NumberOfPointsWritten, vtkIdType);
   vtkGetMacro(NumberOfPiecesWritten, int);
   vtkGetMacro(NumberOfSkippedPoints, vtkIdType);
@@ -113,6 +129,8 @@ private:
 
   bool WritePiece(vtkPolyData* points, vtkPolyData* levels, int numberOfLevels);
   void CarryProgress(vtkObject* octree, unsigned long event, void* data);
+  /// Takes over what the file has that is there. Empty, or why this cannot be.
+  std::string TakeOver();
   /// Gives the file up, and says why; false.
   bool GiveUp(const char* why);
 
@@ -120,8 +138,10 @@ private:
   char* FileName = nullptr;
   int NumberOfPieces = 1;
   int CompressionLevel = 1;
+  bool AppendToFile = false;
   vtkIdType NumberOfPointsWritten = 0;
   int NumberOfPiecesWritten = 0;
+  int NumberOfPiecesBefore = 0;
   vtkIdType NumberOfSkippedPoints = 0;
   // Of what the progress is told: the piece and how many there are.
   int Piece = 0;

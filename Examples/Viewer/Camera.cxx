@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Camera.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkRenderer.h"
 
 #include <cmath>
 
 //------------------------------------------------------------------------------
-void PlaceCamera(vtkRenderer* renderer, const std::vector<double>& numbers)
+void PlaceCamera(
+  vtkRenderer* renderer, const std::vector<double>& numbers, const vtkBoundingBox& also)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
   if (numbers.size() >= 9)
@@ -23,7 +25,15 @@ void PlaceCamera(vtkRenderer* renderer, const std::vector<double>& numbers)
   }
   else
   {
-    renderer->ResetCamera();
+    double bounds[6];
+    renderer->ComputeVisiblePropBounds(bounds);
+    if (also.IsValid())
+    {
+      vtkBoundingBox box(bounds);
+      box.AddBox(also);
+      box.GetBounds(bounds);
+    }
+    renderer->ResetCamera(bounds);
     if (numbers.size() >= 2)
     {
       camera->Azimuth(numbers[0]);

@@ -5,12 +5,15 @@
 
 #include <vector>
 
+class vtkBoundingBox;
 class vtkRenderer;
 
 /**
  * Places the camera by what --camera was given: nothing; azimuth, elevation and
- * zoom relative to where it looks; or position, focal point, view up and angle.
+ * zoom relative to where it looks; or position, focal point, view up and angle. also: what is to be in
+ * sight beside what the renderer has; may be invalid.
  */
-void PlaceCamera(vtkRenderer* renderer, const std::vector<double>& numbers);
+void PlaceCamera(
+  vtkRenderer* renderer, const std::vector<double>& numbers, const vtkBoundingBox& also);
 
 #endif

@@ -7,8 +7,10 @@
 #include "Progress.h"
 #include "Readers.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkNew.h"
 #include "vtkPointSet.h"
+#include "vtkPolyData.h"
 
 #if SPLATVIEW_HDF5
 #include "vtkPointSplatOctreeReader.h"
@@ -18,15 +20,67 @@
 
 namespace
 {
+// Splats that are drawn of a file unless --points says otherwise: 128 MB of the graphics card, and
+// some more than a large window has pixels.
+constexpr vtkIdType UsualPoints = 4000000;
+
 /// What VTK said is wrong, as the user's error.
-void ThrowError()
+void ThrowError(const std::string& before = "")
 {
   const std::string error = MessageKeeper::TakeError();
   if (!error.empty())
   {
-    throw UserError(error);
+    throw UserError(before + error);
   }
 }
+
+class ReaderStream : public OctreeStream
+{
+public:
+  ReaderStream(const std::string& file, const Options& options)
+    : Name(file)
+    , Most(options.MostPoints > 0 ? options.MostPoints : UsualPoints)
+  {
+    this->Reader->SetFileName(file.c_str());
+    this->Reader->SetMaximumNumberOfPoints(1);
+    this->Reader->UpdateInformation();
+    ShowProgress(this->Reader, "reading", options.Quiet);
+  }
+  bool IsLarge() const { return this->Reader->GetNumberOfPointsInFile() > this->Most; }
+  void Read()
+  {
+    this->Reader->Update();
+    ThrowError(this->Name + ": ");
+  }
+
+  vtkPolyDataAlgorithm* GetSource() override { return this->Reader; }
+  vtkIdType GetNumberOfPointsInFile() const override
+  {
+    return this->Reader->GetNumberOfPointsInFile();
+  }
+  vtkBoundingBox GetBoundsInFile() const override
+  {
+    return vtkBoundingBox(this->Reader->GetBoundsInFile());
+  }
+  void SetCamera(vtkCamera* camera, const int size[2]) override
+  {
+    this->Reader->SetCamera(camera);
+    this->Reader->SetViewSize(size);
+    this->Reader->SetMaximumNumberOfPoints(this->Most);
+    this->Read();
+  }
+  bool Follow(const int size[2]) override
+  {
+    this->Reader->SetViewSize(size);
+    return this->Reader->FollowCamera();
+  }
+  bool Prefetch(double seconds) override { return this->Reader->Prefetch(seconds); }
+
+private:
+  const std::string Name;
+  const vtkIdType Most;
+  vtkNew<vtkPointSplatOctreeReader> Reader;
+};
 }
 
 //------------------------------------------------------------------------------
@@ -35,9 +89,29 @@ vtkSmartPointer<vtkDataObject> ReadOctree(const std::string& file, long most, bo
   vtkNew<vtkPointSplatOctreeReader> reader;
   reader->SetFileName(file.c_str());
   reader->SetMaximumNumberOfPoints(most);
+  reader->SetCacheSize(0);
   ShowProgress(reader, "reading", quiet);
   reader->Update();
   return reader->GetOutputDataObject(0);
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<OctreeStream> OpenStream(const std::string& file, const Options& options)
+{
+  // What needs points, and not what stands for them, reads as many as there are.
+  if (!IsOctree(file) || !vtkPointSplatOctreeReader::CanReadFile(file.c_str()) ||
+    !options.Isovalues.empty() || options.Particles || options.Project ||
+    options.Normals == "estimate")
+  {
+    return nullptr;
+  }
+  auto stream = std::make_shared<ReaderStream>(file, options);
+  if (!stream->IsLarge())
+  {
+    return nullptr;
+  }
+  stream->Read();
+  return stream;
 }
 
 //------------------------------------------------------------------------------
@@ -45,6 +119,7 @@ void ConvertFiles(const Options& options)
 {
   vtkNew<vtkPointSplatOctreeWriter> writer;
   writer->SetFileName(options.Output.c_str());
+  writer->SetAppendToFile(options.AppendToFile);
   ShowProgress(writer, "making levels", options.Quiet);
   writer->Open();
   ThrowError();
@@ -75,6 +150,12 @@ void ConvertFiles(const Options& options)
 vtkSmartPointer<vtkDataObject> ReadOctree(const std::string& file, long, bool)
 {
   throw UserError(file + ": cannot be read, since this VTK was built without HDF5");
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<OctreeStream> OpenStream(const std::string&, const Options&)
+{
+  return nullptr;
 }
 
 //------------------------------------------------------------------------------

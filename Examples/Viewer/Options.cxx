@@ -247,7 +247,8 @@ Options Options::Parse(int argc, char* argv[])
     { "--points", [&o](auto& n, auto& v) { o.MostPoints = Whole(n, v, 1, VTK_INT_MAX); } },
     { "--json", [&o](auto&, auto& v) { o.Json = v; } },
   };
-  const std::map<std::string, bool Options::*> flags = { { "--convert", &Options::Convert },
+  const std::map<std::string, bool Options::*> flags = { { "--append", &Options::AppendToFile },
+    { "--convert", &Options::Convert },
     { "--particles", &Options::Particles },
     { "--project", &Options::Project }, { "--scalar-bar", &Options::ScalarBar },
     { "--unlit", &Options::Unlit }, { "--lit", &Options::Lit },
@@ -303,6 +304,10 @@ Options Options::Parse(int argc, char* argv[])
   if (!o.Convert && EndsIn(o.Output, ".h5"))
   {
     throw UserError("--output: '" + o.Output + "' does not end in .png; --convert writes .h5");
+  }
+  if (o.AppendToFile && !o.Convert)
+  {
+    throw UserError("--append: goes with --convert");
   }
   if (o.Particles && !o.Isovalues.empty())
   {
@@ -378,7 +383,9 @@ How it is drawn
 Large clouds
   --convert            write the files' points, one file after the other, with coarser versions of
                        them to --output F.h5, and end: of that any number of points is read
-  --points N           of .h5 files, draw at most N splats that stand for all points
+  --append             with --convert: add them to those that the file has
+  --points N           of .h5 files, draw at most N splats that stand for all points (4 million): of
+                       files with more points those that the camera needs
 
 What comes out
   --output F.png       write a picture and end; without it a window opens where there is a
@@ -399,6 +406,7 @@ Examples
   splatview scans.ply --project --output scans.png
   splatview flow.vtp --array pressure --scalar-bar
   splatview --convert scan1.ply scan2.ply --output scans.h5
+  splatview --convert scan3.ply --append --output scans.h5
   splatview scans.h5 --points 1000000
   splatview tank.vtp --particles --opacity 0.5 --array velocity
   splatview before.ply after.ply --color '#5588ee;1,.6,.2'

@@ -38,8 +38,9 @@ struct Options
   std::string Normals = "keep";
   double RadiusScale = 1.0;
   int Frames = 5;
-  long MostPoints = 0; // of .h5 files; 0: all
+  long MostPoints = 0; // of .h5 files; 0: as many as are usual
   bool Convert = false;
+  bool AppendToFile = false; // to the file that is converted to
   bool Particles = false;
   bool Project = false;
   bool ScalarBar = false;

@@ -205,6 +205,12 @@ std::map<std::string, ReadFunction> GetReaders(long mostPoints)
 }
 
 //------------------------------------------------------------------------------
+bool IsOctree(const std::string& file)
+{
+  return Extension(file) == "h5";
+}
+
+//------------------------------------------------------------------------------
 std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> ReadFile(
   const std::string& file, bool quiet, long mostPoints)
 {

@@ -12,6 +12,9 @@
 
 class vtkDataSet;
 
+/// Whether the file's name is that of a file of points with levels of detail.
+bool IsOctree(const std::string& file);
+
 /**
  * What lies in the file, each a vtkImageData or a vtkPointSet with at least one
  * point, and its name: the file's, and of more than one the block's. Of .h5 files at most so many

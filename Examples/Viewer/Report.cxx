@@ -139,6 +139,8 @@ void WriteReport(const std::string& file, const Scene& scene, vtkRenderWindow* w
     out << separator << "    {\"name\": " << Quoted(surface.Name) << ", \"isovalue\": "
         << (surface.Isovalue ? Number(*surface.Isovalue) : "null")
         << ", \"points\": " << mapper->GetNumberOfSplats() - surface.NumberOfFillPoints
+        << ", \"points_in_file\": "
+        << (surface.Stream ? std::to_string(surface.Stream->GetNumberOfPointsInFile()) : "null")
         << ", \"fill_points\": " << surface.NumberOfFillPoints
         << ", \"skipped\": " << mapper->GetNumberOfSkippedPoints()
         << ", \"method\": " << Quoted(mapper->GetMethodUsed())

@@ -7,6 +7,7 @@
 #include "Progress.h"
 #include "Readers.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -25,6 +26,7 @@
 #include "vtkPointSplatProjection.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataAlgorithm.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
 #include "vtkScalarBarActor.h"
@@ -379,6 +381,52 @@ void AddPoints(Scene& scene, const Options& options, const std::string& name, vt
     }
   }
 }
+
+/**
+ * Of a large file, the coarsest splats at first: the camera is yet to be placed.
+ */
+void AddStream(Scene& scene, const Options& options, const std::string& name,
+  const std::shared_ptr<OctreeStream>& stream)
+{
+  vtkPolyData* coarsest = stream->GetSource()->GetOutput();
+  if (!options.Array.empty() && !coarsest->GetPointData()->GetArray(options.Array.c_str()))
+  {
+    throw NoSuchArray(name, options.Array, coarsest);
+  }
+  Surface& surface = AddSurface(scene, options, name, coarsest);
+  surface.Mapper->SetInputConnection(stream->GetSource()->GetOutputPort());
+  surface.Normals = "file";
+  surface.Stream = stream;
+}
+
+/**
+ * Now with what the camera sees.
+ */
+void ShowStreams(Scene& scene, const Options& options)
+{
+  for (Surface& surface : scene.Surfaces)
+  {
+    if (surface.Stream)
+    {
+      surface.Stream->SetCamera(scene.Renderer->GetActiveCamera(), options.Size.data());
+      ColourPoints(scene, options, surface, surface.Stream->GetSource()->GetOutput());
+    }
+  }
+  scene.Renderer->ResetCameraClippingRange();
+}
+
+vtkBoundingBox BoundsOfStreams(const Scene& scene)
+{
+  vtkBoundingBox box;
+  for (const Surface& surface : scene.Surfaces)
+  {
+    if (surface.Stream)
+    {
+      box.AddBox(surface.Stream->GetBoundsInFile());
+    }
+  }
+  return box;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -421,6 +469,11 @@ Scene Scene::Make(const Options& options)
   }
   for (const std::string& file : options.Files)
   {
+    if (const std::shared_ptr<OctreeStream> stream = OpenStream(file, options))
+    {
+      AddStream(scene, options, file.substr(file.find_last_of("/\\") + 1), stream);
+      continue;
+    }
     for (const auto& [name, data] : ReadFile(file, options.Quiet, options.MostPoints))
     {
       if (vtkImageData* volume = vtkImageData::SafeDownCast(data))
@@ -433,7 +486,8 @@ Scene Scene::Make(const Options& options)
       }
     }
   }
-  PlaceCamera(scene.Renderer, own.Camera);
+  PlaceCamera(scene.Renderer, own.Camera, BoundsOfStreams(scene));
+  ShowStreams(scene, options);
   if (options.Shadows > 0)
   {
     AddLamp(scene.Renderer);

@@ -4,6 +4,7 @@
 #ifndef Scene_h
 #define Scene_h
 
+#include "OctreeFiles.h"
 #include "Options.h"
 
 #include "vtkActor.h"
@@ -11,6 +12,7 @@
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +30,8 @@ struct Surface
   vtkIdType NumberOfFillPoints = 0;
   vtkSmartPointer<vtkActor> Actor;
   vtkSmartPointer<vtkPointSplatMapper> Mapper;
+  /// Where the mapper's input depends on the camera; else none.
+  std::shared_ptr<OctreeStream> Stream;
 };
 
 struct Scene

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Session.h"
 
+#include "Messages.h"
+
+#include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkHardwareSelector.h"
@@ -27,6 +30,9 @@ namespace
 constexpr size_t MostLegendEntries = 16;
 // Of an array with more components the first ones are told.
 constexpr int MostComponents = 9;
+constexpr unsigned long TimerPeriod = 50; // milliseconds
+// What a user does not notice who begins to move meanwhile.
+constexpr double PrefetchSeconds = 0.02;
 
 std::string NameOf(const std::string& file)
 {
@@ -122,6 +128,65 @@ void Session::AddLegend()
   legend->SetBackgroundColor(0.1, 0.1, 0.1);
   legend->PickableOff();
   this->Shown->Renderer->AddViewProp(legend);
+}
+
+//------------------------------------------------------------------------------
+void Session::StartFollowing()
+{
+  const std::vector<Surface>& surfaces = this->Shown->Surfaces;
+  this->IsFollowing = std::any_of(surfaces.begin(), surfaces.end(),
+    [](const Surface& surface) { return static_cast<bool>(surface.Stream); });
+  if (this->IsFollowing)
+  {
+    this->Interactor->CreateRepeatingTimer(TimerPeriod);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Session::OnTimer()
+{
+  // Not the superclass's: it would go on turning at each of the timer's beats.
+  if (this->IsFollowing && this->State == VTKIS_NONE)
+  {
+    this->FollowCamera();
+  }
+}
+
+//------------------------------------------------------------------------------
+void Session::FollowCamera()
+{
+  vtkRenderer* renderer = this->Shown->Renderer;
+  const vtkMTimeType moved = renderer->GetActiveCamera()->GetMTime();
+  if (moved != this->Moved)
+  {
+    // A wheel that turns comes to rest between its clicks, but not for long.
+    this->Moved = moved;
+    return;
+  }
+  const int* size = renderer->GetRenderWindow()->GetSize();
+  bool behind = false;
+  for (const Surface& surface : this->Shown->Surfaces)
+  {
+    behind = (surface.Stream && surface.Stream->Follow(size)) || behind;
+  }
+  if (behind)
+  {
+    renderer->ResetCameraClippingRange();
+    this->Interactor->Render();
+    const std::string error = MessageKeeper::TakeError();
+    if (!error.empty())
+    {
+      std::fprintf(stderr, "splatview: %s\n", error.c_str());
+    }
+    return;
+  }
+  for (const Surface& surface : this->Shown->Surfaces)
+  {
+    if (surface.Stream && surface.Stream->Prefetch(PrefetchSeconds))
+    {
+      return;
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

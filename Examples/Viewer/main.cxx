@@ -99,12 +99,19 @@ int ShowMessages()
 void PrintSummary(
   const Scene& scene, const std::vector<double>& milliseconds, const std::string& output)
 {
+  vtkIdType splats = 0;
   vtkIdType points = 0;
   for (const Surface& surface : scene.Surfaces)
   {
-    points += surface.Mapper->IsProgressing()
+    const vtkIdType own = surface.Mapper->IsProgressing()
       ? vtkDataSet::SafeDownCast(surface.Mapper->GetInputDataObject(0, 0))->GetNumberOfPoints()
       : surface.Mapper->GetNumberOfSplats() - surface.NumberOfFillPoints;
+    splats += own;
+    points += surface.Stream ? surface.Stream->GetNumberOfPointsInFile() : own;
+  }
+  if (splats < points)
+  {
+    std::printf("%lld splats for ", static_cast<long long>(splats));
   }
   std::printf("%lld points in %zu surface%s, %s by %s", static_cast<long long>(points),
     scene.Surfaces.size(), scene.Surfaces.size() == 1 ? "" : "s",
@@ -159,6 +166,7 @@ int Run(const Options& options)
     style->SetScene(scene, options.Quiet);
     // Else the first frame would show all of a large cloud, when that is there.
     interactor->Initialize();
+    style->StartFollowing();
   }
   window->Render();
   if (ShowMessages() != 0)

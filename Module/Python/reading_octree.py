@@ -34,6 +34,7 @@ def read(path, box=None, spacing=None):
         raise ImportError(f"{path}: this build of pointsplatting has no HDF5. Read it where "
                           "pointsplatting was built against an installed VTK.")
     reader = pointsplatting.vtkPointSplatOctreeReader()
+    reader.SetCacheSize(0)  # it reads once
     if box is not None:
         reader.SetBounds(box)
     return run_reader(reader, path)

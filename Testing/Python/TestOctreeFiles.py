@@ -7,63 +7,16 @@ TestOctreeFiles.py, with the package pointsplatting to be found.
 """
 import os
 import random
-import shutil
-import tempfile
-import unittest
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import (
-    vtkBitArray, vtkFileOutputWindow, vtkLogger, vtkOutputWindow, vtkPoints, vtkStringArray)
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkWindowToImageFilter
 import pointsplatting
 
-FAR = 1e6  # of the torus, so that floats would not hold its coordinates
-COUNT = 60000
-vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)  # errors are read from a file
-
-
-def torus(count=COUNT, seed=1):
-    draws = np.random.default_rng(seed)
-    u, v = 2 * np.pi * draws.random((2, count))
-    out = np.stack([np.cos(v) * np.cos(u), np.cos(v) * np.sin(u), np.sin(v)], 1)
-    ring = np.stack([np.cos(u), np.sin(u), 0 * u], 1)
-    data = vtkPolyData()
-    points = vtkPoints()
-    points.SetData(numpy_to_vtk(ring + 0.4 * out + FAR, deep=1))
-    data.SetPoints(points)
-    for name, values in (("Normals", out.astype(np.float32)), ("a/b", np.arange(count, dtype="i2")),
-                         ("pair", draws.random((count, 2), "f4")), ("height", out[:, 2])):
-        array = numpy_to_vtk(values, deep=1)
-        array.SetName(name)
-        data.GetPointData().AddArray(array)
-    data.GetPointData().SetActiveNormals("Normals")
-    data.GetPointData().SetActiveScalars("height")
-    data.GetPointData().GetArray("pair").SetComponentName(1, "second")
-    texts, bits = vtkStringArray(), vtkBitArray()
-    texts.SetName("texts")
-    bits.SetName("bits")
-    for i in range(count):
-        texts.InsertNextValue(f"point {i} ö")
-        bits.InsertNextValue(i % 3 == 0)
-    data.GetPointData().AddArray(texts)
-    data.GetPointData().AddArray(bits)
-    field = numpy_to_vtk(np.array([[1.5, 2.5, 3.5]]), deep=1)
-    field.SetName("SensorPosition")
-    data.GetFieldData().AddArray(field)
-    return data
-
-
-def arrays(data):
-    return [data.GetPointData().GetArrayName(i)
-            for i in range(data.GetPointData().GetNumberOfArrays())]
-
-
-def positions(data):
-    return vtk_to_numpy(data.GetPoints().GetData())
+from octree_tools import COUNT, FAR, OctreeTest, arrays, main, positions, torus
 
 
 def picture(data):
@@ -91,43 +44,7 @@ def picture(data):
     return pixels
 
 
-class TestOctreeFiles(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.mkdtemp()
-        self.addCleanup(shutil.rmtree, self.folder)
-        self.name = os.path.join(self.folder, "cloud.h5")
-        self.log = os.path.join(self.folder, "log")
-        output = vtkFileOutputWindow()
-        output.SetFileName(self.log)
-        output.FlushOn()
-        before = vtkOutputWindow.GetInstance()
-        vtkOutputWindow.SetInstance(output)
-        self.addCleanup(vtkOutputWindow.SetInstance, before)
-
-    def said(self):
-        """What VTK has said since the last time."""
-        if not os.path.exists(self.log):
-            return ""
-        with open(self.log, "r+", encoding="utf-8") as file:
-            text = file.read()
-            file.truncate(0)
-        return text
-
-    def write(self, data, name=None):
-        writer = pointsplatting.vtkPointSplatOctreeWriter()
-        writer.SetFileName(self.name if name is None else name)
-        writer.SetInputData(data)
-        return writer.Write(), writer
-
-    def read(self, most=0, bounds=None, name=None):
-        reader = pointsplatting.vtkPointSplatOctreeReader()
-        reader.SetFileName(self.name if name is None else name)
-        reader.SetMaximumNumberOfPoints(most)
-        if bounds:
-            reader.SetBounds(bounds)
-        reader.Update()
-        return reader.GetOutput(), reader
-
+class TestOctreeFiles(OctreeTest):
     def test_all_comes_back(self):
         whole = torus()
         written, writer = self.write(whole)
@@ -170,6 +87,19 @@ class TestOctreeFiles(unittest.TestCase):
             self.assertGreater(psnr, least, most)
         # There is nothing coarser than the coarsest.
         self.assertEqual(self.read(1)[0].GetNumberOfPoints(), self.read(2)[0].GetNumberOfPoints())
+
+    def test_normals_without_a_name(self):
+        """Those of levels have one; where points and levels are read both are normals."""
+        whole = torus()
+        whole.GetPointData().GetNormals().SetName("")
+        self.write(whole)
+        for most in (0, COUNT // 2, 800):
+            read, _ = self.read(most)
+            normals = read.GetPointData().GetNormals()
+            self.assertIsNotNone(normals, most)
+            self.assertEqual(normals.GetNumberOfTuples(), read.GetNumberOfPoints())
+            lengths = np.linalg.norm(vtk_to_numpy(normals), axis=1)
+            np.testing.assert_allclose(lengths, 1, atol=1e-5)
 
     def test_bounds(self):
         whole = torus()
@@ -318,7 +248,4 @@ class TestOctreeFiles(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if not hasattr(pointsplatting, "vtkPointSplatOctreeReader"):
-        print("SKIPPED: this VTK has no HDF5")
-    else:
-        unittest.main()
+    main()

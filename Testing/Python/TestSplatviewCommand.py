@@ -17,11 +17,11 @@ OPTIONS = (
     "--iso --particles --spacing --magnify --array --normals --project --radius-scale --color --opacity"
     " --background --camera --size --scalar-bar --unlit --lit --shadows --target-error --method"
     " --transparency --layers --projection --output --json --frames --quiet --help --version"
-    " --convert --points"
+    " --append --convert --points"
 ).split()
 FLAGS = {
     "--particles", "--project", "--scalar-bar", "--unlit", "--lit", "--quiet", "--help", "--version",
-    "--convert"
+    "--append", "--convert"
 }  # fmt: skip
 
 # A tetrahedron's corners, with its outward normals.
@@ -42,7 +42,7 @@ BAD_OPTIONS = (
     "--camera 0,0,0", "--camera 0,0,0,0,0,0,0,0,1", "--camera 0,0,0,0,0,1,0,0,2",
     "--camera 0,0,0,0,0,1,0,1,0,180", "--size 10", "--size 0x10", "--size 10x10x10",
     "--size 99999x1", "--target-error 2", "--target-error -1", "--method best", "--transparency x", "--layers 0", "--shadows 0",
-    "--points 0", "--convert",
+    "--points 0", "--append", "--convert",
     "--projection x", "--output o.jpg", "--output .png",
     "--output no/such/folder/o.png", "--json no/such/folder/r.json", "--frames 0",
     "--quiet=yes", "--scalar-bar", "--array nosuch", "--iso 5", "--particles=yes", "--unlit=yes",

@@ -381,44 +381,6 @@ class TestPoints(SplatviewTest):
 
 
 class TestMeshes(SplatviewTest):
-    def test_octree_files(self):
-        """Written of two files of other formats, drawn as they are, whole and by few splats."""
-        lines = globe().splitlines()
-        self.write("one.xyz", "\n".join(lines[::2]) + "\n")
-        self.write("two.csv", "x,y,z,nx,ny,nz\n" + "\n".join(
-            ",".join(line.split()[:6]) for line in lines[1::2]) + "\n")
-        done = self.run_splatview("--convert", "one.xyz", "two.csv", "--output", "both.h5")
-        if "without HDF5" in done.stderr:
-            self.skipTest("this VTK has no HDF5")
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertEqual(done.stdout, f"{len(lines)} points in 2 pieces, written to both.h5\n")
-        self.assertFalse(os.path.exists(self.path("both.h5.part")))
-        self.write("whole.xyz", globe())
-        _, expected = self.draw("whole.xyz", "--color", "white")
-        report, picture = self.draw("both.h5", "--color", "white")
-        self.assertEqual(report["surfaces"][0]["points"], len(lines))
-        self.assertLess(picture.difference(expected), 1)
-        few = len(lines) // 3
-        report, picture = self.draw("both.h5", "--color", "white", "--points", few)
-        self.assertLessEqual(report["surfaces"][0]["points"], few)
-        self.assertLess(picture.difference(expected), 4)
-
-    def test_what_is_not_converted(self):
-        self.write("one.xyz", globe())
-        self.write("no.h5", "1 2 3\n")
-        for arguments, what in (
-                (("--convert", "one.xyz"), "--convert: needs files, and --output"),
-                (("--convert", "--output", "a.h5"), "--convert: needs files, and --output"),
-                (("one.xyz", "--output", "a.h5"), "does not end in .png"),
-                (("--convert", "one.xyz", "no.xyz", "--output", "a.h5"), "no.xyz: cannot be opened"),
-                (("--convert", "one.xyz", "--output", "no/a.h5"), "no/a.h5: cannot be written"),
-                (("no.h5",), "no HDF5"), (("one.xyz", "--points", "0"), "--points")):
-            with self.subTest(arguments):
-                done = self.run_splatview(*arguments)
-                self.assertEqual(done.returncode, 2, done.stderr)
-                self.assertIn(what, done.stderr)
-        self.assertEqual(sorted(os.listdir(self.folder)), ["no.h5", "one.xyz"])
-
     def test_normals_from_triangles(self):
         sphere = vtkSphereSource()
         sphere.SetThetaResolution(40)

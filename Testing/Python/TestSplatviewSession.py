@@ -208,6 +208,33 @@ class TestSession(SplatviewTest):
                 viewer, "colours.xyz: point 220, at 10 10 0, (.*, )?RGB 110 60 7(, .*)?\nno point here\n"
             )
 
+    def test_a_large_file_follows_the_camera(self):
+        """Without a move of the user's there are smaller splats after the wheel has turned."""
+        self.write("large.xyz", "".join(
+            f"{0.01 * (i % 300)} {0.01 * (i // 300)} 0 0 0 1\n" for i in range(80000)
+        ))  # fmt: skip
+        done = self.run_splatview("--convert", "large.xyz", "--output", "large.h5")
+        if "without HDF5" in done.stderr:
+            self.skipTest("this VTK has no HDF5")
+        with self.session("--points", "5000", files=["large.h5"]) as viewer:
+            hands = self.display.hands
+            self.assertRegex(self.first_line, "^[0-9]+ splats for 80000 points in ")
+            hands("mousemove", "--window", self.window, 100, 60)  # above what is told
+            self.settled()
+            hands("key", "p")
+            self.settled()
+            for _ in range(12):
+                hands("click", 4)  # the wheel, nearer
+            self.settled()
+            hands("key", "p")
+            self.settled()
+            hands("key", "q")
+            out, err = viewer.communicate(timeout=60)
+            self.assertEqual((viewer.returncode, err), (0, ""))
+            radii = [float(r) for r in re.findall("SplatRadius ([-+.0-9e]+)", out)]
+            self.assertEqual(len(radii), 2, out)
+            self.assertLess(radii[1], 0.7 * radii[0])
+
     def test_a_legend_for_several_files(self):
         self.write("other.xyz", globe().replace("\n", " \n"))
         pictures = {}
