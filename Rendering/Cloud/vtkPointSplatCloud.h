@@ -135,11 +135,17 @@ public:
   ///@{
   /**
    * What splats are made from: an input with another key gets other splats. IsMadeFrom(): Update()
-   * would keep these. Adopt() says that they were made from a copy of what has the key.
+   * would keep these. Adopt() says that they were made from a copy of what has these keys.
    */
   static Key KeyOf(const vtkPointSplatCloudInput& input);
+  /// What must stay for splats to be moved along.
+  static Key StayingKeyOf(const vtkPointSplatCloudInput& input);
   bool IsMadeFrom(const vtkPointSplatCloudInput& input) const;
-  void Adopt(Key key) { this->SplatsMadeFrom = std::move(key); }
+  void Adopt(Key key, Key staying)
+  {
+    this->SplatsMadeFrom = std::move(key);
+    this->StaysFrom = std::move(staying);
+  }
   ///@}
 
   /**
@@ -339,7 +345,6 @@ private:
   bool CanHaveLevels();
   /// Whether there are levels that were not there before.
   bool TakeLevels(bool wait);
-  /// What must stay for splats to be moved along; nothing: they cannot be.
   static Key StayingKey(const std::vector<Block>& blocks);
   /// False where some block has points that are not drawn, or what is given says more than radii.
   static bool CanMove(const std::vector<Block>& blocks);

@@ -61,6 +61,13 @@ vtkPointSplatCloud::Key vtkPointSplatCloud::StayingKey(const std::vector<Block>&
 }
 
 //------------------------------------------------------------------------------
+vtkPointSplatCloud::Key vtkPointSplatCloud::StayingKeyOf(const vtkPointSplatCloudInput& input)
+{
+  return vtkPointSplatCloud::StayingKey(
+    vtkPointSplatCloud::VisibleOf(input, vtkPointSplatCloud::Gather(input.Data)));
+}
+
+//------------------------------------------------------------------------------
 bool vtkPointSplatCloud::CanMove(const std::vector<Block>& blocks)
 {
   return std::all_of(blocks.begin(), blocks.end(), [](const Block& block) {
@@ -90,13 +97,18 @@ bool vtkPointSplatCloud::Follow(const vtkPointSplatCloudInput& input)
     return true;
   }
   const bool drawsAll = this->Count > 0 && this->Circular && !this->Projected && this->Skipped == 0 &&
-    this->Unused == 0 && !input.Whole;
+    this->Unused == 0;
   // Settings are the same, and so is all but where points are.
   if (!input.FollowMotion || !drawsAll || this->SplatsMadeFrom.empty() ||
     !this->IsMadeFrom(input, this->SplatsMadeFrom) ||
     vtkPointSplatCloud::StayingKey(blocks) != this->StaysFrom || !vtkPointSplatCloud::CanMove(blocks))
   {
     return false;
+  }
+  // As many points in each, perhaps in other data sets.
+  for (size_t b = 0; b < blocks.size(); ++b)
+  {
+    this->Blocks[b].Data = blocks[b].Data;
   }
   if (!this->Motion.HasBegun())
   {

@@ -126,7 +126,6 @@ class vtkPointSplatDrafts::Task
 public:
   Task(Part part, vtkPointSet* data, const vtkPointSplatCloudInput& input, bool levels)
     : OfPart(std::move(part))
-    , MadeFrom(data)
   {
     this->Input.Data = this->Copy = CopyForThread(data);
     this->Input.Owner = this->Owner;
@@ -190,8 +189,10 @@ public:
     }
   }
 
-  Part OfPart;           // none: of all
-  vtkPointSet* MadeFrom; // a part's, or the input's
+  Part OfPart; // none: of all
+  // Of all: what it is made from.
+  vtkPointSplatCloud::Key MadeFrom;
+  vtkPointSplatCloud::Key StaysFrom;
   CloudPointer Cloud{ new vtkPointSplatCloud };
   std::atomic<double> Progress{ 0.0 };
 
@@ -348,15 +349,30 @@ bool vtkPointSplatDrafts::Update(
     return false;
   }
   const vtkPointSplatCloud::Key key = vtkPointSplatCloud::KeyOf(input);
-  const bool same = this->Draft && key == this->MadeFrom &&
-    input.NeedSizes == this->Input.NeedSizes && input.ProjectNoise == this->Input.ProjectNoise &&
-    input.FillGaps == this->Input.FillGaps && input.FillMeshGaps == this->Input.FillMeshGaps;
+  const bool alike = this->Draft && input.NeedSizes == this->Input.NeedSizes &&
+    input.ProjectNoise == this->Input.ProjectNoise && input.FillGaps == this->Input.FillGaps &&
+    input.FillMeshGaps == this->Input.FillMeshGaps;
+  const bool same = alike && key == this->MadeFrom;
+  const bool moved = alike && !same && this->IsMoved(input);
   this->Input = input;
   this->Data = static_cast<vtkPointSet*>(input.Data);
-  if (!same)
+  if (moved)
+  {
+    ++this->Moves;
+    if (this->Work && !this->IsWhole(*this->Work))
+    {
+      this->Work.reset();
+    }
+    this->MadeFrom = key;
+    this->Rested = false;
+    this->Drawn = vtkPointSplatDrafts::Choose(this->Data, static_cast<vtkIdType>(this->Drawn.Ids.size()));
+    this->DataTime = this->Data->GetMTime();
+  }
+  else if (!same)
   {
     this->Stop();
     this->MadeFrom = key;
+    this->StaysFrom = vtkPointSplatCloud::StayingKeyOf(input);
     if (auto algorithm = vtkAlgorithm::SafeDownCast(input.Owner))
     {
       algorithm->SetAbortExecute(0); // of a time before, as executives do
@@ -384,7 +400,18 @@ bool vtkPointSplatDrafts::Update(
     this->Stop();
     return false;
   }
+  // Once may be by chance.
+  if (this->Moves > 1 && !this->Work && !this->GivenUp)
+  {
+    this->BeginWhole();
+  }
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatDrafts::IsMoved(const vtkPointSplatCloudInput& input) const
+{
+  return input.FollowMotion && vtkPointSplatCloud::StayingKeyOf(input) == this->StaysFrom;
 }
 
 //------------------------------------------------------------------------------
@@ -394,13 +421,21 @@ void vtkPointSplatDrafts::Begin()
   const vtkIdType count = Growth * static_cast<vtkIdType>(this->Drawn.Ids.size());
   if (2 * count > n)
   {
-    this->Work.reset(new Task(Part(), this->Data, this->Input, this->Draft->AreLevelsWanted()));
+    this->BeginWhole();
     return;
   }
   Part part = vtkPointSplatDrafts::Choose(this->Data, count);
   vtkPointSet* data = part.Data;
   vtkPointSplatCloudInput input = this->InputOf(part);
   this->Work.reset(new Task(std::move(part), data, input, false));
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatDrafts::BeginWhole()
+{
+  this->Work.reset(new Task(Part(), this->Data, this->Input, this->Draft->AreLevelsWanted()));
+  this->Work->MadeFrom = this->MadeFrom;
+  this->Work->StaysFrom = this->StaysFrom;
 }
 
 //------------------------------------------------------------------------------
@@ -415,7 +450,7 @@ void vtkPointSplatDrafts::TakeOver(CloudPointer& cloud)
   this->Work->Wait();
   if (this->IsWhole(*this->Work))
   {
-    this->Work->Cloud->Adopt(this->MadeFrom);
+    this->Work->Cloud->Adopt(std::move(this->Work->MadeFrom), std::move(this->Work->StaysFrom));
     cloud = std::move(this->Work->Cloud);
     this->Work->Cloud.reset(new vtkPointSplatCloud);
     this->Work->Repeat(this->Input.Owner);
@@ -423,7 +458,8 @@ void vtkPointSplatDrafts::TakeOver(CloudPointer& cloud)
     return;
   }
   this->Drawn = std::move(this->Work->OfPart);
-  this->Work->Cloud->Adopt(vtkPointSplatCloud::KeyOf(this->InputOf(this->Drawn)));
+  const vtkPointSplatCloudInput input = this->InputOf(this->Drawn);
+  this->Work->Cloud->Adopt(vtkPointSplatCloud::KeyOf(input), vtkPointSplatCloud::StayingKeyOf(input));
   this->Draft = std::move(this->Work->Cloud);
   this->Work->Cloud.reset(new vtkPointSplatCloud);
   this->Work.reset();
@@ -467,6 +503,15 @@ bool vtkPointSplatDrafts::Advance(CloudPointer& cloud)
 }
 
 //------------------------------------------------------------------------------
+void vtkPointSplatDrafts::TakeMoving(CloudPointer& cloud)
+{
+  if (this->Moves > 0 && this->Work && this->IsWhole(*this->Work) && this->Work->IsReady())
+  {
+    this->TakeOver(cloud);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkPointSplatDrafts::Finish(CloudPointer& cloud)
 {
   if (this->Work && this->IsWhole(*this->Work))
@@ -483,6 +528,8 @@ void vtkPointSplatDrafts::Stop()
   this->Draft.reset();
   this->Drawn = Part();
   this->MadeFrom.clear();
+  this->StaysFrom.clear();
+  this->Moves = 0;
   this->GivenUp = this->Rested = false;
 }
 

@@ -9,12 +9,13 @@
 // 2. A thread makes the splats of Growth times as many, and again, and, where that would be more
 //    than half, of all; with levels (vtkPointSplatLevels.h), if the drafts' frames asked for
 //    them. It works on a copy of the arrays, so that whoever owns these may change them meanwhile.
-//    It begins when points stayed as they are for a while: those that change with every frame are
-//    drafts each time, and cost no copies.
+//    It begins when points stayed as they are for a while.
 // 3. What is ready is taken over between frames, by Advance(), which says that a new one is worth it.
+// 4. Points that move with every frame and may be followed (vtkPointSplatMotion.h): the draft follows, and the thread makes all
+//    splats of one of the frames, which then are moved to where points are.
 // Drafts have the colours, shadows' factors and coordinates of their points, and those points' ids.
 //
-// Where the cloud's own points, normals or sizes change, all begins anew.
+// Where the cloud's own points, normals or sizes change otherwise, all begins anew, and costs no copies while they do.
 #ifndef vtkPointSplatDrafts_h
 #define vtkPointSplatDrafts_h
 
@@ -56,6 +57,9 @@ public:
    */
   bool Advance(CloudPointer& cloud);
 
+  /// Takes the cloud itself over, if it is ready, of points that move.
+  void TakeMoving(CloudPointer& cloud);
+
   /// Ends drafts, and takes all that the thread makes, if that is the cloud itself.
   void Finish(CloudPointer& cloud);
   /// Ends drafts, and what is under way.
@@ -82,16 +86,21 @@ private:
   static void CopyArrays(vtkPointSet* from, Part& part);
   vtkPointSplatCloudInput InputOf(const Part& part) const;
   void Begin();
+  void BeginWhole();
+  /// Whether nothing but points and normals changed.
+  bool IsMoved(const vtkPointSplatCloudInput& input) const;
   bool IsWhole(const Task& task) const;
   void TakeOver(CloudPointer& cloud);
 
   vtkPointSplatCloudInput Input; // as it was last
   vtkWeakPointer<vtkPointSet> Data;
   vtkPointSplatCloud::Key MadeFrom;
+  vtkPointSplatCloud::Key StaysFrom;
   vtkMTimeType DataTime = 0; // when the part's arrays were copied
   Part Drawn;
   CloudPointer Draft;
   std::unique_ptr<Task> Work;
+  int Moves = 0; // frames in which points moved, one after the other
   bool Rested = false; // points stayed as they are from one Advance() to the next
   bool GivenUp = false;
 };

@@ -70,9 +70,13 @@ vtkPointSplatSettings vtkPointSplatSource::GetSettings(vtkRenderer* renderer, vt
 //------------------------------------------------------------------------------
 void vtkPointSplatSource::UpdateCloud(const vtkPointSplatCloudInput& input, bool mayBeDraft)
 {
-  if (mayBeDraft && !this->Cloud->Follow(input) && this->Drafts.Update(input, *this->Cloud))
+  if (mayBeDraft)
   {
-    return;
+    this->Drafts.TakeMoving(this->Cloud);
+    if (!this->Cloud->Follow(input) && this->Drafts.Update(input, *this->Cloud))
+    {
+      return;
+    }
   }
   this->Drafts.Finish(this->Cloud);
   this->Cloud->Update(input);

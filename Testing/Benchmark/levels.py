@@ -31,7 +31,8 @@ SCENES = {
     "noisy ball": rough,
     "painted torus": torus,
 }
-LONGEST_WAIT = 60.0  # seconds; where they are of no use they never come
+# Seconds, and seconds for each million points; where they are of no use they never come.
+LONGEST_WAIT = 60.0, 5.0
 
 
 def cloud(name, count):
@@ -106,7 +107,8 @@ class Drawing:
     def wait(self):
         """Draws until there are levels; the seconds it took, or None where there are none."""
         start = time.perf_counter()
-        while time.perf_counter() - start < LONGEST_WAIT:
+        points = self.mapper.GetInput().GetNumberOfPoints()
+        while time.perf_counter() - start < LONGEST_WAIT[0] + LONGEST_WAIT[1] * points / 1e6:
             self.renderer.GetActiveCamera().Azimuth(1e-6)
             self.window.Render()
             if "stand for others" in self.mapper.GetChoices():

@@ -111,7 +111,6 @@ def measure(name, count, options):
     rows["still"] = timed(drawing, 6, still)
     rows["first that moves"] = timed(drawing, 1, step(1))
     rows["moving"] = timed(drawing, 12, step(2))
-    print(drawing.mapper.GetChoices().split("levels: ")[1].split("\n")[0])
     drawing.mapper.FollowMotionOff()
     rows["moving, estimated anew"] = timed(drawing, 1, step(20))
     for row, (processor, wall) in rows.items():

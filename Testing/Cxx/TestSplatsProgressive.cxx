@@ -208,6 +208,49 @@ void TestLevelsAskFor(vtkPolyData* data)
   Expect(scene.Frames == 1, "one frame shows them");
 }
 
+/// Points that never rest are all drawn when the sizes of one frame's are there.
+void TestMoving(vtkPolyData* data)
+{
+  Scene scene(data, true);
+  vtkNew<vtkPoints> rest;
+  rest->DeepCopy(data->GetPoints());
+  const auto draw = [&](int frame) {
+    for (vtkIdType i = 0; i < rest->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      rest->GetPoint(i, p);
+      p[2] *= 1.0 + 0.1 * std::sin(0.05 * frame);
+      data->GetPoints()->SetPoint(i, p);
+    }
+    data->GetPoints()->Modified();
+    return scene.Win.Draw();
+  };
+  int frame = 0;
+  const auto begin = std::chrono::steady_clock::now();
+  do
+  {
+    draw(frame++);
+    if (frame == 1)
+    {
+      Expect(scene.Mapper->IsProgressing(), "a part is drawn while points move");
+    }
+  } while (scene.Mapper->IsProgressing() &&
+    std::chrono::steady_clock::now() - begin < std::chrono::minutes(3));
+  std::cout << "all that move after frames: " << frame << "\n";
+  for (int i = 0; i < 2; ++i)
+  {
+    const Picture moving = draw(frame++);
+    Expect(!scene.Mapper->IsProgressing() && scene.Tells("sizes of an earlier frame"), "all that move are drawn");
+    Scene script(data, false);
+    script.Win.Renderer->GetActiveCamera()->DeepCopy(scene.Win.Renderer->GetActiveCamera());
+    const double psnr = Psnr(moving, script.Win.Draw());
+    std::cout << "moving, against new sizes: " << psnr << " dB\n";
+    Expect(psnr > 40.0, "moving points look as with new sizes");
+  }
+  data->GetPoints()->DeepCopy(rest);
+  data->GetPoints()->Modified();
+}
+
 void TestChanges(vtkPolyData* data)
 {
   {
@@ -344,6 +387,7 @@ int TestSplatsProgressive(int, char*[])
   vtkSmartPointer<vtkPolyData> data = Torus(Enough);
   TestLevelsAskFor(data);
   TestCells(data);
+  TestMoving(data);
   TestChanges(data);
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

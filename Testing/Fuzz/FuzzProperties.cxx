@@ -122,6 +122,7 @@ void FuzzProperties::SetOwn(FuzzRandom& random, vtkPointSplatMapper* mapper)
   mapper->SetPickOpacityThreshold(random.Chance(0.8) ? 0 : random.Property(0, 1));
   mapper->SetKernel(random.Below(2));
   mapper->SetFillGaps(random.Chance(0.8));
+  mapper->SetFollowMotion(random.Chance(0.8));
   if (random.Chance(0.3))
   {
     mapper->SetKernelSigma(random.Property(0, 2));

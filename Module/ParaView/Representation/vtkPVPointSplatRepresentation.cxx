@@ -423,6 +423,12 @@ void vtkPVPointSplatRepresentation::SetAntiAliasing(bool smooth)
 }
 
 //------------------------------------------------------------------------------
+void vtkPVPointSplatRepresentation::SetFollowMotion(bool follow)
+{
+  this->SplatMapper->SetFollowMotion(follow);
+}
+
+//------------------------------------------------------------------------------
 void vtkPVPointSplatRepresentation::SetFillGaps(bool fill)
 {
   static_cast<vtkPVPointSplatGeometry*>(this->GeometryFilter)->SetFillGaps(fill);

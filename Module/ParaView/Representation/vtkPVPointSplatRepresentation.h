@@ -78,6 +78,7 @@ public:
   void SetAntiAliasing(bool smooth);
   void SetProjectNoise(bool project);
   void SetFillGaps(bool fill);
+  void SetFollowMotion(bool follow);
   void SetShadows(bool shadows);
   void SetNumberOfShadowSamples(int samples);
   void SetShadowLightRadius(double radius);
