@@ -332,11 +332,12 @@ public:
 
   ///@{
   /**
-   * Whether points that move keep the sizes that were estimated for them: where nothing but positions and
-   * normals changed, splats are moved along, turned and stretched as their neighbours say, as long as the surface
-   * is not sheared or bent by more than some 40 % (a square to a rectangle of 3 to 2) from where sizes were estimated, at 99 points in a hundred; then
-   * they are estimated anew, which takes ten times as long as to draw them. On by default. Off: each change of points is a cloud of its own.
-   * Points without normals, with other sizes than SplatRadius, that are projected, or of which some cannot be drawn, are never followed.
+   * Whether points that move keep the sizes that were estimated for them: where nothing but positions and normals
+   * changed, splats are moved along, turned and stretched as their neighbours are, unless more than one
+   * point in a hundred is strained by more than some 40 % (a square to a rectangle of 3 to 2) since; then
+   * sizes are estimated anew, which takes ten times as long as to draw them. On by default. Off: points that
+   * changed are a cloud of their own. Points without normals, with sizes other than SplatRadius, that are
+   * projected, or of which some cannot be drawn, are not followed.
    */
   vtkSetMacro(FollowMotion, bool);
   vtkGetMacro(FollowMotion, bool);

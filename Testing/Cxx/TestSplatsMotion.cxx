@@ -255,6 +255,11 @@ void TestNotFollowed(Checks& checks)
   differs("a stretch to three times the width");
   moving.To(Turned(5.0));
   following.Draw();
+  moving.To([](double p[3], double*) { p[0] = p[1] = p[2] = 0.0; });
+  following.Draw();
+  checks.Expect(!following.Follows(), "all points at one place were followed");
+  moving.To(Turned(5.0));
+  following.Draw();
   // The same points in another order.
   moving.To([&, i = vtkIdType(0)](double p[3], double n[3]) mutable {
     const vtkIdType other = (i++ * 7919) % data->GetNumberOfPoints();
