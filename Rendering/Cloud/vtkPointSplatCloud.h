@@ -100,8 +100,12 @@ public:
     vtkPointSplatBuffer Triangles{ GL_RGBA32UI };
     IdKind IdsAre = PointIds;
     vtkPointSplatHandle VertexArray{ vtkPointSplatHandle::VertexArray };
+    // Of which splats all this is, one after another, and where they are in it; null: of all.
+    std::shared_ptr<const vtkPointSplatRuns> Runs;
+    std::vector<vtkPointSplatRuns::Run> Resident;
+    vtkTimeStamp RunTime;
     vtkTimeStamp SplatTime;
-    std::vector<bool> Parts; // of vtkPointSplatMotion, that are there; none: all splats are
+    vtkTimeStamp ClipLineTime;
     vtkTimeStamp ColourTime;
     vtkTimeStamp ValueTime;
     vtkTimeStamp FactorTime;
@@ -159,16 +163,24 @@ public:
    * The buffers of the entered context, filled: in Morton order, or in that of the groups. With
    * ids of a kind, which are made at need.
    */
-  Buffers& Upload() { return this->Fill(this->PerContext, AllSplats); }
-  Buffers& UploadGrouped() { return this->Fill(this->GroupedPerContext, GroupedSplats); }
+  Buffers& Upload() { return this->Fill(this->PerContext, false); }
+  Buffers& UploadGrouped() { return this->Fill(this->GroupedPerContext, true); }
   Buffers& UploadIds(IdKind kind);
   ///@}
   ///@{
-  /// The same where only those splats are read that lie in the levels' blocks which MoveBlocks() was told of.
-  Buffers& UploadMoved() { return this->Fill(this->PerContext, MovedSplats); }
+  /**
+   * Whether buffers rather hold only those splats that a frame shows: all, with the levels', are more than a buffer holds, or
+   * only those are moved to where points are now. UploadRuns(): such buffers of the entered context, with ids of
+   * a kind, or of none. GetRunBuffers(): the same, whatever is in them.
+   */
+  bool AreStreamed() const;
+  Buffers& UploadRuns(const std::shared_ptr<const vtkPointSplatRuns>& runs, const IdKind* ids);
+  Buffers& GetRunBuffers() { return vtkPointSplatCloud::Find(this->RunsPerContext); }
+  ///@}
+  /// Whether buffers hold so many splats: shaders read two gigabytes of them, 67 million circles, and so do drivers.
+  bool Fits(vtkIdType splats) const;
   /// Brings the splats of some of the levels' blocks, and these blocks, to where points were moved to.
   void MoveBlocks(const std::vector<uint32_t>& blocks);
-  ///@}
 
   /// Makes the triangles between the splats, if that is not done.
   void MakeTriangles();
@@ -330,14 +342,10 @@ private:
   std::vector<uint32_t> MakeIds(IdKind kind) const;
   /// RGBA, 8 bits each, whether splats have colours or values.
   uint32_t ColourOf(vtkIdType splat) const;
-  enum Extent
-  {
-    AllSplats,
-    MovedSplats,
-    GroupedSplats
-  };
-  Buffers& Fill(ContextBuffers& all, Extent extent);
-  void FillSplats(Buffers& buffers, Extent extent);
+  /// Those of the entered context, which are made at need.
+  static Buffers& Find(ContextBuffers& all);
+  Buffers& Fill(ContextBuffers& all, bool grouped);
+  void UploadSome(const std::vector<uint32_t>& data, size_t words, const Buffers& buffers, vtkPointSplatBuffer& to);
   /// Widens Low and High by points' finite coordinates; the middle is the origin then.
   void AddRange(vtkDataArray* points);
   void ForgetRange();
@@ -429,6 +437,8 @@ private:
   vtkTimeStamp CoordinateTime;
   ContextBuffers PerContext;
   ContextBuffers GroupedPerContext;
+  ContextBuffers RunsPerContext;
+  std::vector<uint32_t> Some; // of what is uploaded for runs, so that memory stays
 };
 
 #endif

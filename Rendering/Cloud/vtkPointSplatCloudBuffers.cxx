@@ -7,8 +7,15 @@
 #include "vtkPointSet.h"
 #include "vtkPointSplatCoordinates.h"
 #include "vtkPointSplatPacking.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <cstddef>
+
+namespace
+{
+constexpr size_t MostWords = size_t(1) << 29;
+}
 
 //------------------------------------------------------------------------------
 std::vector<uint32_t> vtkPointSplatCloud::MakeIds(IdKind kind) const
@@ -35,9 +42,21 @@ std::vector<uint32_t> vtkPointSplatCloud::MakeIds(IdKind kind) const
 }
 
 //------------------------------------------------------------------------------
-vtkPointSplatCloud::Buffers& vtkPointSplatCloud::Fill(ContextBuffers& all, Extent extent)
+bool vtkPointSplatCloud::Fits(vtkIdType splats) const
 {
-  const bool grouped = extent == GroupedSplats;
+  return this->GetWordsPerSplat() * static_cast<size_t>(splats) < MostWords;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatCloud::AreStreamed() const
+{
+  return (this->Motion.HasBegun() && this->Levels.AreMade()) ||
+    !this->Fits(this->GetNumberOfStoredSplats());
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatCloud::Buffers& vtkPointSplatCloud::Find(ContextBuffers& all)
+{
   const vtkPointSplatContext& context = vtkPointSplatContext::Entered();
   all.remove_if([](const auto& entry) { return !entry.first.IsAlive(); });
   auto found = std::find_if(
@@ -49,8 +68,18 @@ vtkPointSplatCloud::Buffers& vtkPointSplatCloud::Fill(ContextBuffers& all, Exten
     found->first = context;
     found->second.VertexArray.Make();
   }
-  Buffers& buffers = found->second;
+  return found->second;
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatCloud::Buffers& vtkPointSplatCloud::Fill(ContextBuffers& all, bool grouped)
+{
+  Buffers& buffers = vtkPointSplatCloud::Find(all);
+  this->MoveAll();
   const vtkMTimeType order = grouped ? this->Groups.GetMTime() : 0;
+  // Where levels' splats do not fit, points alone.
+  const size_t splats = static_cast<size_t>(
+    this->Fits(this->GetNumberOfStoredSplats()) ? this->GetNumberOfStoredSplats() : this->Count);
   auto fill = [&](vtkPointSplatBuffer& buffer, vtkTimeStamp& filled, vtkMTimeType changed,
                 const std::vector<uint32_t>& data, size_t words) {
     if (std::max(changed, order) > filled)
@@ -61,12 +90,14 @@ vtkPointSplatCloud::Buffers& vtkPointSplatCloud::Fill(ContextBuffers& all, Exten
       }
       else
       {
-        buffer.Upload(data);
+        const size_t held = std::min({ data.size(), words * splats, MostWords });
+        buffer.Upload(data.data(), static_cast<GLsizeiptr>(sizeof(uint32_t) * held));
       }
       filled.Modified();
     }
   };
-  this->FillSplats(buffers, extent);
+  fill(buffers.Splats, buffers.SplatTime, this->SplatTime, this->Splats, this->GetWordsPerSplat());
+  fill(buffers.ClipLines, buffers.ClipLineTime, this->SplatTime, this->ClipLines, 4);
   fill(buffers.Colours, buffers.ColourTime, this->ColourTime, this->Colours, 1);
   if (this->ColourTime > buffers.ValueTime)
   {
@@ -84,62 +115,64 @@ vtkPointSplatCloud::Buffers& vtkPointSplatCloud::Fill(ContextBuffers& all, Exten
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatCloud::FillSplats(Buffers& buffers, Extent extent)
+vtkPointSplatCloud::Buffers& vtkPointSplatCloud::UploadRuns(
+  const std::shared_ptr<const vtkPointSplatRuns>& runs, const IdKind* ids)
 {
-  const size_t words = this->GetWordsPerSplat();
-  const bool some = extent == MovedSplats && !this->AllMoved;
-  if (!some)
-  {
-    this->MoveAll();
-  }
-  if (extent == GroupedSplats)
-  {
-    if (std::max(this->SplatTime.GetMTime(), this->Groups.GetMTime()) > buffers.SplatTime)
-    {
-      buffers.Splats.Upload(this->Groups.Ordered(this->Splats, words));
-      buffers.ClipLines.Upload(this->Groups.Ordered(this->ClipLines, 4));
-      buffers.SplatTime.Modified();
-    }
-    return;
-  }
-  const bool anew = this->SplatTime > buffers.SplatTime;
-  if (!some && (anew || !buffers.Parts.empty()))
-  {
-    buffers.Splats.Upload(this->Splats);
-    buffers.ClipLines.Upload(this->ClipLines);
-    buffers.Parts.clear();
-    buffers.SplatTime.Modified();
-    return;
-  }
+  Buffers& buffers = this->GetRunBuffers();
+  const bool anew = buffers.Runs != runs || this->GetMTime() > buffers.RunTime;
   if (anew)
   {
-    buffers.Splats.Reserve(static_cast<GLsizeiptr>(4 * this->Splats.size()));
-    buffers.ClipLines.Reserve(static_cast<GLsizeiptr>(4 * this->ClipLines.size()));
-    buffers.Parts.assign(this->Motion.GetNumberOfParts(), false);
-    buffers.SplatTime.Modified();
+    buffers.Runs = runs;
+    buffers.Resident = runs->Runs;
+    uint32_t first = 0;
+    for (vtkPointSplatRuns::Run& run : buffers.Resident)
+    {
+      run.First = first;
+      first += run.Count;
+    }
+    this->UploadSome(this->Splats, this->GetWordsPerSplat(), buffers, buffers.Splats);
+    this->UploadSome(this->ClipLines, 4, buffers, buffers.ClipLines);
+    this->UploadSome(this->Colours, 1, buffers, buffers.Colours);
+    this->UploadSome(this->Factors, 1, buffers, buffers.Factors);
+    this->UploadSome(this->Coordinates, vtkPointSplatCoordinates::Words, buffers, buffers.Coordinates);
+    this->UploadSome(this->Tangents, 1, buffers, buffers.Tangents);
+    buffers.ValueTable.Upload(this->ValueTable);
+    buffers.RunTime.Modified();
   }
-  // Parts that follow one another at once.
-  for (size_t part = 0; part < buffers.Parts.size(); ++part)
+  if (ids && (anew || buffers.IdTime < buffers.RunTime || buffers.IdsAre != *ids))
   {
-    const vtkPointSplatMotion::Part& first = this->Motion.GetPart(part);
-    size_t count = 0;
-    for (; part < buffers.Parts.size() && !buffers.Parts[part] && this->Motion.IsMoved(part) &&
-         this->Motion.GetPart(part).First == first.First + count;
-         ++part)
-    {
-      count += this->Motion.GetPart(part).Count;
-      buffers.Parts[part] = true;
-    }
-    if (count > 0)
-    {
-      --part; // the one that ended the run may begin another
-      buffers.Splats.Replace(words * first.First, this->Splats, words * count);
-      if (!this->ClipLines.empty())
-      {
-        buffers.ClipLines.Replace(4 * size_t(first.First), this->ClipLines, 4 * count);
-      }
-    }
+    this->UploadSome(this->MakeIds(*ids), 1, buffers, buffers.Ids);
+    buffers.IdsAre = *ids;
+    buffers.IdTime.Modified();
   }
+  return buffers;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatCloud::UploadSome(const std::vector<uint32_t>& data, size_t words,
+  const Buffers& buffers, vtkPointSplatBuffer& to)
+{
+  if (data.empty() || buffers.Resident.empty())
+  {
+    to.Upload(nullptr, 0);
+    return;
+  }
+  const vtkPointSplatRuns::Run& last = buffers.Resident.back();
+  const size_t size = std::min(words * (size_t(last.First) + last.Count), MostWords);
+  this->Some.resize(size);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(buffers.Resident.size()), 256, [&](vtkIdType begin, vtkIdType end) {
+    for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
+    {
+      const size_t from = words * buffers.Runs->Runs[i].First;
+      const size_t at = words * buffers.Resident[i].First;
+      // Splats of levels have no ids.
+      const size_t count = std::min({ words * buffers.Resident[i].Count,
+        data.size() - std::min(from, data.size()), size - std::min(at, size) });
+      std::copy_n(data.begin() + static_cast<std::ptrdiff_t>(std::min(from, data.size())), count,
+        this->Some.begin() + static_cast<std::ptrdiff_t>(std::min(at, size)));
+    }
+  });
+  to.Upload(this->Some);
 }
 
 //------------------------------------------------------------------------------
@@ -167,4 +200,5 @@ void vtkPointSplatCloud::Release(vtkOpenGLRenderWindow* window)
   auto belongs = [window](const auto& entry) { return entry.first.GetWindow() == window; };
   this->PerContext.remove_if(belongs);
   this->GroupedPerContext.remove_if(belongs);
+  this->RunsPerContext.remove_if(belongs);
 }

@@ -226,6 +226,10 @@ private:
       enlarged = follows ? 1.0f + std::sqrt(across / newSquares) : 1.0f;
       sums.Strained += follows ? 0 : 1;
     }
+    else
+    {
+      ++sums.Strained; // beside points in the same place nothing says how it moved
+    }
     const Turn turn(old, current, turning);
     // Points' own splats lie where these are.
     const glm::vec3 p = anchored.Now[k] + turn.Stretch * turn(PositionOf(own) - anchored.Rest[k]);

@@ -79,7 +79,6 @@ public:
   /// Takes the splats at rest, and ends.
   Splats Take();
   size_t GetNumberOfParts() const { return this->Parts.size(); }
-  const Part& GetPart(size_t part) const { return this->Parts[part]; }
 
   /**
    * Says where the blocks' points are now, relative to an origin. Not followed: they cannot be, since some

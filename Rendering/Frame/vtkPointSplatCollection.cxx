@@ -327,9 +327,10 @@ void vtkPointSplatCollection::UseLevels(
 {
   vtkPointSplatItem& item = entry.Item;
   item.Levels = vtkPointSplatLevelBounds();
+  const bool held = item.IsStreamed || item.Cloud->Fits(item.Cloud->GetNumberOfStoredSplats());
   // What textures need is known of points alone.
   if (choice.LevelPixels <= 0.0 || !item.Look.IsPlain() ||
-    !entry.Settings.LevelOfDetail)
+    !entry.Settings.LevelOfDetail || !held)
   {
     return;
   }
@@ -379,7 +380,7 @@ void vtkPointSplatCollection::UseTriangles(
   item.TrianglePixels = 0.0;
   // Looks and colours of cells are known of splats alone.
   if (entry.Settings.Hybrid == vtkPointSplatSettings::HybridOff || !item.Look.IsPlain() ||
-    item.IsPoints || cloud.HasCellColours())
+    item.IsPoints || cloud.HasCellColours() || !cloud.Fits(cloud.GetNumberOfStoredSplats()))
   {
     return;
   }

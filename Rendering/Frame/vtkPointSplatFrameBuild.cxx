@@ -251,6 +251,12 @@ bool vtkPointSplatFrame::Build(Pass& pass)
   }
   this->PrepareEnvironment(pass);
   this->Choose(pass);
+  for (vtkPointSplatEntry& entry : pass.Entries)
+  {
+    // Shadows' factors, and what is sorted, are in the order of all splats.
+    entry.Item.IsStreamed = entry.Item.Cloud->AreStreamed() && !entry.Settings.Shadows &&
+      pass.Sorted == vtkPointSplatFlat::None;
+  }
   window->GetShaderCache()->ReleaseCurrentShader();
   if (!this->CastShadows(pass))
   {

@@ -335,7 +335,9 @@ void vtkPointSplatFrameShadows::SetFactors(vtkPointSplatItem& item, bool shadows
   }
   else if (item.Cloud->GetFactorCount() > 0)
   {
-    item.Factors = grouped ? &item.Cloud->UploadGrouped().Factors : &item.Upload().Factors;
+    item.Factors = grouped ? &item.Cloud->UploadGrouped().Factors
+      : item.IsStreamed    ? &item.Cloud->GetRunBuffers().Factors // filled with the rest
+                           : &item.Cloud->Upload().Factors;
     item.FactorCount = item.Cloud->GetFactorCount();
     item.FactorDeviations = item.Cloud->GetFactorDeviations();
   }

@@ -56,15 +56,6 @@ void vtkPointSplatBuffer::Upload(const void* data, GLsizeiptr bytes)
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatBuffer::Replace(size_t first, const std::vector<uint32_t>& data, size_t count)
-{
-  glBindBuffer(GL_COPY_WRITE_BUFFER, this->Name.Get());
-  glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(sizeof(uint32_t) * first),
-    static_cast<GLsizeiptr>(sizeof(uint32_t) * count), data.data() + first);
-  glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
-}
-
-//------------------------------------------------------------------------------
 void vtkPointSplatBuffer::Download(void* data, GLsizeiptr bytes) const
 {
   glBindBuffer(GL_COPY_READ_BUFFER, this->Name.Get());

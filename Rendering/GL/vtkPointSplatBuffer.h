@@ -6,8 +6,6 @@
 
 #include "vtkPointSplatHandle.h"
 
-#include <cstddef>
-#include <cstdint>
 #include <vector>
 
 class vtkPointSplatBuffer
@@ -28,8 +26,6 @@ public:
   {
     this->Upload(data.data(), static_cast<GLsizeiptr>(sizeof(T) * data.size()));
   }
-  /// Puts some words of data where they are in data, into room that was reserved.
-  void Replace(size_t first, const std::vector<uint32_t>& data, size_t count);
   /// Reads from the beginning.
   void Download(void* data, GLsizeiptr bytes) const;
   /// Fills bytes from an offset on with a word.

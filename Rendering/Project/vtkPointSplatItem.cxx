@@ -43,7 +43,8 @@ bool vtkPointSplatItem::operator==(const vtkPointSplatItem& other) const
     this->FactorCount == other.FactorCount && this->FactorVersion == other.FactorVersion &&
     this->IsFlat == other.IsFlat && this->Look == other.Look &&
     this->IsPoints == other.IsPoints && this->Points == other.Points &&
-    this->Levels == other.Levels && this->TrianglePixels == other.TrianglePixels;
+    this->Levels == other.Levels && this->IsStreamed == other.IsStreamed &&
+    this->TrianglePixels == other.TrianglePixels;
 }
 
 //------------------------------------------------------------------------------
@@ -113,6 +114,15 @@ double vtkPointSplatItem::GetLargestRadius() const
 {
   return std::max({ this->Cloud->GetMaximumRadius(), this->UsualRadius,
     this->Runs ? this->Runs->LargestRadius : 0.0 });
+}
+
+//------------------------------------------------------------------------------
+vtkPointSplatCloud::Buffers& vtkPointSplatItem::Upload(const vtkPointSplatCloud::IdKind* ids) const
+{
+  // Triangles' corners are among all splats.
+  return this->IsStreamed && this->Runs && this->TrianglePixels == 0.0 ? this->Cloud->UploadRuns(this->Runs, ids)
+    : ids                                                              ? this->Cloud->UploadIds(*ids)
+                                                                       : this->Cloud->Upload();
 }
 
 //------------------------------------------------------------------------------

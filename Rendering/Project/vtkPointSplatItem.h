@@ -117,6 +117,7 @@ struct vtkPointSplatItem
   bool IsPoints = false;                      // projected as single pixels
   vtkPointSplatPoints Points;
   vtkPointSplatLevelBounds Levels;
+  bool IsStreamed = false;     // buffers hold only splats that were selected
   double TrianglePixels = 0.0; // where edges are longer, triangles are drawn; 0: nowhere
   /// Splats in view, which follow from the rest; null: those of all points.
   std::shared_ptr<const vtkPointSplatRuns> Runs;
@@ -149,11 +150,14 @@ struct vtkPointSplatItem
     return this->Levels.Pixels > 0.0 ||
       (this->TrianglePixels > 0.0 && this->Cloud->GetLevels().AreMade());
   }
-  /// The cloud's buffers, with the splats that were selected at least.
-  vtkPointSplatCloud::Buffers& Upload() const
+  ///@{
+  /// The cloud's buffers, with ids of a kind, or without; and where in them the selected splats are, if some are selected.
+  vtkPointSplatCloud::Buffers& Upload(const vtkPointSplatCloud::IdKind* ids = nullptr) const;
+  const std::vector<vtkPointSplatRuns::Run>& GetRunsIn(const vtkPointSplatCloud::Buffers& buffers) const
   {
-    return this->IsSelectedByLevels() ? this->Cloud->UploadMoved() : this->Cloud->Upload();
+    return buffers.Runs ? buffers.Resident : this->Runs->Runs;
   }
+  ///@}
   /// Splats of a block, as a power of two.
   int GetBlockShift() const
   {

@@ -10,14 +10,15 @@
 namespace
 {
 /// Runs of splats in view; those that follow each other make one.
-std::vector<std::pair<vtkIdType, vtkIdType>> RunsOf(const vtkPointSplatItem& item)
+std::vector<std::pair<vtkIdType, vtkIdType>> RunsOf(
+  const vtkPointSplatItem& item, const vtkPointSplatCloud::Buffers& buffers)
 {
   if (!item.Runs)
   {
     return { { 0, item.Cloud->GetNumberOfSplats() } };
   }
   std::vector<std::pair<vtkIdType, vtkIdType>> runs;
-  for (const vtkPointSplatRuns::Run& run : item.Runs->Runs)
+  for (const vtkPointSplatRuns::Run& run : item.GetRunsIn(buffers))
   {
     const vtkIdType first = run.First;
     const vtkIdType count = run.Count;
@@ -129,7 +130,7 @@ void vtkPointSplatQuads::Draw(
   const vtkPointSplatItem& item, vtkPointSplatCloud::Buffers& buffers,
   const vtkPointSplatBuffer* ids)
 {
-  for (const std::pair<vtkIdType, vtkIdType>& run : RunsOf(item))
+  for (const std::pair<vtkIdType, vtkIdType>& run : RunsOf(item, buffers))
   {
     vtkPointSplatQuads::Bind(item, buffers, ids, run.first);
     const vtkIdType stride = vtkIdType(1) << item.StrideShift;

@@ -79,7 +79,7 @@ bool vtkPointSplatPointSums::DrawAll(const vtkPointSplatRequest& request,
       return false;
     }
     vtkPointSplatCloud::Buffers& buffers =
-      identifies && !ofCells ? item.Cloud->UploadIds(request.Ids) : item.Upload();
+      item.Upload(identifies && !ofCells ? &request.Ids : nullptr);
     program.Use();
     vtkPointSplatQuads::SetUniforms(program, item, request.View, tagMask);
     units.Bind(program, "Splats", GL_TEXTURE_BUFFER, buffers.Splats.GetTexture());
@@ -88,7 +88,7 @@ bool vtkPointSplatPointSums::DrawAll(const vtkPointSplatRequest& request,
     program.Set("DrawListed", peel.Layer > 0);
     if (item.Runs)
     {
-      this->Blocks.Upload(item.Runs->Runs);
+      this->Blocks.Upload(item.GetRunsIn(buffers));
       this->Blocks.BindStorage(7);
     }
     if (listed)

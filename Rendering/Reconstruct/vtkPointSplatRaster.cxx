@@ -71,7 +71,7 @@ bool vtkPointSplatRaster::DrawAll(const vtkPointSplatRequest& request,
       return false;
     }
     vtkPointSplatCloud::Buffers& buffers =
-      identifies && !shows ? item.Cloud->UploadIds(request.Ids) : item.Upload();
+      item.Upload(identifies && !shows ? &request.Ids : nullptr);
     vtkPointSplatQuads::SetUniforms(*program, item, request.View, tagMask);
     program->Set(
       "Reach", sees ? vtkPointSplatReach::Disk : static_cast<float>(item.Kernel.Support));

@@ -134,7 +134,7 @@ bool vtkPointSplatTiles::Project(
       continue;
     }
     vtkPointSplatCloud::Buffers& buffers =
-      variant.Ids ? item.Cloud->UploadIds(request.Ids) : item.Upload();
+      item.Upload(variant.Ids ? &request.Ids : nullptr);
     item.SetUniforms(*program, request.View);
     program->Set("RecordCount", static_cast<unsigned int>(count));
     item.SetBlockUniforms(*program);
@@ -156,7 +156,7 @@ bool vtkPointSplatTiles::Project(
     units.Bind(*program, "Ids", GL_TEXTURE_BUFFER, variant.Ids ? buffers.Ids.GetTexture() : 0);
     if (item.Runs)
     {
-      this->Blocks.Upload(item.Runs->Runs);
+      this->Blocks.Upload(item.GetRunsIn(buffers));
       this->Blocks.BindStorage(7);
     }
     this->DispatchRecords(*program, variant, first, count);
@@ -187,7 +187,7 @@ bool vtkPointSplatTiles::ProjectTriangles(const vtkPointSplatRequest& request,
     }
     const vtkPointSplatBuffer& corners = item.Cloud->UploadTriangles();
     vtkPointSplatCloud::Buffers& buffers =
-      variant.Ids ? item.Cloud->UploadIds(request.Ids) : item.Upload();
+      item.Upload(variant.Ids ? &request.Ids : nullptr);
     item.SetUniforms(*program, request.View);
     program->Set("RecordCount", static_cast<unsigned int>(count));
     program->Set("TriangleCount", static_cast<unsigned int>(item.GetNumberOfTriangles()));

@@ -99,7 +99,8 @@ std::shared_ptr<const vtkPointSplatRuns> vtkPointSplatSelection::Runs(
     }
   }
   patches.AddTo(*list);
-  return list->Runs.size() == boxes.size() && list->Triangles.empty() ? nullptr : list;
+  const bool all = list->Runs.size() == boxes.size() && list->Triangles.empty();
+  return all && !item.IsStreamed ? nullptr : list;
 }
 
 //------------------------------------------------------------------------------
