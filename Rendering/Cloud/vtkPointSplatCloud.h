@@ -135,11 +135,17 @@ public:
   ///@{
   /**
    * What splats are made from: an input with another key gets other splats. IsMadeFrom(): Update()
-   * would keep these. Adopt() says that they were made from a copy of what has the key.
+   * would keep these. StayingKeyOf(): what must stay for them to be moved along. Adopt() says that they
+   * were made from a copy of what has the keys; without the second they are not moved along.
    */
   static Key KeyOf(const vtkPointSplatCloudInput& input);
+  static Key StayingKeyOf(const vtkPointSplatCloudInput& input);
   bool IsMadeFrom(const vtkPointSplatCloudInput& input) const;
-  void Adopt(Key key) { this->SplatsMadeFrom = std::move(key); }
+  void Adopt(Key key, Key stays = Key())
+  {
+    this->SplatsMadeFrom = std::move(key);
+    this->StaysFrom = std::move(stays);
+  }
   ///@}
 
   /**

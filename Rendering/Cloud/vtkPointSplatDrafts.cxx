@@ -357,6 +357,7 @@ bool vtkPointSplatDrafts::Update(
   {
     this->Stop();
     this->MadeFrom = key;
+    this->StaysFrom = vtkPointSplatCloud::StayingKeyOf(input);
     if (auto algorithm = vtkAlgorithm::SafeDownCast(input.Owner))
     {
       algorithm->SetAbortExecute(0); // of a time before, as executives do
@@ -415,7 +416,7 @@ void vtkPointSplatDrafts::TakeOver(CloudPointer& cloud)
   this->Work->Wait();
   if (this->IsWhole(*this->Work))
   {
-    this->Work->Cloud->Adopt(this->MadeFrom);
+    this->Work->Cloud->Adopt(this->MadeFrom, this->StaysFrom);
     cloud = std::move(this->Work->Cloud);
     this->Work->Cloud.reset(new vtkPointSplatCloud);
     this->Work->Repeat(this->Input.Owner);
@@ -483,6 +484,7 @@ void vtkPointSplatDrafts::Stop()
   this->Draft.reset();
   this->Drawn = Part();
   this->MadeFrom.clear();
+  this->StaysFrom.clear();
   this->GivenUp = this->Rested = false;
 }
 

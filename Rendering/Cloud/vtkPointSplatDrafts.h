@@ -88,6 +88,7 @@ private:
   vtkPointSplatCloudInput Input; // as it was last
   vtkWeakPointer<vtkPointSet> Data;
   vtkPointSplatCloud::Key MadeFrom;
+  vtkPointSplatCloud::Key StaysFrom;
   vtkMTimeType DataTime = 0; // when the part's arrays were copied
   Part Drawn;
   CloudPointer Draft;

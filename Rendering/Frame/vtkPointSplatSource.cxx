@@ -70,7 +70,12 @@ vtkPointSplatSettings vtkPointSplatSource::GetSettings(vtkRenderer* renderer, vt
 //------------------------------------------------------------------------------
 void vtkPointSplatSource::UpdateCloud(const vtkPointSplatCloudInput& input, bool mayBeDraft)
 {
-  if (mayBeDraft && !this->Cloud->Follow(input) && this->Drafts.Update(input, *this->Cloud))
+  if (mayBeDraft && this->Cloud->Follow(input))
+  {
+    // What is under way is of another time: nobody waits for it.
+    this->Drafts.Stop();
+  }
+  else if (mayBeDraft && this->Drafts.Update(input, *this->Cloud))
   {
     return;
   }
