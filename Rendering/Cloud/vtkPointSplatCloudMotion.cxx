@@ -98,6 +98,11 @@ bool vtkPointSplatCloud::Follow(const vtkPointSplatCloudInput& input)
   {
     return false;
   }
+  // Those that splats were made from may be gone.
+  for (size_t b = 0; b < blocks.size(); ++b)
+  {
+    this->Blocks[b].Data = blocks[b].Data;
+  }
   if (!this->Motion.HasBegun())
   {
     this->RestingRadius = this->MedianRadius;
@@ -164,23 +169,24 @@ std::vector<uint32_t> vtkPointSplatCloud::FindAnchors(const std::vector<uint32_t
 std::vector<vtkPointSplatMotion::Part> vtkPointSplatCloud::MakeParts(const std::vector<uint32_t>& anchors)
 {
   std::vector<vtkPointSplatMotion::Part> parts;
+  std::vector<vtkIdType> ends;
+  for (const Block& block : this->Blocks)
+  {
+    ends.push_back(block.First + block.Count);
+  }
   const auto add = [&](uint32_t first, uint32_t count) {
     const vtkIdType points = this->Count;
     for (uint32_t end = first + count; first < end;)
     {
       // A block of coarse splats may hold those of several blocks of the input.
-      uint32_t own = 0;
-      while (this->Blocks[own].First + this->Blocks[own].Count <= vtkIdType(anchors[first]))
-      {
-        ++own;
-      }
-      const vtkIdType last = this->Blocks[own].First + this->Blocks[own].Count;
+      const auto own = std::upper_bound(ends.begin(), ends.end(), vtkIdType(anchors[first]));
+      const vtkIdType last = *own;
       uint32_t next = first + 1;
       while (next < end && vtkIdType(anchors[next]) < last)
       {
         ++next;
       }
-      parts.push_back({ first, next - first, own, first < points });
+      parts.push_back({ first, next - first, static_cast<uint32_t>(own - ends.begin()), first < points });
       first = next;
     }
   };
