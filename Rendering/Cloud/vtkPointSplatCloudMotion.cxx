@@ -230,7 +230,7 @@ bool vtkPointSplatCloud::MoveTo(const std::vector<Block>& blocks)
   this->Origin = off <= size ? origin : this->Origin;
   vtkPointSplatMotion::Splats moved{ std::move(this->Splats), std::move(this->ClipLines) };
   const vtkPointSplatMotion::Outcome outcome =
-    this->Motion.MoveTo(std::move(moving), this->Origin, moved);
+    this->Motion.MoveTo(std::move(moving), this->Origin, this->Levels.AreMade(), moved);
   this->Splats = std::move(moved.Words);
   this->ClipLines = std::move(moved.Lines);
   for (size_t k = 0; k < 3; ++k)
@@ -239,8 +239,8 @@ bool vtkPointSplatCloud::MoveTo(const std::vector<Block>& blocks)
     this->Bounds[2 * k + 1] = this->High[k];
   }
   this->Stretch = outcome.Stretch;
-  this->MedianRadius = this->RestingRadius * outcome.Stretch;
-  this->MaximumRadius = this->LargestRestingRadius * outcome.LargestStretch;
+  this->MedianRadius = this->RestingRadius * outcome.Growth;
+  this->MaximumRadius = this->LargestRestingRadius * outcome.LargestGrowth;
   this->SplatTime.Modified();
   this->AllMoved = false;
   if (outcome.Followed && !this->Levels.AreMade())

@@ -67,8 +67,9 @@ public:
   struct Outcome
   {
     bool Followed = false;
-    double Stretch = 1.0;        // mean
-    double LargestStretch = 1.0; // of radii
+    double Stretch = 1.0; // mean
+    double Growth = 1.0;  // of radii, mean
+    double LargestGrowth = 1.0;
   };
 
   /// anchors: of each splat the splat of a point.
@@ -83,9 +84,11 @@ public:
 
   /**
    * Says where the blocks' points are now, relative to an origin. Not followed: they cannot be, since some
-   * coordinates, normals or radii are not finite or zero, or by strain, where splats have sizes. moved gets room for all splats.
+   * coordinates, normals or radii are not finite or zero, or by strain, where sizes were estimated, or layered says that
+   * splats stand for others, which must stay together. moved gets room for all splats.
    */
-  Outcome MoveTo(std::vector<Block> blocks, const std::array<double, 3>& origin, Splats& moved);
+  Outcome MoveTo(
+    std::vector<Block> blocks, const std::array<double, 3>& origin, bool layered, Splats& moved);
   /// Moves those of some parts that were not.
   void Move(const std::vector<uint32_t>& parts, Splats& moved);
   bool IsMoved(size_t part) const { return this->Moved[part] != 0; }
