@@ -6,14 +6,19 @@
 #include "PickedPoints.h"
 #include "RimmedDisc.h"
 
+#include "vtkCallbackCommand.h"
+#include "vtkGenericRenderWindowInteractor.h"
 #include "vtkLight.h"
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkPlaneSource.h"
 #include "vtkTestErrorObserver.h"
 #include "vtkTransform.h"
 
+#include <chrono>
 #include <functional>
 #include <string>
+#include <thread>
 
 namespace
 {
@@ -454,6 +459,44 @@ void TestMixed(Checks& checks)
   checks.AtLeast(Psnr(scene.Win.Draw(), scene.DrawAll()), 40.0, "points that were mixed, against all");
 }
 
+/// A user's window: sizes were estimated in the background, of a copy of the mesh.
+void TestDrafts(Checks& checks)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetResolution(1050, 1050);
+  plane->Update();
+  vtkSmartPointer<vtkPolyData> data = plane->GetOutput();
+  Moving moving(data);
+  View view(data);
+  vtkNew<vtkGenericRenderWindowInteractor> interactor;
+  view.Win.Win->SetShowWindow(true);
+  interactor->SetRenderWindow(view.Win.Win);
+  interactor->SetEnableRender(false); // not at once
+  interactor->SetTimerEventResetsTimer(false);
+  // Somebody has timers.
+  int timers = 0;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&timers);
+  command->SetCallback([](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
+  interactor->AddObserver(vtkCommand::CreateTimerEvent, command);
+  interactor->AddObserver(vtkCommand::DestroyTimerEvent, command);
+  interactor->Initialize();
+  interactor->SetEnableRender(true);
+  const auto tick = [&](int most) {
+    for (int i = 0; i < most && view.Mapper->IsProgressing(); ++i)
+    {
+      interactor->TimerEvent();
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  };
+  view.Win.Draw();
+  checks.Expect(view.Mapper->IsProgressing(), "a draft comes first");
+  tick(15000);
+  moving.To(Turned(5.0));
+  view.Win.Draw();
+  checks.Expect(view.Follows() && !view.Mapper->IsProgressing(), "a mesh after drafts was not followed");
+}
+
 void TestShadows(Checks& checks)
 {
   Follow(checks, "shadows", RandomTorus(20000), { Turned(20.0), Wave(0.5) }, 40.0, [](View& view) {
@@ -479,6 +522,7 @@ int TestSplatsMotion(int, char*[])
   TestPicks(checks);
   TestLevels(checks);
   TestMixed(checks);
+  TestDrafts(checks);
   TestShadows(checks);
   return checks.Result();
 }
