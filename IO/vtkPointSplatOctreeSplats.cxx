@@ -5,6 +5,7 @@
 #include "vtkPointSplatOctreeFile.h"
 
 #include "vtkAbstractArray.h"
+#include "vtkDataSetAttributes.h"
 
 #include <algorithm>
 #include <iterator>
@@ -78,7 +79,8 @@ std::vector<size_t> vtkPointSplatOctreeSplats::NumbersOf(size_t wanted) const
       ? heads.begin()
       : std::find_if(heads.begin() + 1, heads.end(),
           [&first](const ArrayHead& head) { return head.Name == first.Name; });
-    if (at == heads.end() && first.Role >= 0)
+    // Other attributes of another name, as scalars, are other quantities.
+    if (at == heads.end() && first.Role == vtkDataSetAttributes::NORMALS)
     {
       at = std::find_if(heads.begin() + 1, heads.end(),
         [&first](const ArrayHead& head) { return head.Role == first.Role; });

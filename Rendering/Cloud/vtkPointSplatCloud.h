@@ -139,10 +139,10 @@ public:
   ///@{
   /**
    * What splats are made from: an input with another key gets other splats. IsMadeFrom(): Update()
-   * would keep these. Adopt() says that they were made from a copy of what has these keys.
+   * would keep these. StayingKeyOf(): what must stay for them to be moved along. Adopt() says that they
+   * were made from a copy of what has these keys.
    */
   static Key KeyOf(const vtkPointSplatCloudInput& input);
-  /// What must stay for splats to be moved along.
   static Key StayingKeyOf(const vtkPointSplatCloudInput& input);
   bool IsMadeFrom(const vtkPointSplatCloudInput& input) const;
   void Adopt(Key key, Key staying)

@@ -37,6 +37,13 @@ vtkPointSplatCloud::Key vtkPointSplatCloud::KeyOf(const vtkPointSplatCloudInput&
 }
 
 //------------------------------------------------------------------------------
+vtkPointSplatCloud::Key vtkPointSplatCloud::StayingKeyOf(const vtkPointSplatCloudInput& input)
+{
+  return vtkPointSplatCloud::StayingKey(
+    vtkPointSplatCloud::VisibleOf(input, vtkPointSplatCloud::Gather(input.Data)));
+}
+
+//------------------------------------------------------------------------------
 bool vtkPointSplatCloud::IsMadeFrom(const vtkPointSplatCloudInput& input) const
 {
   return this->IsMadeFrom(input, vtkPointSplatCloud::KeyOf(input));

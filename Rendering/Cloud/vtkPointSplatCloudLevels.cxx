@@ -82,8 +82,10 @@ bool vtkPointSplatCloud::BeginLevels()
   {
     ends.push_back(static_cast<uint32_t>(block.First + block.Count));
   }
+  // As they rest.
+  const double stretch = this->Motion.HasBegun() ? this->Stretch : 1.0;
   this->Levels.Begin(this->GetRestingSplats(), this->GetWordsPerSplat(), std::move(ends),
-    static_cast<float>(this->GetUsualRadius()));
+    static_cast<float>(this->GetUsualRadius() / stretch));
   return true;
 }
 

@@ -61,13 +61,6 @@ vtkPointSplatCloud::Key vtkPointSplatCloud::StayingKey(const std::vector<Block>&
 }
 
 //------------------------------------------------------------------------------
-vtkPointSplatCloud::Key vtkPointSplatCloud::StayingKeyOf(const vtkPointSplatCloudInput& input)
-{
-  return vtkPointSplatCloud::StayingKey(
-    vtkPointSplatCloud::VisibleOf(input, vtkPointSplatCloud::Gather(input.Data)));
-}
-
-//------------------------------------------------------------------------------
 bool vtkPointSplatCloud::CanMove(const std::vector<Block>& blocks)
 {
   return std::all_of(blocks.begin(), blocks.end(), [](const Block& block) {
@@ -105,7 +98,7 @@ bool vtkPointSplatCloud::Follow(const vtkPointSplatCloudInput& input)
   {
     return false;
   }
-  // As many points in each, perhaps in other data sets.
+  // Those that splats were made from may be gone.
   for (size_t b = 0; b < blocks.size(); ++b)
   {
     this->Blocks[b].Data = blocks[b].Data;
@@ -176,23 +169,24 @@ std::vector<uint32_t> vtkPointSplatCloud::FindAnchors(const std::vector<uint32_t
 std::vector<vtkPointSplatMotion::Part> vtkPointSplatCloud::MakeParts(const std::vector<uint32_t>& anchors)
 {
   std::vector<vtkPointSplatMotion::Part> parts;
+  std::vector<vtkIdType> ends;
+  for (const Block& block : this->Blocks)
+  {
+    ends.push_back(block.First + block.Count);
+  }
   const auto add = [&](uint32_t first, uint32_t count) {
     const vtkIdType points = this->Count;
     for (uint32_t end = first + count; first < end;)
     {
       // A block of coarse splats may hold those of several blocks of the input.
-      uint32_t own = 0;
-      while (this->Blocks[own].First + this->Blocks[own].Count <= vtkIdType(anchors[first]))
-      {
-        ++own;
-      }
-      const vtkIdType last = this->Blocks[own].First + this->Blocks[own].Count;
+      const auto own = std::upper_bound(ends.begin(), ends.end(), vtkIdType(anchors[first]));
+      const vtkIdType last = *own;
       uint32_t next = first + 1;
       while (next < end && vtkIdType(anchors[next]) < last)
       {
         ++next;
       }
-      parts.push_back({ first, next - first, own, first < points });
+      parts.push_back({ first, next - first, static_cast<uint32_t>(own - ends.begin()), first < points });
       first = next;
     }
   };
@@ -245,8 +239,8 @@ bool vtkPointSplatCloud::MoveTo(const std::vector<Block>& blocks)
     this->Bounds[2 * k + 1] = this->High[k];
   }
   this->Stretch = outcome.Stretch;
-  this->MedianRadius = this->RestingRadius * outcome.Stretch;
-  this->MaximumRadius = this->LargestRestingRadius * outcome.LargestStretch;
+  this->MedianRadius = this->RestingRadius * outcome.Growth;
+  this->MaximumRadius = this->LargestRestingRadius * outcome.LargestGrowth;
   this->SplatTime.Modified();
   this->AllMoved = false;
   if (outcome.Followed && !this->Levels.AreMade())
@@ -294,10 +288,11 @@ void vtkPointSplatCloud::MoveBlocks(const std::vector<uint32_t>& blocks)
     }
   }
   this->MoveParts(parts);
+  const float radius = static_cast<float>(missing.empty() ? 0.0 : this->GetUsualRadius());
   vtkSMPTools::For(0, static_cast<vtkIdType>(missing.size()), 16, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
-      this->Levels.Refit(missing[static_cast<size_t>(i)], this->Splats, this->GetWordsPerSplat());
+      this->Levels.Refit(missing[static_cast<size_t>(i)], this->Splats, this->GetWordsPerSplat(), radius);
     }
   });
 }

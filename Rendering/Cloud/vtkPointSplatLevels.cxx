@@ -354,7 +354,8 @@ void vtkPointSplatLevels::AppendFirst(std::vector<uint32_t>& data) const
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatLevels::Refit(size_t number, const std::vector<uint32_t>& splats, size_t words)
+void vtkPointSplatLevels::Refit(
+  size_t number, const std::vector<uint32_t>& splats, size_t words, float radius)
 {
   Block& block = this->Blocks[number];
   double cone[3] = { 0.0, 0.0, 0.0 };
@@ -366,6 +367,7 @@ void vtkPointSplatLevels::Refit(size_t number, const std::vector<uint32_t>& spla
     const uint32_t* splat = splats.data() + words * (block.First + i);
     float p[4];
     std::memcpy(p, splat, sizeof(p));
+    p[3] = p[3] > 0.0f ? p[3] : radius;
     vtkPointSplatCodes::DecodeNormal(splat[5], normals[i].data());
     for (int k = 0; k < 3; ++k)
     {

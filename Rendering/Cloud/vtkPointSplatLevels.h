@@ -54,8 +54,8 @@ public:
    */
   bool Take(std::vector<uint32_t>& splats, std::vector<uint32_t>& lines, size_t words);
 
-  /// Brings a block to where its splats, in the order that these were taken in, were moved.
-  void Refit(size_t block, const std::vector<uint32_t>& splats, size_t words);
+  /// Brings a block to where its splats, in the order that these were taken in, were moved. radius: of those that have none.
+  void Refit(size_t block, const std::vector<uint32_t>& splats, size_t words, float radius);
   /// Of a splat of any level above the points: the first of those in the level below, in the buffers.
   uint32_t GetFirst(size_t splat) const { return this->Firsts[splat - this->Points]; }
 

@@ -23,6 +23,7 @@ using namespace vtkPointSplatMotionTurn;
 
 constexpr size_t Words = 8; // of circular splats
 constexpr size_t JudgedPoints = size_t(1) << 15;
+constexpr vtkIdType LookedAtOnce = vtkIdType(1) << 13; // no threads for less
 // Fitted with Testing/Benchmark/moving.py --strain: up to here pictures are as near to the surface's as with new sizes.
 constexpr float LargestStrain = 0.2f;
 constexpr double MostStrained = 0.01;
@@ -48,7 +49,7 @@ struct Look
     const auto points = vtk::DataArrayTupleRange<3>(pointArray);
     const auto normals = vtk::DataArrayTupleRange<3>(normalArray);
     std::atomic<bool> good{ true };
-    vtkSMPTools::For(0, points.size(), [&](vtkIdType begin, vtkIdType end) {
+    vtkSMPTools::For(0, points.size(), LookedAtOnce, [&](vtkIdType begin, vtkIdType end) {
       bool all = true;
       for (vtkIdType i = begin; i < end; ++i)
       {
@@ -84,14 +85,16 @@ struct Look
 struct vtkPointSplatMotion::Sums
 {
   double Stretch = 0.0;
-  float LargestStretch = 0.0f; // of radii
+  double Growth = 0.0; // of radii
+  float LargestGrowth = 0.0f;
   size_t Count = 0;
   size_t Strained = 0;
 
   void Add(const Sums& other)
   {
     this->Stretch += other.Stretch;
-    this->LargestStretch = std::max(this->LargestStretch, other.LargestStretch);
+    this->Growth += other.Growth;
+    this->LargestGrowth = std::max(this->LargestGrowth, other.LargestGrowth);
     this->Count += other.Count;
     this->Strained += other.Strained;
   }
@@ -217,18 +220,22 @@ private:
     float enlarged = 1.0f;
     if (squares > 0.0f)
     {
-      const float stretch = std::sqrt(glm::dot(product, product)) / squares;
+      // Squared first, what is as small as atoms in metres would be none, and what is as large as stars infinite.
+      const glm::vec2 fitted = product / squares;
+      const float stretch = std::sqrt(glm::dot(fitted, fitted));
       const float across = std::max(newSquares - stretch * stretch * squares, 0.0f);
       const float along = newHeights - 2.0f * stretch * mixed + stretch * stretch * heights;
-      // NaN compares false.
-      const bool follows = newSquares > 0.0f && across + along <= LargestStrain * LargestStrain * newSquares;
-      turning = follows ? product / squares : this->TurnOfOne(i, k, old, current, anchored);
+      // NaN compares false. Points that fell on one another have no turn.
+      const bool follows = stretch > 0.0f && newSquares > 0.0f &&
+        across + along <= LargestStrain * LargestStrain * newSquares;
+      turning = follows ? fitted : this->TurnOfOne(i, k, old, current, anchored);
       enlarged = follows ? 1.0f + std::sqrt(across / newSquares) : 1.0f;
       sums.Strained += follows ? 0 : 1;
     }
     else
     {
-      ++sums.Strained; // beside points in the same place nothing says how it moved
+      // All others lie where it lies: nothing tells whether they will.
+      sums.Strained += part.Count > 1 ? 1 : 0;
     }
     const Turn turn(old, current, turning);
     // Points' own splats lie where these are.
@@ -244,7 +251,8 @@ private:
     MoveShape(own, this->RestLines ? this->RestLines + 4 * i : nullptr, turn, enlarged, to,
       this->RestLines ? this->Lines + 4 * i : nullptr);
     sums.Stretch += turn.Stretch;
-    sums.LargestStretch = std::max(sums.LargestStretch, larger);
+    sums.Growth += radii ? larger : turn.Stretch;
+    sums.LargestGrowth = std::max(sums.LargestGrowth, larger);
     ++sums.Count;
   }
 
@@ -377,9 +385,7 @@ vtkPointSplatMotion::Outcome vtkPointSplatMotion::MoveTo(
   moved.Lines.resize(this->Rest.Lines.size());
   using Reals = vtkArrayDispatch::Reals;
   using Dispatcher = vtkArrayDispatch::Dispatch2ByValueType<Reals, Reals>;
-  const bool sized = FloatOf(this->Rest.Words[3]) > 0.0f; // all splats are, or none
-  bool judged = false;
-  for (const Block& block : this->Blocks)
+  for (Block& block : this->Blocks)
   {
     Look look;
     if (!Dispatcher::Execute(block.Points.Get(), block.Normals.Get(), look, block.Radii.Get()))
@@ -390,7 +396,7 @@ vtkPointSplatMotion::Outcome vtkPointSplatMotion::MoveTo(
     {
       return Outcome();
     }
-    judged = judged || (sized && !block.Radii);
+    block.Count = block.Points->GetNumberOfTuples();
   }
   std::vector<uint32_t> some;
   const size_t step = std::max<size_t>(1, this->Rest.Words.size() / Words / JudgedPoints);
@@ -404,9 +410,10 @@ vtkPointSplatMotion::Outcome vtkPointSplatMotion::MoveTo(
   const Sums sums = this->MoveParts(some, moved);
   const double count = static_cast<double>(std::max<size_t>(sums.Count, 1));
   Outcome outcome;
-  outcome.Followed = !judged || static_cast<double>(sums.Strained) <= MostStrained * count;
+  outcome.Followed = static_cast<double>(sums.Strained) <= MostStrained * count;
   outcome.Stretch = sums.Stretch / count;
-  outcome.LargestStretch = sums.LargestStretch;
+  outcome.Growth = sums.Growth / count;
+  outcome.LargestGrowth = sums.LargestGrowth;
   return outcome;
 }
 
@@ -430,14 +437,25 @@ vtkPointSplatMotion::Sums vtkPointSplatMotion::MoveParts(
   using Reals = vtkArrayDispatch::Reals;
   using Dispatcher = vtkArrayDispatch::Dispatch2ByValueType<Reals, Reals>;
   Worker worker(*this, moved);
-  for (uint32_t b = 0; b < this->Blocks.size(); ++b)
+  // Block by block: there may be thousands of both.
+  std::vector<uint32_t> sorted = parts;
+  std::stable_sort(sorted.begin(), sorted.end(),
+    [this](uint32_t a, uint32_t b) { return this->Parts[a].Block < this->Parts[b].Block; });
+  for (auto first = sorted.begin(), last = first; first != sorted.end(); first = last)
   {
-    const Block& block = this->Blocks[b];
-    std::vector<uint32_t> own;
-    std::copy_if(parts.begin(), parts.end(), std::back_inserter(own),
-      [this, b](uint32_t part) { return this->Parts[part].Block == b; });
-    if (!own.empty() &&
-      !Dispatcher::Execute(block.Points.Get(), block.Normals.Get(), worker, own, block.Radii.Get()))
+    const uint32_t number = this->Parts[*first].Block;
+    last = std::find_if(first, sorted.end(),
+      [this, number](uint32_t part) { return this->Parts[part].Block != number; });
+    const Block& block = this->Blocks[number];
+    const std::vector<uint32_t> own(first, last);
+    // Arrays that were shortened since, without a word, are for the next update to see.
+    if (block.Points->GetNumberOfTuples() < block.Count ||
+      block.Normals->GetNumberOfTuples() < block.Count ||
+      (block.Radii && block.Radii->GetNumberOfTuples() < block.Count))
+    {
+      continue;
+    }
+    if (!Dispatcher::Execute(block.Points.Get(), block.Normals.Get(), worker, own, block.Radii.Get()))
     {
       worker(block.Points.Get(), block.Normals.Get(), own, block.Radii.Get());
     }

@@ -61,14 +61,16 @@ public:
     vtkSmartPointer<vtkDataArray> Points;
     vtkSmartPointer<vtkDataArray> Normals;
     vtkSmartPointer<vtkDataArray> Radii;
+    vtkIdType Count = 0; // points, when they were told
   };
 
   /// What the parts that were judged tell.
   struct Outcome
   {
     bool Followed = false;
-    double Stretch = 1.0;        // mean
-    double LargestStretch = 1.0; // of radii
+    double Stretch = 1.0; // mean
+    double Growth = 1.0;  // of radii, mean
+    double LargestGrowth = 1.0;
   };
 
   /// anchors: of each splat the splat of a point.
@@ -82,7 +84,8 @@ public:
 
   /**
    * Says where the blocks' points are now, relative to an origin. Not followed: they cannot be, since some
-   * coordinates, normals or radii are not finite or zero, or by strain, where splats have sizes. moved gets room for all splats.
+   * coordinates, normals or radii are not finite or zero, or by strain, be it that the same points come in another order.
+   * moved gets room for all splats.
    */
   Outcome MoveTo(std::vector<Block> blocks, const std::array<double, 3>& origin, Splats& moved);
   /// Moves those of some parts that were not.

@@ -73,7 +73,12 @@ void vtkPointSplatSource::UpdateCloud(const vtkPointSplatCloudInput& input, bool
   if (mayBeDraft)
   {
     this->Drafts.TakeMoving(this->Cloud);
-    if (!this->Cloud->Follow(input) && this->Drafts.Update(input, *this->Cloud))
+    if (this->Cloud->Follow(input))
+    {
+      // What is under way is of another time: nobody waits for it.
+      this->Drafts.Stop();
+    }
+    else if (this->Drafts.Update(input, *this->Cloud))
     {
       return;
     }

@@ -6,14 +6,19 @@
 #include "PickedPoints.h"
 #include "RimmedDisc.h"
 
+#include "vtkCallbackCommand.h"
+#include "vtkGenericRenderWindowInteractor.h"
 #include "vtkLight.h"
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkPlaneSource.h"
 #include "vtkTestErrorObserver.h"
 #include "vtkTransform.h"
 
+#include <chrono>
 #include <functional>
 #include <string>
+#include <thread>
 
 namespace
 {
@@ -233,7 +238,55 @@ void TestGivenRadii(Checks& checks)
     radii->InsertNextValue(0.03f);
   }
   data->GetPointData()->AddArray(radii);
-  Follow(checks, "given radii", data, { Turned(3.0), Wave(0.5), By([](vtkTransform* t) { t->Scale(3.0, 1.0, 1.0); }) }, 50.0);
+  Follow(checks, "given radii", data, { Turned(3.0), Wave(0.5), By([](vtkTransform* t) { t->Scale(1.3, 1.0, 1.0); }) }, 50.0);
+  View following(data);
+  View anew(data, false);
+  following.Draw();
+  radii->Fill(0.15);
+  radii->Modified();
+  const Picture picture = following.Draw();
+  checks.Expect(following.Follows(), "radii that grow were not followed");
+  checks.AtLeast(Psnr(picture, anew.Draw()), 60.0, "radii that grow");
+}
+
+/// Points as far apart as stars are in metres, or as atoms.
+void TestUnits(Checks& checks)
+{
+  for (const double unit : { 1e14, 1e-12 })
+  {
+    vtkSmartPointer<vtkPolyData> data = RandomTorus(20000);
+    Moving moving(data);
+    const auto enlarge = [unit](double factor) {
+      return By([unit, factor](vtkTransform* t) { t->Scale(factor * unit, factor * unit, factor * unit); });
+    };
+    moving.To(enlarge(1.0));
+    View following(data);
+    following.Draw();
+    moving.To(enlarge(1.1));
+    following.Draw();
+    checks.Expect(following.Follows(), "points in units of " + std::to_string(unit) + " were not followed");
+  }
+}
+
+/// Each time step is a data set of its own, the one before is gone, and fill points are drawn.
+void TestReplaced(Checks& checks)
+{
+  vtkSmartPointer<vtkPolyData> data = Cloud(RimmedDisc(0.1).MakeMesh(RimmedDisc::Coarse));
+  View following(data);
+  following.Draw();
+  for (const double degrees : { 5.0, 10.0 })
+  {
+    vtkNew<vtkPolyData> next;
+    next->DeepCopy(data);
+    Moving(next).To(Turned(degrees));
+    following.Mapper->SetInputData(next);
+    data = next;
+    const Picture picture = following.Draw();
+    checks.Expect(following.Follows(), "a data set in the place of another was not followed");
+    View anew(data, false);
+    anew.Win.Renderer->SetActiveCamera(following.Win.Renderer->GetActiveCamera());
+    checks.AtLeast(Psnr(picture, anew.Draw()), 38.0, "a data set in the place of another");
+  }
 }
 
 void TestNotFollowed(Checks& checks)
@@ -253,6 +306,11 @@ void TestNotFollowed(Checks& checks)
   };
   moving.To(By([](vtkTransform* t) { t->Scale(3.0, 1.0, 1.0); }));
   differs("a stretch to three times the width");
+  moving.To([](double p[3], double*) { std::fill_n(p, 3, 0.3); });
+  following.Draw();
+  checks.Expect(!following.Follows(), "all points at one place were followed");
+  moving.To(Turned(5.0));
+  differs("all points apart again");
   moving.To(Turned(5.0));
   following.Draw();
   moving.To([](double p[3], double*) { p[0] = p[1] = p[2] = 0.0; });
@@ -384,6 +442,66 @@ void TestLevels(Checks& checks)
   checks.AtLeast(Psnr(close, scene.DrawAll()), 50.0, "close up, against all");
 }
 
+/// Levels stand for points that lay together. Where these are mixed, they are of no use, be radii given.
+void TestMixed(Checks& checks)
+{
+  vtkSmartPointer<vtkPolyData> data = LevelScene::Torus(1 << 20, 0.0, true);
+  LevelScene::Scene scene(data);
+  checks.Expect(scene.Wait(), "levels");
+  Moving moving(data);
+  vtkNew<vtkFloatArray> values;
+  values->DeepCopy(data->GetPointData()->GetScalars());
+  const auto other = [&](vtkIdType i) { return (i * 7919) % data->GetNumberOfPoints(); };
+  moving.To([&, i = vtkIdType(0)](double p[3], double n[3]) mutable {
+    moving.Points->GetPoint(other(i), p);
+    moving.Normals->GetTuple(other(i++), n);
+  });
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    values->SetValue(i, vtkArrayDownCast<vtkFloatArray>(data->GetPointData()->GetScalars())->GetValue(other(i)));
+  }
+  data->GetPointData()->SetScalars(values);
+  checks.AtLeast(Psnr(scene.Win.Draw(), scene.DrawAll()), 40.0, "points that were mixed, against all");
+}
+
+/// A user's window: sizes were estimated in the background, of a copy of the mesh.
+void TestDrafts(Checks& checks)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetResolution(1050, 1050);
+  plane->Update();
+  vtkSmartPointer<vtkPolyData> data = plane->GetOutput();
+  Moving moving(data);
+  View view(data);
+  vtkNew<vtkGenericRenderWindowInteractor> interactor;
+  view.Win.Win->SetShowWindow(true);
+  interactor->SetRenderWindow(view.Win.Win);
+  interactor->SetEnableRender(false); // not at once
+  interactor->SetTimerEventResetsTimer(false);
+  // Somebody has timers.
+  int timers = 0;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&timers);
+  command->SetCallback([](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
+  interactor->AddObserver(vtkCommand::CreateTimerEvent, command);
+  interactor->AddObserver(vtkCommand::DestroyTimerEvent, command);
+  interactor->Initialize();
+  interactor->SetEnableRender(true);
+  const auto tick = [&](int most) {
+    for (int i = 0; i < most && view.Mapper->IsProgressing(); ++i)
+    {
+      interactor->TimerEvent();
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  };
+  view.Win.Draw();
+  checks.Expect(view.Mapper->IsProgressing(), "a draft comes first");
+  tick(15000);
+  moving.To(Turned(5.0));
+  view.Win.Draw();
+  checks.Expect(view.Follows() && !view.Mapper->IsProgressing(), "a mesh after drafts was not followed");
+}
+
 void TestShadows(Checks& checks)
 {
   Follow(checks, "shadows", RandomTorus(20000), { Turned(20.0), Wave(0.5) }, 40.0, [](View& view) {
@@ -402,10 +520,14 @@ int TestSplatsMotion(int, char*[])
   TestSimilar(checks);
   TestLikeNew(checks);
   TestGivenRadii(checks);
+  TestUnits(checks);
+  TestReplaced(checks);
   TestNotFollowed(checks);
   TestBlocks(checks);
   TestPicks(checks);
   TestLevels(checks);
+  TestMixed(checks);
+  TestDrafts(checks);
   TestShadows(checks);
   return checks.Result();
 }

@@ -445,6 +445,16 @@ class TestOctreeStreaming(OctreeTest):
         self.assertAlmostEqual(reader.GetBoundsInFile()[5], points[:, 2].max())
         self.assertAlmostEqual(reader.GetBoundsInFile()[4], FAR - 0.4, delta=1e-3)
         self.assertEqual(sorted(os.listdir(self.folder)), ["cloud.h5"])
+        # Scalars of another name are another quantity, be they both the active ones.
+        other = torus(500, 10)
+        other.GetPointData().GetScalars().SetName("pressure")
+        writer.SetInputData(other)
+        self.assertEqual(writer.Write(), 1)
+        reader.Modified()
+        self.assertEqual(self.count(reader), 6500)
+        for name in ("height", "pressure"):
+            self.assertIsNone(reader.GetOutput().GetPointData().GetArray(name))
+        self.assertIsNotNone(reader.GetOutput().GetPointData().GetNormals())
         # Without a file it is a new one.
         new = os.path.join(self.folder, "new.h5")
         writer.SetFileName(new)
