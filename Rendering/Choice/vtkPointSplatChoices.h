@@ -126,7 +126,8 @@ public:
    */
   static std::vector<vtkPointSplatChoice> Ladder(vtkPointSplatFacts facts);
 
-  /// Every 2^n-th splat does for the tolerance, where splats are so many pixels apart.
+  /// Every 2^n-th splat does for the tolerance, where splats are so many pixels apart; with any but 0 where
+  /// hundreds lie in each pixel.
   static int StrideShift(double spacingPixels, double tolerance);
 
   /**

@@ -172,6 +172,22 @@ bool TestShadows()
   return Expect(Psnr(lit, levels) < 30.0, "there are shadows") && good;
 }
 
+/// More than a thousand points lie in each pixel: fewer of them are drawn, and show the same.
+bool TestCrowd()
+{
+  Scene scene(Torus(Count, 0.0, false));
+  scene.Win.Win->SetSize(24, 24);
+  const Picture crowd = scene.DrawAll();
+  bool good = Expect(scene.Mapper->GetStride() > 1, "fewer splats do");
+  Scene sparse(Torus(1 << 15, 0.0, false));
+  sparse.Win.Win->SetSize(24, 24);
+  sparse.Win.Renderer->GetActiveCamera()->DeepCopy(scene.Win.Renderer->GetActiveCamera());
+  good = IsLike(crowd, sparse.DrawAll(), 38.0, "a crowd, against few") && good;
+  scene.Mapper->SetTargetError(0.0);
+  scene.DrawAll();
+  return Expect(scene.Mapper->GetStride() == 1, "all where no error is allowed") && good;
+}
+
 bool TestChanges()
 {
   // Points that change with every frame and are not followed have no levels; those of others are made anew.
@@ -210,6 +226,7 @@ int TestSplatsLevels(int, char*[])
   good = TestImageSpace(false) && good;
   good = TestImageSpace(true) && good;
   good = TestShadows() && good;
+  good = TestCrowd() && good;
   good = TestChanges() && good;
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }
