@@ -17,10 +17,9 @@ constexpr double StrideErrorPerPixel = 0.012;
 // error of 0.009, of smaller ones more; and noise of normals, of which fewer splats average less, has 0.03
 // and more for each pixel, which strides at smaller targets would miss far more often.
 constexpr double LeastStrideError = 1.0 / 32.0;
-// Where the sparsest splats are so many pixels apart, a hundred and more lie in each pixel, and show what any number
-// more of them does, to 49 dB. All of them may be too many: software drivers end loops after 65,535 rounds, so that
-// tiles with a thousand in each pixel had wrong pixels.
-constexpr double CrowdedPixels = 1.0 / 4.0;
+// So many splats in each pixel show what any number more of them does, to 49 dB. All of them may be too many: software
+// drivers end loops after 65,535 rounds, so that tiles with a thousand in each pixel had wrong pixels.
+constexpr double MostPerPixel = 128.0;
 // OpenGL promises strides of 2048 bytes; a splat takes 64.
 constexpr int MostStrideShift = 5;
 
@@ -81,12 +80,8 @@ std::string vtkPointSplatChoices::Text(double error)
 int vtkPointSplatChoices::StrideShift(double spacingPixels, double tolerance)
 {
   int shift = 0;
-  const auto does = [spacingPixels, tolerance](int stride) {
-    const double apart = spacingPixels * std::exp2(0.5 * stride);
-    return (tolerance >= LeastStrideError && StrideErrorPerPixel * apart <= tolerance) ||
-      (tolerance > 0.0 && apart <= CrowdedPixels);
-  };
-  while (spacingPixels > 0.0 && shift < MostStrideShift && does(shift + 1))
+  while (tolerance >= LeastStrideError && spacingPixels > 0.0 && shift < MostStrideShift &&
+    StrideErrorPerPixel * spacingPixels * std::exp2(0.5 * (shift + 1)) <= tolerance)
   {
     ++shift;
   }
@@ -208,10 +203,14 @@ void ChooseSplats(const vtkPointSplatFacts& facts, double tolerance, vtkPointSpl
     choice.Transparency != vtkPointSplatSettings::Peeling || facts.AsksPoints;
   for (const vtkPointSplatFacts::Cloud& cloud : facts.Clouds)
   {
-    // Of what is painted only where no pixel could show it.
-    const int shift = whole ? 0
-                            : vtkPointSplatChoices::StrideShift(cloud.SpacingPixels,
-                                cloud.Painted ? std::min(tolerance, vtkPointSplatChoices::FullQuality) : tolerance);
+    int shift = whole || cloud.Painted
+      ? 0
+      : vtkPointSplatChoices::StrideShift(cloud.SpacingPixels, tolerance);
+    while (!whole && tolerance > 0.0 && shift < MostStrideShift &&
+      std::ldexp(cloud.PerPixel, -shift) > MostPerPixel)
+    {
+      ++shift;
+    }
     choice.StrideShifts.push_back(shift);
     all += cloud.Splats;
     drawn += std::ldexp(cloud.Splats, -shift);

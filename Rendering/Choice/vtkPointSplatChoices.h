@@ -43,6 +43,7 @@ struct vtkPointSplatFacts
   {
     double Splats;
     double SpacingPixels; // of the sparsest points at their nearest; 0: not known
+    double PerPixel = 0.0; // splats, of the part of the window that they may cover
     bool Painted = false; // points have colours or shadows of their own, which fewer would blur
   };
   std::vector<Cloud> Clouds;
@@ -126,8 +127,7 @@ public:
    */
   static std::vector<vtkPointSplatChoice> Ladder(vtkPointSplatFacts facts);
 
-  /// Every 2^n-th splat does for the tolerance, where splats are so many pixels apart; with any but 0 where
-  /// hundreds lie in each pixel.
+  /// Every 2^n-th splat does for the tolerance, where splats are so many pixels apart.
   static int StrideShift(double spacingPixels, double tolerance);
 
   /**

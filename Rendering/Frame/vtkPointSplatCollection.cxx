@@ -33,15 +33,14 @@ Spacing SpacingOf(const vtkPointSplatEntry& entry, const vtkPointSplatView& view
   return { world, world / pixels.x, pixels.y };
 }
 
-/// Whether more splats may lie in each pixel than it shows.
-bool IsCrowded(const vtkPointSplatEntry& entry, const vtkPointSplatView& view)
+/// Splats for each pixel of the part of the window that they may cover.
+double SplatsPerPixel(const vtkPointSplatEntry& entry, const vtkPointSplatView& view)
 {
-  constexpr double most = 256.0;
   const vtkPointSplatCloud& cloud = *entry.Item.Cloud;
   const glm::ivec4 window = view.Cover(entry.Item.MCWC, cloud.GetBounds().data(), 0.0);
   const double pixels =
     std::max(window.z - window.x + 1.0, 1.0) * std::max(window.w - window.y + 1.0, 1.0);
-  return static_cast<double>(cloud.GetNumberOfSplats()) > most * pixels;
+  return static_cast<double>(cloud.GetNumberOfSplats()) / pixels;
 }
 
 // From level to level radii grow by this, where points are spread evenly.
@@ -238,10 +237,9 @@ vtkPointSplatFacts vtkPointSplatCollection::Describe(
     facts.Levels = facts.Levels || (wanted && levels.AreMade());
     facts.LevelsUnderWay = facts.LevelsUnderWay || (wanted && levels.IsUnderWay());
     // To find it takes a pass over the points, once: only where it can matter.
-    const bool matters = IsPoints(entry) || tolerance > vtkPointSplatChoices::FullQuality ||
-      IsCrowded(entry, view);
+    const bool matters = IsPoints(entry) || tolerance > vtkPointSplatChoices::FullQuality;
     facts.Clouds.push_back({ static_cast<double>(entry.Item.Cloud->GetNumberOfSplats()),
-      matters ? SpacingOf(entry, view).Pixels : 0.0,
+      matters ? SpacingOf(entry, view).Pixels : 0.0, SplatsPerPixel(entry, view),
       entry.Item.Cloud->HasColours() || entry.Item.Cloud->GetFactorCount() > 0 ||
         entry.Settings.Shadows });
   }

@@ -172,17 +172,20 @@ bool TestShadows()
   return Expect(Psnr(lit, levels) < 30.0, "there are shadows") && good;
 }
 
-/// More than a thousand points lie in each pixel: fewer of them are drawn, and show the same.
+/// More than a thousand points lie in each pixel: fewer of them are drawn, and show the same. Of all, where no error is
+/// allowed, software drivers lose some: 10 dB.
 bool TestCrowd()
 {
+  constexpr int pixels = 32;
   Scene scene(Torus(Count, 0.0, false));
-  scene.Win.Win->SetSize(24, 24);
+  scene.Win.Win->SetSize(pixels, pixels);
   const Picture crowd = scene.DrawAll();
   bool good = Expect(scene.Mapper->GetStride() > 1, "fewer splats do");
-  Scene sparse(Torus(1 << 15, 0.0, false));
-  sparse.Win.Win->SetSize(24, 24);
+  Scene sparse(Torus(Count / 8, 0.0, false));
+  sparse.Win.Win->SetSize(pixels, pixels);
   sparse.Win.Renderer->GetActiveCamera()->DeepCopy(scene.Win.Renderer->GetActiveCamera());
-  good = IsLike(crowd, sparse.DrawAll(), 38.0, "a crowd, against few") && good;
+  // Of so few pixels most are at outlines.
+  good = IsLike(crowd, sparse.DrawAll(), 26.0, "a crowd, against few") && good;
   scene.Mapper->SetTargetError(0.0);
   scene.DrawAll();
   return Expect(scene.Mapper->GetStride() == 1, "all where no error is allowed") && good;
