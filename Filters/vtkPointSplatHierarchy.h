@@ -43,9 +43,12 @@
 #define vtkPointSplatHierarchy_h
 
 #include "vtkFiltersPointSplattingModule.h" // For export macro
+#include "vtkMath.h"
 #include "vtkPointSplattingABI.h"
 #include "vtkType.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -166,6 +169,46 @@ public:
         join(b, size_t(blocks[b].FirstChild) + child);
       }
     }
+  }
+
+  /**
+   * Fits a block's box, radii and cone to its splats. read(i, point) sets position, normal and radius of the
+   * block's i-th.
+   */
+  template <typename Read>
+  static void Fit(Block& block, const Read& read)
+  {
+    std::fill_n(block.Low, 3, VTK_FLOAT_MAX);
+    std::fill_n(block.High, 3, -VTK_FLOAT_MAX);
+    block.Radius = 0.0f;
+    double cone[3] = { 0.0, 0.0, 0.0 };
+    double radii = 0.0;
+    std::vector<float> normals;
+    normals.reserve(3 * static_cast<size_t>(block.Count));
+    for (Index i = 0; i < block.Count; ++i)
+    {
+      Point point;
+      read(i, point);
+      for (int k = 0; k < 3; ++k)
+      {
+        block.Low[k] = std::min(block.Low[k], point.Position[k]);
+        block.High[k] = std::max(block.High[k], point.Position[k]);
+        cone[k] += point.Normal[k];
+        normals.push_back(point.Normal[k]);
+      }
+      block.Radius = std::max(block.Radius, point.Radius);
+      radii += point.Radius;
+    }
+    block.MeanRadius = static_cast<float>(radii / std::max<Index>(block.Count, 1));
+    vtkMath::Normalize(cone);
+    double least = 1.0;
+    for (size_t i = 0; i < normals.size(); i += 3)
+    {
+      least = std::min(
+        least, cone[0] * normals[i] + cone[1] * normals[i + 1] + cone[2] * normals[i + 2]);
+    }
+    std::copy_n(cone, 3, block.Cone);
+    block.Angle = static_cast<float>(std::acos(std::max(least, -1.0)));
   }
 
 private:

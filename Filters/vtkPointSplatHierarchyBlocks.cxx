@@ -4,7 +4,6 @@
 // Of the hierarchy: its blocks.
 #include "vtkPointSplatHierarchy.h"
 
-#include "vtkMath.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -86,53 +85,20 @@ void vtkPointSplatHierarchy::AddBlocks(int level, Index begin, Index end)
 //------------------------------------------------------------------------------
 void vtkPointSplatHierarchy::Summarise(const Source& source, Block& block) const
 {
-  constexpr float most = std::numeric_limits<float>::max();
-  std::fill_n(block.Low, 3, most);
-  std::fill_n(block.High, 3, -most);
-  double cone[3] = { 0.0, 0.0, 0.0 };
   double variance = 0.0;
-  double radii = 0.0;
-  std::vector<float> normals;
-  normals.reserve(3 * static_cast<size_t>(block.Count));
-  for (Index i = block.First; i < block.First + block.Count; ++i)
-  {
-    Point point;
+  vtkPointSplatHierarchy::Fit(block, [&](Index i, Point& point) {
     if (block.Level == 0)
     {
-      source.Read(this->Order[i], point);
+      source.Read(this->Order[block.First + i], point);
+      return;
     }
-    else
-    {
-      const Splat& splat = this->GetSplats(block.Level)[i];
-      std::copy_n(splat.Position, 3, point.Position);
-      std::copy_n(splat.Normal, 3, point.Normal);
-      point.Radius = splat.Radius;
-      variance += splat.Variance;
-    }
-    for (int k = 0; k < 3; ++k)
-    {
-      block.Low[k] = std::min(block.Low[k], point.Position[k]);
-      block.High[k] = std::max(block.High[k], point.Position[k]);
-      cone[k] += point.Normal[k];
-      normals.push_back(point.Normal[k]);
-    }
-    block.Radius = std::max(block.Radius, point.Radius);
-    radii += point.Radius;
-  }
-  block.MeanRadius = static_cast<float>(radii / std::max<Index>(block.Count, 1));
+    const Splat& splat = this->GetSplats(block.Level)[block.First + i];
+    std::copy_n(splat.Position, 3, point.Position);
+    std::copy_n(splat.Normal, 3, point.Normal);
+    point.Radius = splat.Radius;
+    variance += splat.Variance;
+  });
   block.Deviation = static_cast<float>(std::sqrt(variance / std::max<Index>(block.Count, 1)));
-  vtkMath::Normalize(cone);
-  double least = 1.0;
-  for (size_t i = 0; i < normals.size(); i += 3)
-  {
-    least = std::min(
-      least, cone[0] * normals[i] + cone[1] * normals[i + 1] + cone[2] * normals[i + 2]);
-  }
-  for (int k = 0; k < 3; ++k)
-  {
-    block.Cone[k] = static_cast<float>(cone[k]);
-  }
-  block.Angle = static_cast<float>(std::acos(std::max(least, -1.0)));
 }
 
 //------------------------------------------------------------------------------

@@ -8,7 +8,6 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstring>
@@ -25,6 +24,17 @@ double BendOf(uint32_t code, int shift)
   return static_cast<double>(static_cast<int32_t>(code << (22 - shift)) >> 22) / BendSteps;
 }
 
+/// All but the curvature; radius: of those that have none.
+void ReadPlace(const uint32_t* splat, float radius, vtkPointSplatHierarchy::Point& point)
+{
+  std::memcpy(point.Position, splat, sizeof(point.Position));
+  std::memcpy(&point.Radius, splat + 3, sizeof(float));
+  point.Radius = point.Radius > 0.0f ? point.Radius : radius;
+  double n[3];
+  vtkPointSplatCodes::DecodeNormal(splat[5], n);
+  std::copy_n(n, 3, point.Normal);
+}
+
 /// Splats in a cloud's form.
 class Packed : public vtkPointSplatHierarchy::Source
 {
@@ -39,12 +49,7 @@ public:
   bool Read(vtkPointSplatHierarchy::Index id, vtkPointSplatHierarchy::Point& point) const override
   {
     const uint32_t* splat = this->Splats + this->Words * id;
-    std::memcpy(point.Position, splat, sizeof(point.Position));
-    std::memcpy(&point.Radius, splat + 3, sizeof(float));
-    point.Radius = point.Radius > 0.0f ? point.Radius : this->Radius;
-    double n[3];
-    vtkPointSplatCodes::DecodeNormal(splat[5], n);
-    std::copy_n(n, 3, point.Normal);
+    ReadPlace(splat, this->Radius, point);
     const uint32_t code = splat[6] & BendMask;
     point.HasCurvature = this->Words == 8 && code != 0u;
     if (point.HasCurvature)
@@ -358,33 +363,7 @@ void vtkPointSplatLevels::Refit(
   size_t number, const std::vector<uint32_t>& splats, size_t words, float radius)
 {
   Block& block = this->Blocks[number];
-  double cone[3] = { 0.0, 0.0, 0.0 };
-  double radii = 0.0;
-  std::vector<std::array<double, 3>> normals(block.Count);
-  block.Radius = 0.0f;
-  for (uint32_t i = 0; i < block.Count; ++i)
-  {
-    const uint32_t* splat = splats.data() + words * (block.First + i);
-    float p[4];
-    std::memcpy(p, splat, sizeof(p));
-    p[3] = p[3] > 0.0f ? p[3] : radius;
-    vtkPointSplatCodes::DecodeNormal(splat[5], normals[i].data());
-    for (int k = 0; k < 3; ++k)
-    {
-      block.Low[k] = i > 0 ? std::min(block.Low[k], p[k]) : p[k];
-      block.High[k] = i > 0 ? std::max(block.High[k], p[k]) : p[k];
-      cone[k] += normals[i][static_cast<size_t>(k)];
-    }
-    block.Radius = std::max(block.Radius, p[3]);
-    radii += p[3];
-  }
-  block.MeanRadius = static_cast<float>(radii / std::max<uint32_t>(block.Count, 1));
-  vtkMath::Normalize(cone);
-  double least = 1.0;
-  for (uint32_t i = 0; i < block.Count; ++i)
-  {
-    least = std::min(least, vtkMath::Dot(cone, normals[i].data()));
-  }
-  std::copy_n(cone, 3, block.Cone);
-  block.Angle = static_cast<float>(std::acos(std::max(least, -1.0)));
+  vtkPointSplatHierarchy::Fit(block, [&](uint32_t i, vtkPointSplatHierarchy::Point& point) {
+    ReadPlace(splats.data() + words * (block.First + i), radius, point);
+  });
 }
