@@ -97,7 +97,7 @@ void vtkPointSplatCloud::Update(const vtkPointSplatCloudInput& input)
   this->Whole = input.Whole;
   this->WholeIds = input.WholeIds;
   Key splatKey = vtkPointSplatCloud::SplatKey(blocks);
-  if (!this->Follow(input))
+  if (!this->Follow(input, blocks, splatKey))
   {
     this->Levels.Clear();
     this->Motion.End();

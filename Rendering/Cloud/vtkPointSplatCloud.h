@@ -354,6 +354,9 @@ private:
   /// Whether there are levels that were not there before.
   bool TakeLevels(bool wait);
   static Key StayingKey(const std::vector<Block>& blocks);
+  /// The same of the input's visible blocks, and their key.
+  bool Follow(
+    const vtkPointSplatCloudInput& input, const std::vector<Block>& blocks, const Key& key);
   /// False where some block has points that are not drawn, or what is given says more than radii.
   static bool CanMove(const std::vector<Block>& blocks);
   void BeginMotion(vtkPointSplatMotion::Splats splats);

@@ -84,7 +84,13 @@ bool vtkPointSplatCloud::Follow(const vtkPointSplatCloudInput& input)
 {
   const std::vector<Block> blocks =
     vtkPointSplatCloud::VisibleOf(input, vtkPointSplatCloud::Gather(input.Data));
-  Key key = vtkPointSplatCloud::SplatKey(blocks);
+  return this->Follow(input, blocks, vtkPointSplatCloud::SplatKey(blocks));
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatCloud::Follow(
+  const vtkPointSplatCloudInput& input, const std::vector<Block>& blocks, const Key& key)
+{
   if (this->IsMadeFrom(input, key))
   {
     return true;
@@ -113,7 +119,7 @@ bool vtkPointSplatCloud::Follow(const vtkPointSplatCloudInput& input)
   }
   this->TakeLevels(false);
   const bool followed = this->MoveTo(blocks);
-  this->SplatsMadeFrom = followed ? std::move(key) : Key();
+  this->SplatsMadeFrom = followed ? key : Key();
   return followed;
 }
 
