@@ -11,7 +11,8 @@ of points that stay, all of them and with levels; of moving ones whose sizes fol
 and of moving ones whose sizes are estimated anew, one frame. With --sized the points have radii.
 
 --strain: ever larger strains, from none, and the psnr of pictures with sizes that follow, and with new ones, against those of a fine mesh
-that is moved likewise. LargestStrain in Rendering/Cloud/vtkPointSplatMotion.cxx is where the former begin to fall behind.
+that is moved likewise. LargestStrain in Rendering/Cloud/vtkPointSplatMotion.cxx is where the former begin to fall behind,
+which is seen with a larger one: with that which is there, sizes are new where it says that they do not follow.
 """
 import argparse
 import statistics
