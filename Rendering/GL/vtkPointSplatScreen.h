@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 // One triangle over the viewport, for passes over an image; its vertex shader is
-// vtkPointSplatScreenVS.glsl.
+// vtkPointSplatScreenVS.glsl. Or what a vertex shader finds places for.
 #ifndef vtkPointSplatScreen_h
 #define vtkPointSplatScreen_h
 
@@ -12,7 +12,9 @@ class vtkPointSplatScreen
 {
 public:
   void Draw() { this->Draw(GL_TRIANGLES, 3); }
-  /// Or so many points, where a vertex shader finds places for them.
+  /// Or so many rectangles, of two triangles each.
+  void DrawRectangles(int count) { this->Draw(GL_TRIANGLES, 6 * count); }
+  /// Or so many points.
   void DrawPoints(int count)
   {
     const vtkPointSplatPointSizes sizes;

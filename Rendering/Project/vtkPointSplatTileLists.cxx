@@ -19,6 +19,7 @@ constexpr uint32_t Bent = 2;
 constexpr uint32_t Wide = 4;
 constexpr uint32_t Triangle = 5;
 constexpr int BlockShift = 4; // blocks of 16 x 16 tiles
+constexpr int CellShift = 2;  // what is covered is told by cells of 4 x 4 tiles
 // More threads would each need a count for every tile.
 constexpr int MostParts = 16;
 
@@ -241,7 +242,10 @@ std::vector<uint32_t> vtkPointSplatTileLists::OrderTiles(const glm::ivec2& rows)
     {
       for (int x = low.x; x <= high.x; ++x)
       {
-        order.push_back(static_cast<uint32_t>(y * this->Grid.Tiles.x + x));
+        if (!this->IsEmpty(this->TileAt(x, y)))
+        {
+          order.push_back(this->TileAt(x, y));
+        }
       }
     }
     auto length = [this](uint32_t tile) { return this->Starts[tile + 1] - this->Starts[tile]; };
@@ -258,6 +262,14 @@ size_t vtkPointSplatTileLists::BlockOf(uint32_t tile) const
                           static_cast<int>(tile) / this->Grid.Tiles.x) >>
     BlockShift;
   return static_cast<size_t>(this->Grid.GetCount() + at.y * this->Blocks.x + at.x);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatTileLists::IsEmpty(uint32_t tile) const
+{
+  const size_t block = this->BlockOf(tile);
+  return this->Starts[tile] == this->Starts[tile + 1] &&
+    this->Starts[block] == this->Starts[block + 1];
 }
 
 //------------------------------------------------------------------------------
@@ -320,4 +332,83 @@ void vtkPointSplatTileLists::Deal(
       to += TableWords * groupSize;
     }
   }
+}
+
+//------------------------------------------------------------------------------
+std::vector<glm::ivec4> vtkPointSplatTileLists::GetEmptyRuns() const
+{
+  const glm::ivec4& window = this->Grid.Window;
+  std::vector<glm::ivec4> runs;
+  for (int y = window.y; y <= window.w; ++y)
+  {
+    bool goesOn = false;
+    for (int x = window.x; x <= window.z; ++x)
+    {
+      const bool empty = this->IsEmpty(this->TileAt(x, y));
+      if (empty && !goesOn)
+      {
+        runs.emplace_back(x, y, x, y);
+      }
+      else if (empty)
+      {
+        runs.back().z = x;
+      }
+      goesOn = empty;
+    }
+  }
+  return runs;
+}
+
+//------------------------------------------------------------------------------
+std::vector<glm::ivec4> vtkPointSplatTileLists::GetCovered() const
+{
+  const glm::ivec4& window = this->Grid.Window;
+  std::vector<glm::ivec4> rectangles;
+  std::vector<size_t> above; // which of them end with the row of cells before
+  for (int low = window.y >> CellShift << CellShift; low <= window.w; low += 1 << CellShift)
+  {
+    const glm::ivec2 rows(
+      std::max(low, window.y), std::min(low + (1 << CellShift) - 1, window.w));
+    std::vector<glm::ivec4> runs;
+    for (int first = window.x >> CellShift << CellShift; first <= window.z;
+         first += 1 << CellShift)
+    {
+      const glm::ivec4 cell(std::max(first, window.x), rows.x,
+        std::min(first + (1 << CellShift) - 1, window.z), rows.y);
+      bool covered = false;
+      for (int y = cell.y; y <= cell.w && !covered; ++y)
+      {
+        for (int x = cell.x; x <= cell.z && !covered; ++x)
+        {
+          covered = !this->IsEmpty(this->TileAt(x, y));
+        }
+      }
+      if (covered && !runs.empty() && runs.back().z == cell.x - 1)
+      {
+        runs.back().z = cell.z;
+      }
+      else if (covered)
+      {
+        runs.push_back(cell);
+      }
+    }
+    std::vector<size_t> current;
+    for (const glm::ivec4& run : runs)
+    {
+      const auto same = std::find_if(above.begin(), above.end(), [&](size_t i) {
+        return rectangles[i].x == run.x && rectangles[i].z == run.z;
+      });
+      if (same != above.end())
+      {
+        rectangles[*same].w = run.w;
+      }
+      current.push_back(same != above.end() ? *same : rectangles.size());
+      if (same == above.end())
+      {
+        rectangles.push_back(run);
+      }
+    }
+    above = current;
+  }
+  return rectangles;
 }

@@ -9,7 +9,7 @@
 //    boxes have hundreds of tiles, to those of blocks of 16 x 16 tiles. So each list has its kinds
 //    one after the other, nearest buckets first.
 //    Triangles (vtkPointSplatTrianglesCS.glsl) come after a tile's splats.
-// 3. Tiles are put into an order in which tiles close to each other, whose splats are in the caches,
+// 3. Tiles that have some are put into an order in which tiles close to each other, whose splats are in the caches,
 //    follow one another, and among them those with lists of like lengths, since invocations go in
 //    lockstep; tiles with curved splats or triangles come after all others, so that these can be drawn by a
 //    program that knows none; work groups are dealt out to the driver's threads, which take runs of
@@ -58,7 +58,7 @@ public:
   void WriteRow(uint32_t tile, uint32_t* row) const;
 
   /**
-   * The tiles of the grid's window in some rows of it, and where their splats are in the lists: first
+   * The tiles of the grid's window in some rows of it that have splats, and where these are in the lists: first
    * of the flat, bent and curved ones, tile; end, first of the wide ones, their end, first of the
    * triangles and 1 more. Appended to a
    * table, those without curved and wide ones first, and either padded with zeros to whole work
@@ -66,6 +66,15 @@ public:
    * of the table those without take.
    */
   size_t AddToTable(const glm::ivec2& rows, size_t groupSize, std::vector<uint32_t>& table) const;
+
+  ///@{
+  /**
+   * Of the grid's window, after Count(): runs of tiles in a row that have no splats; and rectangles of
+   * tiles, apart from one another, in which all lie that have some. First tile's x, y, last one's.
+   */
+  std::vector<glm::ivec4> GetEmptyRuns() const;
+  std::vector<glm::ivec4> GetCovered() const;
+  ///@}
 
 private:
   struct Listed
@@ -76,8 +85,10 @@ private:
   };
   template <typename Function>
   void ForEachTile(const Listed& listed, const Function& function) const;
+  uint32_t TileAt(int x, int y) const { return static_cast<uint32_t>(y * this->Grid.Tiles.x + x); }
   std::vector<uint32_t> OrderTiles(const glm::ivec2& rows) const;
   size_t BlockOf(uint32_t tile) const; // its list
+  bool IsEmpty(uint32_t tile) const;
   bool IsCurved(uint32_t tile) const;
   void Deal(
     const std::vector<uint32_t>& tiles, size_t groupSize, std::vector<uint32_t>& table) const;

@@ -6,6 +6,7 @@
 #include "vtkPointSplatUnits.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace
 {
@@ -13,6 +14,7 @@ namespace
 constexpr vtkIdType LeastBlockBytes = 1 << 27;
 // Bands of rows begin at multiples of so many, whatever the size of tiles is.
 constexpr int BandRows = 64;
+constexpr vtkIdType TexelBytes = 16;
 }
 
 //------------------------------------------------------------------------------
@@ -28,8 +30,9 @@ void vtkPointSplatLayers::AllocateBuffers(
   this->Capacity = layers;
   this->Factors = factors;
   this->Ids = ids;
+  this->Covered.clear();
   const GLsizeiptr pixels = static_cast<GLsizeiptr>(size.x) * size.y;
-  this->TexelBuffer.Reserve(16 * pixels * layers);
+  this->TexelBuffer.Reserve(TexelBytes * pixels * layers);
   if (factors > 0)
   {
     this->FactorBuffer.Reserve(4 * pixels * layers);
@@ -59,6 +62,8 @@ void vtkPointSplatLayers::AllocateImages(
   this->Factors = factors;
   this->Looks = 0;
   this->Ids = ids;
+  this->Covered.clear();
+  this->AddCovered({ { 0, 0, size.x - 1, size.y - 1 } });
   this->TexelImage.Allocate(size, layers);
   if (factors > 0)
   {
@@ -68,6 +73,43 @@ void vtkPointSplatLayers::AllocateImages(
   {
     this->IdImage.Allocate(size);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatLayers::AddCovered(const std::vector<glm::ivec4>& rectangles)
+{
+  this->Covered.insert(this->Covered.end(), rectangles.begin(), rectangles.end());
+  this->Rectangles.Upload(this->Covered);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatLayers::Clear(const std::vector<glm::ivec4>& rectangles, int layers)
+{
+  if (rectangles.empty())
+  {
+    return true;
+  }
+  const vtkIdType width = this->Size.x;
+  auto texels = static_cast<char*>(this->TexelBuffer.Map(
+    TexelBytes * width * this->Size.y * this->Capacity, GL_MAP_WRITE_BIT));
+  if (!texels)
+  {
+    return false;
+  }
+  for (const glm::ivec4& rectangle : rectangles)
+  {
+    const size_t bytes = static_cast<size_t>(TexelBytes * (rectangle.z - rectangle.x + 1));
+    for (vtkIdType row = rectangle.y; row <= rectangle.w; ++row)
+    {
+      for (int layer = 0; layer < layers; ++layer)
+      {
+        const vtkIdType at = (row * this->Capacity + layer) * width + rectangle.x;
+        std::memset(texels + TexelBytes * at, 0, bytes);
+      }
+    }
+  }
+  this->TexelBuffer.Unmap();
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -131,6 +173,7 @@ void vtkPointSplatLayers::Bind(vtkPointSplatUnits& units, vtkPointSplatProgram& 
       this->Factors > 0 ? this->FactorImage.Get() : 0);
     units.Bind(program, "LayerIds", GL_TEXTURE_2D, this->Ids ? this->IdImage.Get() : 0);
   }
+  units.Bind(program, "LayerRectangles", GL_TEXTURE_BUFFER, this->Rectangles.GetTexture());
   program.Set("LayerSize", this->Size);
   program.Set("LayerCapacity", this->Capacity);
   program.Set("LayerCount", this->Count);
@@ -154,8 +197,10 @@ void vtkPointSplatLayers::Release()
   this->FactorBuffer.Release();
   this->LookBuffer.Release();
   this->IdBuffer.Release();
+  this->Rectangles.Release();
   this->TexelImage.Release();
   this->FactorImage.Release();
   this->IdImage.Release();
+  this->Covered.clear();
   this->Count = this->Capacity = 0;
 }

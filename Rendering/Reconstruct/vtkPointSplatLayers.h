@@ -7,6 +7,9 @@
 // for hardware selection, the ids of the splats of the greatest weight (R32UI). A pixel's layers end
 // with the first that is empty there.
 //
+// Rectangles tell where there may be any layers (RGBA32I, first pixel's x, y, last one's); beside them
+// all is empty, and need not be presented.
+//
 // Compute shaders write buffers, which have all layers of a row of pixels side by side, so that
 // some rows can be bound where a driver bounds storage blocks; the rasteriser writes array textures.
 // vtkPointSplatLayers.glsl reads either.
@@ -17,6 +20,7 @@
 #include "vtkPointSplatImage.h"
 
 #include <string>
+#include <vector>
 
 class vtkPointSplatProgram;
 class vtkPointSplatUnits;
@@ -43,6 +47,21 @@ public:
   void SetGathered(int layer) { this->Gathered = layer; }
   int GetGathered() const { return this->Gathered; }
   ///@}
+
+  ///@{
+  /**
+   * The rectangles outside which all is empty: pixels, apart from one another. Those that were known
+   * are forgotten when room is made.
+   */
+  void AddCovered(const std::vector<glm::ivec4>& rectangles);
+  const std::vector<glm::ivec4>& GetCovered() const { return this->Covered; }
+  ///@}
+
+  /**
+   * Empties so many layers of pixels in rectangles, of buffers that the processor may write to. False
+   * where it cannot.
+   */
+  bool Clear(const std::vector<glm::ivec4>& rectangles, int layers);
 
   bool AreBuffers() const { return this->Buffers; }
   int GetCapacity() const { return this->Capacity; }
@@ -82,10 +101,12 @@ private:
   int Factors = 0;
   int Looks = 0;
   bool Ids = false;
+  std::vector<glm::ivec4> Covered;
   vtkPointSplatBuffer TexelBuffer{ GL_RGBA32UI };
   vtkPointSplatBuffer FactorBuffer{ GL_R32UI };
   vtkPointSplatBuffer LookBuffer{ GL_RGBA32UI };
   vtkPointSplatBuffer IdBuffer{ GL_R32UI };
+  vtkPointSplatBuffer Rectangles{ GL_RGBA32I };
   vtkPointSplatImage TexelImage{ GL_RGBA32UI };
   vtkPointSplatImage FactorImage{ GL_R32UI };
   vtkPointSplatImage IdImage{ GL_R32UI };

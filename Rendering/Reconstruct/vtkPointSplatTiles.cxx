@@ -19,6 +19,8 @@ constexpr GLsizeiptr BoxBytes = 8;
 // Entries of all lists, so that these are within a storage block, which has at least 128 MiB in
 // drivers of use.
 constexpr size_t MostEntries = size_t(1) << 25;
+// The last word of the summary of a tile in which nothing is (vtkPointSplatTileSummary.glsl).
+constexpr GLuint EmptyTile = 0xffffu;
 // Room for layers before it is known how many there are.
 constexpr int FirstCapacity = 8;
 
@@ -226,6 +228,50 @@ vtkPointSplatProgram* vtkPointSplatTiles::UseTiles(const vtkPointSplatRequest& r
 }
 
 //------------------------------------------------------------------------------
+bool vtkPointSplatTiles::Leave(const vtkPointSplatRequest& request, const vtkPointSplatPart& part,
+  const Variant& variant, vtkPointSplatLayers& layers)
+{
+  if (variant.Lanes > 1)
+  {
+    layers.AddCovered({ part.Window });
+    return true;
+  }
+  auto pixelsOf = [&](std::vector<glm::ivec4> tiles) {
+    for (glm::ivec4& r : tiles)
+    {
+      r = { glm::max(glm::ivec2(r) * variant.TileSize, glm::ivec2(part.Window)),
+        glm::min((glm::ivec2(r.z, r.w) + 1) * variant.TileSize - 1,
+          glm::ivec2(part.Window.z, part.Window.w)) };
+    }
+    return tiles;
+  };
+  layers.AddCovered(pixelsOf(this->HostLists.GetCovered()));
+  const std::vector<glm::ivec4> runs = this->HostLists.GetEmptyRuns();
+  if (!layers.Clear(pixelsOf(runs), request.ShowsEach ? layers.GetCapacity() : 1))
+  {
+    this->Error = "layers cannot be written: out of memory?";
+    return false;
+  }
+  if (request.Outlines && !runs.empty())
+  {
+    auto summaries =
+      static_cast<glm::uvec4*>(this->Summaries.Map(this->GetSummaryBytes(), GL_MAP_WRITE_BIT));
+    if (!summaries)
+    {
+      this->Error = "the tiles' summaries cannot be written: out of memory?";
+      return false;
+    }
+    for (const glm::ivec4& run : runs)
+    {
+      std::fill_n(summaries + run.y * this->Grid.Tiles.x + run.x, run.z - run.x + 1,
+        glm::uvec4(0u, 0u, 0u, EmptyTile));
+    }
+    this->Summaries.Unmap();
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 std::vector<vtkPointSplatTiles::Band> vtkPointSplatTiles::MakeBands(
   const Variant& variant, const vtkPointSplatLayers& layers)
 {
@@ -268,8 +314,12 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::DrawLayers(const vtkPointSplatReq
   }
   if (request.Outlines && variant.Lanes == 1)
   {
-    this->Summaries.Reserve(16 * static_cast<GLsizeiptr>(this->Grid.GetCount()));
+    this->Summaries.Reserve(this->GetSummaryBytes());
     this->Summaries.BindStorage(4);
+  }
+  if (!this->Leave(request, part, variant, layers))
+  {
+    return Failed;
   }
   const std::vector<Band> bands = this->MakeBands(variant, layers);
   for (const bool curved : { false, true })

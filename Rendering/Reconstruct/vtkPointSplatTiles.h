@@ -11,7 +11,8 @@
 //    what belongs to it (Zhang, Pajarola 2006, equation 1), then the next layer (Guennebaud,
 //    Barthe, Paulin 2006, section 6; triangles weigh what splats leave of 1, section 5.1), until
 //    nothing is left, or nothing that could change a pixel by the target. There are no atomic
-//    operations a pixel, and no pass over empty tiles.
+//    operations a pixel. Tiles that the processor lists no splats for are visited by nobody: their texels are
+//    emptied, and the layers are told where there are others.
 // 4. Smooth outlines: what four samples of each pixel show that one runs through
 //    (vtkPointSplatOutlines.h).
 //
@@ -124,6 +125,13 @@ private:
     size_t Plain;
     size_t Curved;
   };
+  GLsizeiptr GetSummaryBytes() const
+  {
+    return 16 * static_cast<GLsizeiptr>(this->Grid.GetCount());
+  }
+  /// Tells the layers where tiles have splats, and empties the others, which no invocation visits.
+  bool Leave(const vtkPointSplatRequest& request, const vtkPointSplatPart& part,
+    const Variant& variant, vtkPointSplatLayers& layers);
   std::vector<Band> MakeBands(const Variant& variant, const vtkPointSplatLayers& layers);
   Result DrawLayers(const vtkPointSplatRequest& request, const vtkPointSplatPart& part,
     const Variant& variant, vtkPointSplatLayers& layers);

@@ -92,7 +92,9 @@ bool vtkPointSplatFlat::DrawLayers(const vtkPointSplatShading& shading,
     shading.GetDefines(layers.GetGathered() >= 0) +
     (reflectionAlone ? "#define REFLECTION_ALONE\n" : "");
   vtkPointSplatProgram& program = this->Programs[defines];
-  if (!program.BuildScreen("vtkPointSplatFlattenFS", defines))
+  if (!program.Build({ { GL_VERTEX_SHADER, "vtkPointSplatLayersVS" },
+                       { GL_FRAGMENT_SHADER, "vtkPointSplatFlattenFS" } },
+        defines))
   {
     this->Error = program.GetLog();
     return false;
@@ -105,7 +107,7 @@ bool vtkPointSplatFlat::DrawLayers(const vtkPointSplatShading& shading,
     vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
     layers.Bind(units, program);
     shading.Bind(units, program, layers.GetFactorCount());
-    this->Screen.Draw();
+    this->Screen.DrawRectangles(static_cast<int>(layers.GetCovered().size()));
     shading.Unbind();
   }
   glUseProgram(0);

@@ -39,7 +39,7 @@ std::vector<int> StepsFor(const vtkPointSplatOutlines& outlines)
 
 const char* VertexFile(int outlines)
 {
-  return outlines == OutlinesAlone ? "vtkPointSplatOutlineVS" : "vtkPointSplatScreenVS";
+  return outlines == OutlinesAlone ? "vtkPointSplatOutlineVS" : "vtkPointSplatLayersVS";
 }
 
 std::string Define(int outlines)
@@ -190,6 +190,40 @@ bool vtkPointSplatResolve::Use(const Target& target, const char* vertexFile, con
 }
 
 //------------------------------------------------------------------------------
+template <typename Function>
+void vtkPointSplatResolve::Draw(
+  const Target& target, const vtkPointSplatView& view, const Function& draw)
+{
+  vtkOpenGLState* state =
+    static_cast<vtkOpenGLRenderWindow*>(target.Renderer->GetRenderWindow())->GetState();
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+  // Within what the renderer, or an area selection, lets through.
+  int clip[4];
+  state->vtkglGetIntegerv(GL_SCISSOR_BOX, clip);
+  glm::ivec2 low = view.Origin + glm::ivec2(target.Window);
+  glm::ivec2 high = view.Origin + glm::ivec2(target.Window.z, target.Window.w) + 1;
+  if (state->GetEnumState(GL_SCISSOR_TEST))
+  {
+    low = glm::max(low, glm::ivec2(clip[0], clip[1]));
+    high = glm::min(high, glm::ivec2(clip[0] + clip[2], clip[1] + clip[3]));
+  }
+  if (low.x < high.x && low.y < high.y)
+  {
+    state->vtkglEnable(GL_SCISSOR_TEST);
+    state->vtkglScissor(low.x, low.y, high.x - low.x, high.y - low.y);
+    state->vtkglDisable(GL_CULL_FACE);
+    state->vtkglEnable(GL_DEPTH_TEST);
+    // What is drawn has its place in the images, which may be of a part of the window.
+    vtkOpenGLState::ScopedglViewport viewport(state);
+    state->vtkglViewport(view.Origin.x, view.Origin.y, view.Size.x, view.Size.y);
+    draw();
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkPointSplatResolve::Present(const Target& target, const vtkPointSplatShading& shading,
   const Source& source, int layer, int slot)
 {
@@ -220,7 +254,11 @@ bool vtkPointSplatResolve::Present(const Target& target, const vtkPointSplatShad
     program.Set("Layer", layer);
     program.Set("OnlySlot", slot);
     program.Set("KeepsDepth", target.KeepsDepth);
-    this->Draw(target, shading.View, outlines == OutlinesAlone ? source.Outlines.GetCount() : 0);
+    this->Draw(target, shading.View, [&]() {
+      outlines == OutlinesAlone
+        ? this->Screen.DrawPoints(source.Outlines.GetCount())
+        : this->Screen.DrawRectangles(static_cast<int>(layers.GetCovered().size()));
+    });
     shading.Unbind();
   }
   return true;
@@ -250,7 +288,9 @@ bool vtkPointSplatResolve::PresentSelection(const Target& target, const vtkPoint
   program.Set("SelectionColour", colour);
   program.Set("SelectionShift", selection.Shift);
   program.Set("SelectionNearer", static_cast<float>(selection.Nearer) * view.GetPixelSize());
-  this->Draw(target, view);
+  this->Draw(target, view, [&]() {
+    this->Screen.DrawRectangles(static_cast<int>(layers.GetCovered().size()));
+  });
   return true;
 }
 
@@ -266,7 +306,8 @@ bool vtkPointSplatResolve::PresentFlat(const Target& target, const vtkPointSplat
       return false;
     }
     vtkPointSplatProgram program;
-    if (!this->Use(target, VertexFile(step), "vtkPointSplatFlatFS", Define(step), program))
+    if (!this->Use(target, step == OutlinesAlone ? VertexFile(step) : "vtkPointSplatScreenVS",
+          "vtkPointSplatFlatFS", Define(step), program))
     {
       return false;
     }
@@ -277,43 +318,9 @@ bool vtkPointSplatResolve::PresentFlat(const Target& target, const vtkPointSplat
     outlines.Bind(units, program);
     this->Means.Bind(units, program);
     program.Set("ImageOrigin", view.Origin);
-    this->Draw(target, view, step == OutlinesAlone ? outlines.GetCount() : 0);
+    this->Draw(target, view, [&]() {
+      step == OutlinesAlone ? this->Screen.DrawPoints(outlines.GetCount()) : this->Screen.Draw();
+    });
   }
   return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkPointSplatResolve::Draw(
-  const Target& target, const vtkPointSplatView& view, int points)
-{
-  vtkOpenGLState* state =
-    static_cast<vtkOpenGLRenderWindow*>(target.Renderer->GetRenderWindow())->GetState();
-  vtkOpenGLState::ScopedglScissor scissor(state);
-  vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
-  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
-  vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
-  // Within what the renderer, or an area selection, lets through.
-  int clip[4];
-  state->vtkglGetIntegerv(GL_SCISSOR_BOX, clip);
-  glm::ivec2 low = view.Origin + glm::ivec2(target.Window);
-  glm::ivec2 high = view.Origin + glm::ivec2(target.Window.z, target.Window.w) + 1;
-  if (state->GetEnumState(GL_SCISSOR_TEST))
-  {
-    low = glm::max(low, glm::ivec2(clip[0], clip[1]));
-    high = glm::min(high, glm::ivec2(clip[0] + clip[2], clip[1] + clip[3]));
-  }
-  if (low.x < high.x && low.y < high.y)
-  {
-    state->vtkglEnable(GL_SCISSOR_TEST);
-    state->vtkglScissor(low.x, low.y, high.x - low.x, high.y - low.y);
-    state->vtkglDisable(GL_CULL_FACE);
-    state->vtkglEnable(GL_DEPTH_TEST);
-    // Points have their places in the images, which may be of a part of the window.
-    vtkOpenGLState::ScopedglViewport viewport(state);
-    if (points > 0)
-    {
-      state->vtkglViewport(view.Origin.x, view.Origin.y, view.Size.x, view.Size.y);
-    }
-    points > 0 ? this->Screen.DrawPoints(points) : this->Screen.Draw();
-  }
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The stage shade: a reconstructed layer goes to the renderer's framebuffer as a full-screen
-// triangle with colour, opacity and depth, through VTK's shader cache and the hooks of its render
+// The stage shade: a reconstructed layer goes to the renderer's framebuffer as rectangles over all
+// that it may cover, with colour, opacity and depth, through VTK's shader cache and the hooks of its render
 // passes.
 #ifndef vtkPointSplatResolve_h
 #define vtkPointSplatResolve_h
@@ -88,8 +88,9 @@ private:
   struct Hooks;
   bool Use(const Target& target, const char* vertexFile, const char* file,
     const std::string& defines, vtkPointSplatProgram& program);
-  /// points: that are drawn instead of all pixels, or 0.
-  void Draw(const Target& target, const vtkPointSplatView& view, int points = 0);
+  /// Calls what draws with the state that it needs: a viewport of the images' size.
+  template <typename Function>
+  void Draw(const Target& target, const vtkPointSplatView& view, const Function& draw);
 
   vtkPointSplatScreen Screen;
   vtkPointSplatOutlineMeans Means;

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The lists of the splats in each tile of the image, made by the device and by the processor: the
 // same picture, but for what a 32nd of a pixel may change. The device's tiles, of a pixel an
-// invocation, take rays for parallel nowhere, the processor's where that moves nothing by more.
+// invocation, take rays for parallel nowhere, the processor's where that moves nothing by more. Tiles
+// without splats, which the processor's lists leave out, show nothing of the frames before.
 #include "SplatScene.h"
 
 #include "vtkHardwareSelector.h"
+
+#include <cmath>
 
 namespace
 {
@@ -95,6 +98,55 @@ void TestSame(Checks& checks, const std::string& name, Scene& scene)
   checks.Expect(scene.Draw(vtkPointSplatMapper::AUTOMATIC_LISTS).Pixels == processor.Pixels,
     name + ": the automatic picture differs");
 }
+
+/// Two bodies at the ends of a window's diagonal, and nothing between them.
+struct Bodies
+{
+  Window Win;
+  vtkNew<vtkPointSplatMapper> Mapper;
+  vtkActor* Actors[2];
+
+  Bodies(double opacity, vtkPointSplatMapper::TileListsType lists)
+    : Win(Size)
+  {
+    this->Mapper->SetInputData(RandomSphere(2000));
+    this->Mapper->SetTileLists(lists);
+    for (vtkActor*& actor : this->Actors)
+    {
+      actor = this->Win.Add(this->Mapper);
+      actor->GetProperty()->SetOpacity(opacity);
+    }
+    this->Put(0.0);
+    this->Win.Renderer->ResetCamera();
+  }
+  void Put(double angle)
+  {
+    for (int i = 0; i < 2; ++i)
+    {
+      const double side = i == 0 ? 6.0 : -6.0;
+      this->Actors[i]->SetPosition(side * std::cos(angle), side * std::sin(angle), 0.0);
+    }
+  }
+};
+
+void TestEmptyTiles(Checks& checks, const std::string& name, double opacity)
+{
+  Bodies moved(opacity, vtkPointSplatMapper::PROCESSOR);
+  for (const double angle : { 0.0, 0.4, 1.2, 2.5 })
+  {
+    moved.Put(angle);
+    const Picture picture = moved.Win.Draw();
+    Bodies fresh(opacity, vtkPointSplatMapper::PROCESSOR);
+    fresh.Put(angle);
+    Bodies device(opacity, vtkPointSplatMapper::DEVICE);
+    device.Put(angle);
+    checks.AtLeast(picture.CountDrawn(), 500, name + ", two bodies: pixels drawn");
+    checks.Expect(fresh.Win.Draw().Pixels == picture.Pixels,
+      name + ", two bodies: what was drawn before is seen");
+    checks.AtMost(CountDifferentCoverage(picture, device.Win.Draw()), 10,
+      name + ", two bodies: pixels that the device's lists cover otherwise");
+  }
+}
 }
 
 int TestSplatsTileLists(int, char*[])
@@ -103,6 +155,7 @@ int TestSplatsTileLists(int, char*[])
   for (const double opacity : { 1.0, 0.4 })
   {
     const std::string name = opacity < 1.0 ? "translucent" : "opaque";
+    TestEmptyTiles(checks, name, opacity);
     Scene scene(opacity, Size);
     TestSame(checks, name, scene);
     scene.Draw(vtkPointSplatMapper::PROCESSOR);
