@@ -46,10 +46,9 @@ constexpr double MostFarther = 2.0;
 // Lights for which errors are measured, each less than the one before by a factor: the last do for 1/64.
 constexpr size_t Ends = 16;
 constexpr double EndFactor = 0.8;
-// Pixels between splats for which they are, each a stride more than the one before: the greatest are as many as
-// splats may be apart for 1/64, 1/32 and 1/16.
+// Pixels between splats for which they are, each a stride more than the one before; those for 1/64, 1/32 and 1/16
+// are among them.
 constexpr double LeastApart = 0.625;
-constexpr size_t Aparts = 9;
 
 // Points at most this far apart, in pixels, leave holes of single pixels only, be they spread at
 // random. A second step would widen silhouettes.
@@ -99,14 +98,24 @@ std::vector<double> vtkPointSplatChoices::EndLights()
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> vtkPointSplatChoices::ApartPixels()
+std::vector<double> vtkPointSplatChoices::ApartPixels(double targetError)
 {
+  // Splats are farther apart than the image is wide long before an error of 1.
+  const double farthest = (1.0 + 1e-6) * MostFarther * std::min(targetError, 1.0) / StrideErrorPerPixel;
   std::vector<double> pixels;
-  while (pixels.size() < Aparts)
+  for (double apart = LeastApart; apart <= farthest;
+       apart = LeastApart * std::exp2(0.5 * static_cast<double>(pixels.size())))
   {
-    pixels.push_back(LeastApart * std::exp2(0.5 * static_cast<double>(pixels.size())));
+    pixels.push_back(apart);
   }
   return pixels;
+}
+
+//------------------------------------------------------------------------------
+double vtkPointSplatChoices::MostApartError(const vtkPointSplatFacts& facts, double tolerance)
+{
+  // Where there are layers to leave out, these may have as much.
+  return tolerance * std::sqrt(MeasuredShare / (facts.Translucent ? 2.0 : 1.0));
 }
 
 //------------------------------------------------------------------------------
@@ -176,15 +185,14 @@ bool IsMeasured(const vtkPointSplatFacts& facts)
 }
 
 //------------------------------------------------------------------------------
-/// How many of ApartPixels() may be taken: where there are layers to leave out, these have as much.
+/// How many of ApartPixels() may be taken.
 size_t CountOfFitting(const vtkPointSplatFacts& facts, double tolerance)
 {
-  const double most = tolerance * std::sqrt(MeasuredShare / (facts.Translucent ? 2.0 : 1.0));
-  const double farthest = (1.0 + 1e-6) * MostFarther * tolerance / StrideErrorPerPixel;
-  const std::vector<double> pixels = vtkPointSplatChoices::ApartPixels();
+  const double most = vtkPointSplatChoices::MostApartError(facts, tolerance);
+  const size_t known =
+    std::min(facts.ApartErrors.size(), vtkPointSplatChoices::ApartPixels(tolerance).size());
   size_t count = 0;
-  while (count < facts.ApartErrors.size() && facts.ApartErrors[count] <= most &&
-    pixels[count] <= farthest)
+  while (count < known && facts.ApartErrors[count] <= most)
   {
     ++count;
   }
@@ -204,7 +212,7 @@ double Apart(const vtkPointSplatFacts& facts, double tolerance)
     return tolerance / StrideErrorPerPixel;
   }
   const size_t count = CountOfFitting(facts, tolerance);
-  return count > 0 ? vtkPointSplatChoices::ApartPixels()[count - 1] : 0.0;
+  return count > 0 ? vtkPointSplatChoices::ApartPixels(tolerance)[count - 1] : 0.0;
 }
 
 //------------------------------------------------------------------------------

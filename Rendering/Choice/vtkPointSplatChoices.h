@@ -146,8 +146,10 @@ public:
   /// Shares of the light behind of which frames tell what peeling that ends there would lose.
   static std::vector<double> EndLights();
 
-  /// Pixels between splats, for which frames tell what fewer splats would lose.
-  static std::vector<double> ApartPixels();
+  /// Pixels between splats, for which frames tell what fewer splats would lose, as far as a target error may go.
+  static std::vector<double> ApartPixels(double targetError);
+  /// The error that fewer splats may have, where it was measured.
+  static double MostApartError(const vtkPointSplatFacts& facts, double tolerance);
 
   /// Of splats that are so many pixels apart every 2^n-th is no farther from the next than allowed.
   static int StrideShift(double spacingPixels, double allowed);

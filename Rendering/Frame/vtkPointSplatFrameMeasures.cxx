@@ -69,31 +69,35 @@ std::vector<double> vtkPointSplatFrame::TryFewer(Pass& pass, const vtkPointSplat
   const std::vector<float> all = this->Errors.Blend(shading, pass.Surfaces->GetLayers(), window);
   const vtkPointSplatCollection::Entries entries = pass.Entries;
   const vtkPointSplatChoice chosen = pass.Choice;
-  std::vector<double> errors;
+  const double target = pass.Facts.TargetError;
+  const std::vector<double> pixels = vtkPointSplatChoices::ApartPixels(target);
+  const double most = vtkPointSplatChoices::MostApartError(pass.Facts, target);
+  // The fewest come first, since they take the least time: those that fit end the search, as no finer
+  // ones have a greater error.
+  std::vector<double> errors(pixels.size(), 0.0);
   vtkPointSplatChoice last = chosen;
-  double error = 0.0;
-  for (const double apart : vtkPointSplatChoices::ApartPixels())
+  double error = 2.0 * target;
+  for (size_t i = pixels.size(); i > 0 && error > most; --i)
   {
     vtkPointSplatFacts facts = pass.Facts;
-    facts.Apart = apart;
+    facts.Apart = pixels[i - 1];
     pass.Choice = vtkPointSplatChoices::Make(facts);
+    if (pass.Choice.IsLike(chosen))
+    {
+      std::fill_n(errors.begin(), i, 0.0); // nor do those that are finer leave any out
+      break;
+    }
     if (!pass.Choice.IsLike(last))
     {
       vtkPointSplatRequest request = this->MakeRequest(pass, best.SceneDepth);
       request.Outlines = false;
-      if (!this->Trial.Build(std::move(request), this->Reconstruction))
-      {
-        break;
-      }
-      error = vtkPointSplatErrors::Difference(
-        all, this->Errors.Blend(shading, this->Trial.GetLayers(), window));
+      error = this->Trial.Build(std::move(request), this->Reconstruction)
+        ? vtkPointSplatErrors::Difference(
+            all, this->Errors.Blend(shading, this->Trial.GetLayers(), window))
+        : 1.0;
     }
     last = pass.Choice;
-    errors.push_back(error);
-    if (error > pass.Facts.TargetError)
-    {
-      break;
-    }
+    std::fill_n(errors.begin(), i, error);
   }
   this->Trial.Release();
   pass.Entries = entries;

@@ -211,7 +211,7 @@ void TestMeasured(Checks& checks)
 {
   const auto with = [](Facts facts, size_t apart, size_t ends, double error) {
     // All up to some have that error, the others the greatest.
-    facts.ApartErrors.assign(vtkPointSplatChoices::ApartPixels().size(), 1.0);
+    facts.ApartErrors.assign(vtkPointSplatChoices::ApartPixels(Rough).size(), 1.0);
     std::fill_n(facts.ApartErrors.begin(), apart, error);
     facts.EndErrors.assign(vtkPointSplatChoices::EndLights().size(), error);
     std::fill_n(facts.EndErrors.begin(), ends, 1.0);
