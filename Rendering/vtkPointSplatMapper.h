@@ -142,8 +142,10 @@ public:
    * The largest error, as rms difference of colour (of 1) over the covered pixels, that leaving
    * work out may make against this module's best picture of the scene; of all splat mappers of a
    * renderer the least holds. 1/256, the default, is full quality. A greater one lets splats that
-   * are much denser than pixels be fewer and larger, layers that hardly show be left out, and
-   * shadows have fewer samples. While the user drags (the window's desired update rate is higher
+   * are denser than pixels be fewer and larger, layers that hardly show be left out, and shadows
+   * have fewer samples; from 1/32 on outlines are not smoothed. A first frame has all splats and
+   * layers, and measures what fewer would lose; so has one after the camera has turned by half a
+   * right angle or things look twice as large or half, and one of thirty that show others. While the user drags (the window's desired update rate is higher
    * than the interactor's still one) and frames take longer than the actors' AllocatedRenderTime,
    * errors up to 1/32 are allowed, where that saves a quarter of the frame at least; at rest all is
    * drawn in full quality. GetChoices() tells what the last frame chose and why, a line each.
@@ -351,7 +353,7 @@ public:
    * the nearest one's colour and depth. With other framebuffers, what outlines run before shows
    * through opaque surfaces there, and pixels are covered or not where an opaque prop that is no
    * splat's is drawn after them, since it could not. Not with Refraction, where splats are drawn by
-   * quads or Method is Deferred, or beside a mapper that has it off. With Method ImageSpace pixels at
+   * quads or Method is Deferred, where TargetError is 1/32 or more, or beside a mapper that has it off. With Method ImageSpace pixels at
    * silhouettes, which the Laplacian of the depth finds, are blended with what lies beyond (Dobrev,
    * Rosenthal, Linsen 2010, section 3.5), half and half, since points mark all of the pixel that
    * they fall in. On by default.

@@ -58,6 +58,8 @@ const char* vtkPointSplatMapper::GetChoices()
        << (this->Hybrid == HYBRID_OFF      ? "hybrids are off"
               : r.Projected.Triangles > 0 ? "where their edges are longer than four pixels"
                                            : "none is magnified, or splats alone can show it")
+       << "\noutlines: " << (this->AntiAliasing && r.Choice.Outlines ? "smoothed, " : "as pixels have them, ")
+       << (this->AntiAliasing ? r.Choice.OutlinesReason : "smoothing is off")
        << "\nfill steps: " << r.FillSteps << ", " << r.Choice.FillReason
        << "\nshadow samples: " << r.ShadowSamples << ", "
        << (this->Shadows ? r.ShadowReason : "shadows are off")

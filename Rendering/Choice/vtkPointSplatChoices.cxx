@@ -10,13 +10,14 @@ namespace
 {
 // Testing/Benchmark/fit_choices.py fits the constants of errors, and OneStepPixels, and prints residuals.
 
-// Fewer splats against all of them, of smooth clouds: of splats that are then this many pixels apart
-// the error is at most this much, and proportional to it.
-constexpr double StrideErrorPerPixel = 0.012;
-// Outlines change sides here and there, however dense splats are: of bodies of 200 pixels that is an
-// error of 0.009, of smaller ones more; and noise of normals, of which fewer splats average less, has 0.03
-// and more for each pixel, which strides at smaller targets would miss far more often.
-constexpr double LeastStrideError = 1.0 / 32.0;
+// Fewer splats against all of them, of smooth clouds, where that was not measured: of splats that are
+// then this many pixels apart the error is at most this much for each, outlines without smoothing included.
+constexpr double StrideErrorPerPixel = 0.0125;
+// Fewer splats move outlines here and there, however dense they are, and without smoothing they have
+// steps: of bodies of 200 pixels that is an error of 0.016, of smaller ones more. And noise of normals, of
+// which fewer splats average less, has 0.03 and more for each pixel, which strides at smaller targets that
+// were not measured would miss far more often.
+constexpr double OutlineError = 1.0 / 32.0;
 // So many splats in each pixel show what any number more of them does, to 49 dB. All of them may be too many: software
 // drivers end loops after 65,535 rounds, so that tiles with a thousand in each pixel had wrong pixels.
 constexpr double MostPerPixel = 128.0;
@@ -36,9 +37,18 @@ constexpr double SmoothDeviation = 0.02;
 // Elsewhere half of it.
 constexpr double PointPixels = 1.8;
 
-// Layers that are left out have an error of at most this share of the light that is left behind the
-// last one drawn.
-constexpr double LayerError = 0.41;
+// Of the squared tolerance, what measured errors may have together. The rest is 0.022 at 1/32, which
+// outlines keep to.
+constexpr double MeasuredShare = 0.5;
+// However small the error, splats are no more than so many times as far apart as where it was not measured:
+// what is wrong between them is little, but large enough to be seen.
+constexpr double MostFarther = 2.0;
+// Lights for which errors are measured, each less than the one before by a factor: the last do for 1/64.
+constexpr size_t Ends = 16;
+constexpr double EndFactor = 0.8;
+// Pixels between splats for which they are, each a stride more than the one before; those for 1/64, 1/32 and 1/16
+// are among them.
+constexpr double LeastApart = 0.625;
 
 // Points at most this far apart, in pixels, leave holes of single pixels only, be they spread at
 // random. A second step would widen silhouettes.
@@ -63,7 +73,7 @@ bool vtkPointSplatChoice::IsLike(const vtkPointSplatChoice& other) const
   return this->Compute == other.Compute && this->Deferred == other.Deferred &&
     this->Transparency == other.Transparency && this->MaximumLayers == other.MaximumLayers &&
     this->LeastContribution == other.LeastContribution && this->FillSteps == other.FillSteps &&
-    this->StrideShifts == other.StrideShifts &&
+    this->StrideShifts == other.StrideShifts && this->Outlines == other.Outlines &&
     (this->LevelPixels == other.LevelPixels || !this->HasLevels);
 }
 
@@ -77,11 +87,43 @@ std::string vtkPointSplatChoices::Text(double error)
 }
 
 //------------------------------------------------------------------------------
-int vtkPointSplatChoices::StrideShift(double spacingPixels, double tolerance)
+std::vector<double> vtkPointSplatChoices::EndLights()
+{
+  std::vector<double> lights;
+  for (double light = EndFactor; lights.size() < Ends; light *= EndFactor)
+  {
+    lights.push_back(light);
+  }
+  return lights;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> vtkPointSplatChoices::ApartPixels(double targetError)
+{
+  // Splats are farther apart than the image is wide long before an error of 1.
+  const double farthest = (1.0 + 1e-6) * MostFarther * std::min(targetError, 1.0) / StrideErrorPerPixel;
+  std::vector<double> pixels;
+  for (double apart = LeastApart; apart <= farthest;
+       apart = LeastApart * std::exp2(0.5 * static_cast<double>(pixels.size())))
+  {
+    pixels.push_back(apart);
+  }
+  return pixels;
+}
+
+//------------------------------------------------------------------------------
+double vtkPointSplatChoices::MostApartError(const vtkPointSplatFacts& facts, double tolerance)
+{
+  // Where there are layers to leave out, these may have as much.
+  return tolerance * std::sqrt(MeasuredShare / (facts.Translucent ? 2.0 : 1.0));
+}
+
+//------------------------------------------------------------------------------
+int vtkPointSplatChoices::StrideShift(double spacingPixels, double allowed)
 {
   int shift = 0;
-  while (tolerance >= LeastStrideError && spacingPixels > 0.0 && shift < MostStrideShift &&
-    StrideErrorPerPixel * spacingPixels * std::exp2(0.5 * (shift + 1)) <= tolerance)
+  while (spacingPixels > 0.0 && shift < MostStrideShift &&
+    spacingPixels * std::exp2(0.5 * (shift + 1)) <= allowed)
   {
     ++shift;
   }
@@ -137,6 +179,62 @@ void ChooseMethod(const vtkPointSplatFacts& facts, vtkPointSplatChoice& choice)
 }
 
 //------------------------------------------------------------------------------
+bool IsMeasured(const vtkPointSplatFacts& facts)
+{
+  return facts.Apart || !facts.ApartErrors.empty();
+}
+
+//------------------------------------------------------------------------------
+/// How many of ApartPixels() may be taken.
+size_t CountOfFitting(const vtkPointSplatFacts& facts, double tolerance)
+{
+  const double most = vtkPointSplatChoices::MostApartError(facts, tolerance);
+  const size_t known =
+    std::min(facts.ApartErrors.size(), vtkPointSplatChoices::ApartPixels(tolerance).size());
+  size_t count = 0;
+  while (count < known && facts.ApartErrors[count] <= most)
+  {
+    ++count;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+/// How many pixels splats may be apart: as was measured, or for lack of that as was fitted.
+double Apart(const vtkPointSplatFacts& facts, double tolerance)
+{
+  if (facts.Apart)
+  {
+    return *facts.Apart;
+  }
+  if (!IsMeasured(facts))
+  {
+    return tolerance / StrideErrorPerPixel;
+  }
+  const size_t count = CountOfFitting(facts, tolerance);
+  return count > 0 ? vtkPointSplatChoices::ApartPixels(tolerance)[count - 1] : 0.0;
+}
+
+//------------------------------------------------------------------------------
+/// The least light behind that counts: colours cannot differ by more, and were measured to differ by less.
+double LeastContribution(const vtkPointSplatFacts& facts, double tolerance)
+{
+  double least = tolerance;
+  const size_t count = CountOfFitting(facts, tolerance);
+  const double fewer = count > 0 ? facts.ApartErrors[count - 1] : 0.0;
+  const double most = MeasuredShare * tolerance * tolerance - fewer * fewer;
+  const std::vector<double> lights = vtkPointSplatChoices::EndLights();
+  for (size_t i = 0; i < facts.EndErrors.size(); ++i)
+  {
+    if (facts.EndErrors[i] * facts.EndErrors[i] <= most)
+    {
+      least = std::max(least, lights[i]);
+    }
+  }
+  return least;
+}
+
+//------------------------------------------------------------------------------
 void ChooseLayers(const vtkPointSplatFacts& facts, double tolerance, vtkPointSplatChoice& choice)
 {
   if (!facts.Translucent)
@@ -146,10 +244,15 @@ void ChooseLayers(const vtkPointSplatFacts& facts, double tolerance, vtkPointSpl
     return;
   }
   choice.MaximumLayers = facts.MaximumLayers;
-  choice.LeastContribution =
-    tolerance > vtkPointSplatChoices::FullQuality ? tolerance / LayerError : tolerance;
+  choice.LeastContribution = facts.Apart ? vtkPointSplatChoices::FullQuality
+    : tolerance > vtkPointSplatChoices::FullQuality ? LeastContribution(facts, tolerance)
+                                                    : tolerance;
   choice.LayersReason = "until nothing is left, or less than " +
-    vtkPointSplatChoices::Text(choice.LeastContribution) + " of the light behind";
+    vtkPointSplatChoices::Text(choice.LeastContribution) + " of the light behind" +
+    (facts.Apart                        ? ", to measure what they count for"
+        : choice.LeastContribution > tolerance ? ", which was measured to count for less than " +
+          vtkPointSplatChoices::Text(tolerance)
+                                               : "");
   if (facts.Transparency <= vtkPointSplatSettings::Peeling)
   {
     choice.TransparencyReason = facts.Transparency == vtkPointSplatSettings::Peeling
@@ -195,17 +298,28 @@ void ChooseFill(const vtkPointSplatFacts& facts, vtkPointSplatChoice& choice)
 }
 
 //------------------------------------------------------------------------------
+void ChooseOutlines(double tolerance, vtkPointSplatChoice& choice)
+{
+  choice.Outlines = tolerance < OutlineError;
+  choice.OutlinesReason = choice.Outlines
+    ? "steps might have a greater error than " + vtkPointSplatChoices::Text(tolerance)
+    : "steps have an error of at most " + vtkPointSplatChoices::Text(tolerance);
+}
+
+//------------------------------------------------------------------------------
 void ChooseSplats(const vtkPointSplatFacts& facts, double tolerance, vtkPointSplatChoice& choice)
 {
   double all = 0.0;
   double drawn = 0.0;
   const bool whole = choice.Deferred || facts.Selects ||
     choice.Transparency != vtkPointSplatSettings::Peeling || facts.AsksPoints;
+  const bool measured = IsMeasured(facts);
+  const double allowed = measured || tolerance >= OutlineError ? Apart(facts, tolerance) : 0.0;
   for (const vtkPointSplatFacts::Cloud& cloud : facts.Clouds)
   {
-    int shift = whole || cloud.Painted
+    int shift = whole || (cloud.Painted && !measured)
       ? 0
-      : vtkPointSplatChoices::StrideShift(cloud.SpacingPixels, tolerance);
+      : vtkPointSplatChoices::StrideShift(cloud.SpacingPixels, allowed);
     while (!whole && tolerance > 0.0 && shift < MostStrideShift &&
       std::ldexp(cloud.PerPixel, -shift) > MostPerPixel)
     {
@@ -217,6 +331,8 @@ void ChooseSplats(const vtkPointSplatFacts& facts, double tolerance, vtkPointSpl
   }
   choice.SplatsReason = drawn < all
     ? "fewer, larger ones have an error of at most " + vtkPointSplatChoices::Text(tolerance)
+    : facts.Apart
+    ? "to measure what fewer would lose"
     : "fewer ones might have a greater error than " + vtkPointSplatChoices::Text(tolerance);
 }
 
@@ -236,7 +352,7 @@ void ChooseLevels(const vtkPointSplatFacts& facts, double tolerance, vtkPointSpl
   // The least of what strides of the same error have for spacing.
   const double looser = tolerance / vtkPointSplatChoices::FullQuality;
   const double scale = std::min(looser, 1.0);
-  choice.LevelPixels = std::max(scale * FilterPixels, tolerance / StrideErrorPerPixel);
+  choice.LevelPixels = std::max(scale * FilterPixels, Apart(facts, tolerance));
   choice.SmoothLevelPixels = std::max(scale * SmoothPixels, choice.LevelPixels);
   choice.LevelDeviation = looser * SmoothDeviation;
   choice.PointLevelPixels = scale * PointPixels;
@@ -265,6 +381,7 @@ vtkPointSplatChoice vtkPointSplatChoices::Make(const vtkPointSplatFacts& facts)
   ChooseMethod(facts, choice);
   ChooseLayers(facts, tolerance, choice);
   ChooseFill(facts, choice);
+  ChooseOutlines(tolerance, choice);
   ChooseSplats(facts, tolerance, choice);
   ChooseLevels(facts, tolerance, choice);
   return choice;

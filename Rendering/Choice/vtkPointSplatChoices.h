@@ -6,20 +6,26 @@
 // 1. What was asked for by hand is taken, as far as it can be done.
 // 2. The tolerance is the target error; while the user drags and frames take longer than they may,
 //    vtkPointSplatBudget goes down a ladder of choices for greater tolerances, up to 1/32.
-// 3. Of splats that are much denser than pixels only every second, fourth, ... is drawn, larger by
-//    as much as it takes to cover the surface, as long as the expected error is within the
-//    tolerance. Errors are rms differences of colour, of 1, over the pixels that surfaces cover,
-//    from the best picture that the module makes of the scene.
-// 4. Where clouds have levels, splats may stand for others as long as a pixel's own filter averages
+// 3. Errors are rms differences of colour, of 1, over the pixels that surfaces cover, from the best
+//    picture that the module makes of the scene. What fewer splats and layers would lose is known from
+//    frames that were drawn and measured (vtkPointSplatFrameMeasures.cxx); before any was, fitted constants
+//    tell the most that it might be. Measured errors may have half of the squared tolerance; the other half is
+//    left to outlines and to views that were not measured.
+// 4. Of splats that are denser than pixels only every second, fourth, ... is drawn, larger by as much
+//    as it takes to cover the surface. Outlines are not smoothed where the tolerance is greater than what
+//    that, and splats that are larger, change there.
+// 5. Where clouds have levels, splats may stand for others as long as a pixel's own filter averages
 //    as much, or surfaces are so smooth that larger ones show the same: then none are left out. In
 //    image space pixels are the filter, and points stand for others until there are some two of them in
 //    each, or one where it is smooth.
-// 5. Peeling ends where so little light is left that what is behind differs by the tolerance.
+// 6. Peeling ends where so little light is left that what is behind differs by the tolerance: it cannot
+//    by more than that light.
 #ifndef vtkPointSplatChoices_h
 #define vtkPointSplatChoices_h
 
 #include "vtkPointSplatSettings.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,7 +48,8 @@ struct vtkPointSplatFacts
   struct Cloud
   {
     double Splats;
-    double SpacingPixels; // of the sparsest points at their nearest; 0: not known
+    // Of the sparsest points, 0 where not known: of image space at their nearest, else in the mean.
+    double SpacingPixels;
     double PerPixel = 0.0; // splats, of the part of the window that they may cover
     bool Painted = false; // points have colours or shadows of their own, which fewer would blur
   };
@@ -54,6 +61,14 @@ struct vtkPointSplatFacts
   bool Levels = false;      // some cloud has levels
   bool LevelsUnderWay = false; // those of some cloud are being made
   bool Selects = false;     // ids of points are wanted
+  ///@{ Errors that frames were measured to have, if that is known: of peeling that ends at each of
+  /// EndLights(), and of splats that are as far apart as each of ApartPixels().
+  std::vector<double> EndErrors;
+  std::vector<double> ApartErrors;
+  ///@}
+  /// How many pixels splats may be apart in a frame that is measured, with all layers: 0 in the best
+  /// one, more in those that are held against it. Of other frames it is chosen.
+  std::optional<double> Apart;
   int Groups = -1;          // for deferred blending; -1: not made yet, 0: cannot be made
   bool GroupsFit = true;    // their images fit the hardware and MaximumImageMemory
   ///@}
@@ -73,6 +88,7 @@ struct vtkPointSplatChoice
   int MaximumLayers = 1;
   double LeastContribution = 1.0 / 256.0; // peeling ends where less of the light is left
   int FillSteps = 0;                      // of image space, at most
+  bool Outlines = true;                   // are smoothed, where mappers want it
   std::vector<int> StrideShifts;          // of each cloud: every 2^n-th splat is drawn
 
   ///@{ Splats may stand for others whose radii, in pixels, are within the first; where normals
@@ -104,6 +120,7 @@ struct vtkPointSplatChoice
   std::string MethodReason;
   std::string TransparencyReason;
   std::string LayersReason;
+  std::string OutlinesReason;
   std::string FillReason;
   std::string SplatsReason;
   std::string LevelsReason;
@@ -127,8 +144,16 @@ public:
    */
   static std::vector<vtkPointSplatChoice> Ladder(vtkPointSplatFacts facts);
 
-  /// Every 2^n-th splat does for the tolerance, where splats are so many pixels apart.
-  static int StrideShift(double spacingPixels, double tolerance);
+  /// Shares of the light behind of which frames tell what peeling that ends there would lose.
+  static std::vector<double> EndLights();
+
+  /// Pixels between splats, for which frames tell what fewer splats would lose, as far as a target error may go.
+  static std::vector<double> ApartPixels(double targetError);
+  /// The error that fewer splats may have, where it was measured.
+  static double MostApartError(const vtkPointSplatFacts& facts, double tolerance);
+
+  /// Of splats that are so many pixels apart every 2^n-th is no farther from the next than allowed.
+  static int StrideShift(double spacingPixels, double allowed);
 
   /**
    * The samples of area lights; reason gets why. wanted, interactive: what mappers allow at rest

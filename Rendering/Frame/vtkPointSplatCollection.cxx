@@ -22,6 +22,7 @@ struct Spacing
 {
   double World;
   double Pixels;       // where they are nearest to the eye
+  double MeanPixels;   // between the nearest and the farthest
   double LargestPixel; // world units
 };
 
@@ -30,7 +31,7 @@ Spacing SpacingOf(const vtkPointSplatEntry& entry, const vtkPointSplatView& view
   const vtkPointSplatItem& item = entry.Item;
   const glm::dvec2 pixels = view.PixelSizes(item.MCWC, item.Cloud->GetBounds().data());
   const double world = item.GetMeanStretch() * item.Cloud->GetSpacing();
-  return { world, world / pixels.x, pixels.y };
+  return { world, world / pixels.x, world / std::sqrt(pixels.x * pixels.y), pixels.y };
 }
 
 /// Splats for each pixel of the part of the window that they may cover.
@@ -239,7 +240,10 @@ vtkPointSplatFacts vtkPointSplatCollection::Describe(
     // To find it takes a pass over the points, once: only where it can matter.
     const bool matters = IsPoints(entry) || tolerance > vtkPointSplatChoices::FullQuality;
     facts.Clouds.push_back({ static_cast<double>(entry.Item.Cloud->GetNumberOfSplats()),
-      matters ? SpacingOf(entry, view).Pixels : 0.0, SplatsPerPixel(entry, view),
+      !matters            ? 0.0
+        : IsPoints(entry) ? SpacingOf(entry, view).Pixels
+                          : SpacingOf(entry, view).MeanPixels,
+      SplatsPerPixel(entry, view),
       entry.Item.Cloud->HasColours() || entry.Item.Cloud->GetFactorCount() > 0 ||
         entry.Settings.Shadows });
   }

@@ -369,6 +369,11 @@ bool vtkPointSplatFrame::PresentLayers(Pass& pass, vtkActor* actor, size_t own)
     this->Error = this->Flat.GetError();
     return false;
   }
+  if (pass.Measures && !this->MeasureErrors(pass, shading))
+  {
+    this->Error = this->Errors.GetError();
+    return false;
+  }
   const bool good = pass.Translucent
     ? this->PresentTranslucent(pass, shading, target, slot)
     : this->Resolve.Present(
@@ -534,7 +539,9 @@ void vtkPointSplatFrame::ReleaseAll()
   this->Alone.clear();
   this->Opaque.Release();
   this->Translucent.Release();
+  this->Trial.Release();
   this->Flat.Release();
+  this->Errors.Release();
   this->Reconstruction.Release();
   this->Resolve.Release();
   this->Materials.Release();

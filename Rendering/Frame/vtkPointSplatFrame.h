@@ -13,8 +13,11 @@
 //    Translucent layers are flattened to one, where nothing else translucent can lie between them,
 //    or presented from the back, each with its own depth, to take part in the pass; before them
 //    what is seen through refracting bodies.
-// 4. Where the images of a window would take too many bytes, 2 and 3 are done part by part
-//    (vtkPointSplatWindowParts.h).
+// 4. At target errors above full quality a frame at rest now and then has all splats and layers, and
+//    measures what fewer would lose, for the choices of those after it
+//    (vtkPointSplatFrameMeasures.cxx).
+// 5. Where the images of a window would take too many bytes, 2 and 3 are done part by part
+//    (vtkPointSplatWindowParts.h), and 4 is not.
 //
 // A pass ends when an actor draws a second time, or another view, kind of geometry or framebuffer
 // comes. Actors that are no props of the renderer themselves (parts of vtkAssembly, vtkLODActor and
@@ -23,6 +26,7 @@
 #define vtkPointSplatFrame_h
 
 #include "vtkPointSplatCollection.h"
+#include "vtkPointSplatErrors.h"
 #include "vtkPointSplatEnvironment.h"
 #include "vtkPointSplatFlat.h"
 #include "vtkPointSplatFrameShadows.h"
@@ -129,7 +133,9 @@ private:
     bool Good = true;
     bool Flat = false;
     bool Shadowed = false; // shadows fall on some
+    bool Measures = false; // what less work would lose
     vtkPointSplatFlat::SortedLayers Sorted = vtkPointSplatFlat::None;
+    vtkPointSplatFacts Facts;
     vtkPointSplatChoice Choice;
     vtkPointSplatSurfaces* Surfaces = nullptr;
     int Layers = 0;                   // the most that a part has
@@ -150,6 +156,8 @@ private:
   bool DrawPart(Pass& pass, vtkActor* actor, size_t own);
   bool Build(Pass& pass);
   void Choose(Pass& pass);
+  /// Whether frames like this can tell what less work would lose, and somebody wants to know.
+  bool CanMeasure(const Pass& pass, const vtkPointSplatFacts& facts, bool interacts);
   bool CastShadows(Pass& pass);
   vtkPointSplatRequest MakeRequest(Pass& pass, GLuint sceneDepth);
   GLuint CaptureScene(const Pass& pass, bool& failed);
@@ -159,6 +167,8 @@ private:
   bool PresentLayers(Pass& pass, vtkActor* actor, size_t own);
   bool PresentSelection(Pass& pass, vtkActor* actor, size_t own);
   bool Flatten(Pass& pass, const vtkPointSplatShading& shading);
+  bool MeasureErrors(Pass& pass, const vtkPointSplatShading& shading);
+  std::vector<double> TryFewer(Pass& pass, const vtkPointSplatShading& shading);
   bool PresentTranslucent(Pass& pass, const vtkPointSplatShading& shading,
     const vtkPointSplatResolve::Target& target, int slot);
   void Report(const Pass& pass, size_t own, vtkPointSplatReport& report) const;
@@ -173,8 +183,10 @@ private:
   vtkPointSplatReconstruction Reconstruction;
   vtkPointSplatSurfaces Opaque;
   vtkPointSplatSurfaces Translucent;
+  vtkPointSplatSurfaces Trial; // of fewer splats
   std::map<vtkPointSplatSource*, std::unique_ptr<vtkPointSplatSurfaces>> Alone;
   vtkPointSplatFlat Flat;
+  vtkPointSplatErrors Errors;
   vtkPointSplatResolve Resolve;
   vtkPointSplatMaterials Materials;
   vtkPointSplatLooks Looks;

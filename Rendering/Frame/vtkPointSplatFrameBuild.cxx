@@ -136,7 +136,22 @@ void vtkPointSplatFrame::Choose(Pass& pass)
   {
     vtkPointSplatCollection::MakeGroups(pass.Entries, pass.View, facts);
   }
-  std::vector<vtkPointSplatChoice> ladder = seconds > 0.0
+  const bool interacts = seconds > 0.0;
+  if (this->CanMeasure(pass, facts, interacts))
+  {
+    vtkPointSplatMeasuredErrors& errors = pass.Surfaces->Errors;
+    errors.Look(this->Renderer, pass.Entries, pass.View, facts.TargetError,
+      pass.Surfaces->GetGeneration());
+    pass.Measures = errors.IsStale();
+    facts.EndErrors = errors.GetEnds();
+    facts.ApartErrors = errors.GetApart();
+    // Not while the user drags: that frame would take as long as one at rest, and longer.
+    if (pass.Measures && !interacts)
+    {
+      facts.Apart = 0.0;
+    }
+  }
+  std::vector<vtkPointSplatChoice> ladder = interacts
     ? vtkPointSplatChoices::Ladder(facts)
     : std::vector<vtkPointSplatChoice>{ vtkPointSplatChoices::Make(facts) };
   if (selects)
@@ -147,6 +162,12 @@ void vtkPointSplatFrame::Choose(Pass& pass)
     return;
   }
   pass.Choice = ladder[pass.Surfaces->Budget.Choose(ladder, seconds, this->Frame)];
+  pass.Facts = facts;
+  // Layers can be measured in passing where a drag's frame has all of them.
+  pass.Measures = pass.Measures &&
+    (facts.Apart == 0.0 ||
+      (pass.Translucent &&
+        pass.Choice.LeastContribution <= vtkPointSplatChoices::FullQuality));
   pass.Sorted = pass.Choice.Transparency == Settings::Sorted ? vtkPointSplatFlat::All
     : pass.Choice.Transparency == Settings::NearestExact     ? vtkPointSplatFlat::AllButNearest
                                                              : vtkPointSplatFlat::None;
@@ -186,7 +207,7 @@ vtkPointSplatRequest vtkPointSplatFrame::MakeRequest(Pass& pass, GLuint sceneDep
   request.SceneDepth = sceneDepth;
   request.SceneFrame = this->Frame;
   request.ShowsEach = pass.Translucent && !pass.Flat;
-  request.Outlines = pass.SelectionPass < 0 && !this->HasEnvironment;
+  request.Outlines = choice.Outlines && pass.SelectionPass < 0 && !this->HasEnvironment;
   bool composite = false;
   bool device = false;
   bool automatic = true;

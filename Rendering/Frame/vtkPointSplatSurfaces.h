@@ -8,6 +8,7 @@
 
 #include "vtkPointSplatBudget.h"
 #include "vtkPointSplatFlat.h"
+#include "vtkPointSplatMeasuredErrors.h"
 #include "vtkPointSplatLayers.h"
 #include "vtkPointSplatReconstruction.h"
 #include "vtkPointSplatRequest.h"
@@ -41,6 +42,7 @@ public:
   }
 
   vtkPointSplatBudget Budget;
+  vtkPointSplatMeasuredErrors Errors;
   vtkPointSplatFlatImages Flat;
   unsigned long FlatFrame = 0; // whose layers Flat shows
   unsigned long FlatGeneration = 0;

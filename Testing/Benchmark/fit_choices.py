@@ -8,19 +8,17 @@
 Of each constant, or of those named, it draws clouds of formulas (bench/shapes.py), forces what the
 constant decides, whatever the sources have, and prints what each scene asks for, what they ask for
 together, and what the sources have. Errors are rms differences of colour, of 1, over covered pixels.
-FOLDER gets the pictures, each beside the best one. All constants take eight minutes, the first two,
-which have their pictures in common, five of them.
+FOLDER gets the pictures, each beside the best one. All constants take some minutes, the first two,
+which have their pictures in common, most of them. The first two are for frames before which none was
+measured, as while the user drags.
 
-StrideErrorPerPixel: every 2^n-th splat, larger by as much, against all of them. The error over the
-    distance in pixels of the splats that are drawn; the greatest of smooth clouds counts, of splats
-    up to the five pixels apart that an error of 1/16 leads to. Noise of normals, of which fewer
-    splats average less, has a ratio of its own, and is printed only.
-LeastStrideError: of the same pictures, where splats are less than a pixel apart: the greatest error
-    of smooth clouds, which is that of outlines. It is to be less than the sources have: bodies of
-    half as many pixels have twice that of these, and noise has more.
-LayerError: peeling that ends after n layers, against all of them: the error over the light that is
-    left behind the last. The greatest counts of a quarter of the light, which an error of 1/16 leaves,
-    and less, down to what 8 bits show.
+StrideErrorPerPixel: every 2^n-th splat, larger by as much and without smooth outlines, against all of
+    them. The error over the distance in pixels of the splats that are drawn; the greatest of smooth
+    clouds counts, of splats two to five pixels apart, which errors of 1/32 and 1/16 lead to. Noise of
+    normals, of which fewer splats average less, has a ratio of its own, and is printed only.
+OutlineError: of the same pictures, and of all splats, where these are less than a pixel apart: the
+    greatest error of smooth clouds, which is that of outlines. It is to be less than the sources have:
+    bodies of half as many pixels have twice that of these, and noise has more.
 OneStepPixels: points by image space with one step of filling: the greatest distance at which no more
     than one covered pixel of ten thousand stays a hole.
 ShadowSampleError: one sample of an area light against 64, on white. The greatest counts.
@@ -50,8 +48,7 @@ from drawing import save  # noqa: E402
 SOURCE = os.path.join(HERE, "..", "..", "Rendering", "Choice", "vtkPointSplatChoices.cxx")
 BACKGROUND = (26, 51, 102)
 MOST_HOLES = 1e-4
-LEAST_PIXELS, OUTLINES_BELOW, MOST_PIXELS = 0.5, 1.0, 5.0
-LEAST_LIGHT, MOST_LIGHT = 1 / 64, 1 / 4
+LEAST_PIXELS, OUTLINES_BELOW, FEWER_FROM, MOST_PIXELS = 0.5, 1.0, 2.0, 5.0
 SMOOTH = {"ball": shapes.sphere, "torus": shapes.torus, "bumpy ball": shapes.bumpy}
 
 
@@ -169,12 +166,12 @@ def strides(options):
             scene.mappers[0].SetLayerDistance(radius)
             best = scene.draw()
             apart = spacing(best, count, 4 if name == "shells" else 1)
-            for shift in range(1, 8):
+            for shift in range(8):
                 pixels = apart * 2.0 ** (0.5 * shift)
                 if not LEAST_PIXELS <= pixels <= MOST_PIXELS:
                     continue
                 scene.mappers[0].SetInputData(every(data, order, shift))
-                picture = scene.draw()
+                picture = scene.draw(AntiAliasing=False)
                 scene.keep(f"stride {name} {count} {1 << shift}", picture, best)
                 yield name, name != "noisy ball", pixels, error(picture, best)
 
@@ -189,28 +186,9 @@ def fit_strides(options):
         ratios = [ratio for smooth, _, ratio in rows if smooth == kind]
         print(f"  {what} clouds, per pixel: median {np.median(ratios):.4f}, greatest {max(ratios):.4f}")
     return {"StrideErrorPerPixel": max(ratio for smooth, pixels, ratio in rows
-                                       if smooth and pixels >= OUTLINES_BELOW),
-            "LeastStrideError": max(ratio * pixels for smooth, pixels, ratio in rows
-                                    if smooth and pixels < OUTLINES_BELOW)}
-
-
-def fit_layers(options):
-    generator = np.random.default_rng(6)
-    ratios = []
-    for opacity in (0.2, 0.35, 0.5):
-        scene = Scene(options, [cloud(*shapes.shells(60_000, generator, 8, 0.1))], opacity)
-        scene.mappers[0].SetLayerDistance(0.03)
-        best = scene.draw(TargetError=0.0)
-        for count in (1, 2, 3, 4, 6, 8):
-            left = (1.0 - opacity) ** count
-            picture = scene.draw(MaximumNumberOfLayers=count)
-            scene.keep(f"layers {opacity} {count}", picture, best)
-            difference = error(picture, best)
-            if LEAST_LIGHT <= left <= MOST_LIGHT:
-                ratios.append(difference / left)
-            print(f"  shells of opacity {opacity}: {count} layers, {left:.3f} of the light left: "
-                  f"error {difference:.4f}, of the light {difference / left:.3f}", flush=True)
-    return {"LayerError": max(ratios)}
+                                       if smooth and pixels >= FEWER_FROM),
+            "OutlineError": max(ratio * pixels for smooth, pixels, ratio in rows
+                                if smooth and pixels < OUTLINES_BELOW)}
 
 
 def fit_fill(options):
@@ -268,8 +246,8 @@ def fit_shadows(options):
     return {"ShadowSampleError": max(errors)}
 
 
-FITS = {"StrideErrorPerPixel": fit_strides, "LeastStrideError": fit_strides, "LayerError": fit_layers,
-        "OneStepPixels": fit_fill, "ShadowSampleError": fit_shadows}
+FITS = {"StrideErrorPerPixel": fit_strides, "OutlineError": fit_strides, "OneStepPixels": fit_fill,
+        "ShadowSampleError": fit_shadows}
 
 
 def main():
@@ -286,8 +264,8 @@ def main():
     if options.scratch:
         os.makedirs(options.scratch, exist_ok=True)
     with open(SOURCE, encoding="utf-8") as file:
-        has = {name: float(value) for name, value in
-               re.findall(r"constexpr double (\w+) = ([0-9.]+);", file.read())}
+        has = {name: np.divide.reduce([float(part) for part in value.split("/")]) for name, value in
+               re.findall(r"constexpr double (\w+) = ([0-9./ ]+);", file.read())}
     # Constants that are fitted by the same pictures are fitted once.
     for fit in dict.fromkeys(FITS[name] for name in options.constants or FITS):
         start = time.perf_counter()

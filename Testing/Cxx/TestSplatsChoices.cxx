@@ -183,25 +183,70 @@ void TestRefused(Checks& checks)
 
 void TestTolerances(Checks& checks)
 {
-  // What is behind has an error of 0.41 of the light that is left.
+  // Before it was measured, what is behind might differ by all of the light that is left.
   const auto least = [](const Facts& facts) {
     return vtkPointSplatChoices::Make(facts).LeastContribution;
   };
   Facts drag = Translucent(Good);
   drag.Tolerance = 1.0 / 32.0;
   checks.Expect(least(Translucent(Good)) == Good, "in full quality peeling draws all that can be seen");
-  checks.Expect(std::abs(least(Translucent(Rough)) - Rough / 0.41) < 1e-12 &&
-      std::abs(least(drag) - 1.0 / 32.0 / 0.41) < 1e-12,
+  checks.Expect(least(Translucent(Rough)) == Rough && least(drag) == 1.0 / 32.0,
     "peeling ends by the target error, and in a drag by its tolerance");
-  // None are left out below LeastStrideError; then as many as StrideErrorPerPixel allows, and no fewer with any less tolerance.
-  checks.Expect(vtkPointSplatChoices::StrideShift(0.5, 0.031) == 0 &&
-      vtkPointSplatChoices::StrideShift(1.5, 0.0361) == 2 &&
-      vtkPointSplatChoices::StrideShift(1.5, 0.0359) == 1 &&
-      vtkPointSplatChoices::StrideShift(1e-3, 1.0) == 5,
+  checks.Expect(vtkPointSplatChoices::StrideShift(0.5, 0.6) == 0 &&
+      vtkPointSplatChoices::StrideShift(1.5, 3.01) == 2 &&
+      vtkPointSplatChoices::StrideShift(1.5, 2.99) == 1 &&
+      vtkPointSplatChoices::StrideShift(1e-3, 100.0) == 5 &&
+      vtkPointSplatChoices::StrideShift(0.0, 100.0) == 0,
     "strides");
+  const auto outlines = [](double error) { return vtkPointSplatChoices::Make(Opaque(error)).Outlines; };
+  checks.Expect(outlines(Good) && outlines(Fair) && !outlines(1.0 / 32.0) && !outlines(Rough),
+    "outlines are smoothed below their error");
   checks.Expect(vtkPointSplatChoices::Text(1.0 / 64.0) == "1/64" &&
       vtkPointSplatChoices::Text(0.3) == "0.3",
     "errors in words");
+}
+
+/// What frames were measured to lose decides before constants do.
+void TestMeasured(Checks& checks)
+{
+  const auto with = [](Facts facts, size_t apart, size_t ends, double error) {
+    // All up to some have that error, the others the greatest.
+    facts.ApartErrors.assign(vtkPointSplatChoices::ApartPixels(Rough).size(), 1.0);
+    std::fill_n(facts.ApartErrors.begin(), apart, error);
+    facts.EndErrors.assign(vtkPointSplatChoices::EndLights().size(), error);
+    std::fill_n(facts.EndErrors.begin(), ends, 1.0);
+    return vtkPointSplatChoices::Make(facts);
+  };
+  const std::vector<double> lights = vtkPointSplatChoices::EndLights();
+  const auto shift = [](const vtkPointSplatChoice& choice) { return choice.StrideShifts[0]; };
+  // Of splats half a pixel apart: up to 0.63, 0.88, 1.25, 1.8 pixels.
+  checks.Expect(shift(with(Opaque(Fair), 4, 0, 0.011)) == 3 &&
+      shift(with(Opaque(Fair), 4, 0, 0.0112)) == 0 && shift(with(Opaque(Fair), 0, 0, 0.0)) == 0 &&
+      shift(with(Opaque(Rough), 0, 0, 0.0)) == 0,
+    "fewer splats may have half of the squared error");
+  checks.Expect(shift(with(Opaque(Fair), 8, 0, 0.0)) == 4 && shift(with(Opaque(Rough), 8, 0, 0.0)) == 5 &&
+      shift(with(Opaque(Good), 8, 0, 0.0)) == 0,
+    "twice as far apart as where it was not measured");
+  checks.Expect(shift(with(Translucent(Fair), 4, 0, 0.0078)) == 3 &&
+      shift(with(Translucent(Fair), 4, 0, 0.0079)) == 0,
+    "beside layers a quarter of it");
+  const auto least = [&](size_t apart, size_t ends, double error) {
+    return with(Translucent(Fair), apart, ends, error).LeastContribution;
+  };
+  checks.Expect(least(0, 2, 0.011) == lights[2] && least(0, 2, 0.0112) == Fair &&
+      least(4, 2, 0.0078) == lights[2],
+    "layers may have what fewer splats leave of a half");
+  Facts facts = Translucent(Fair);
+  facts.Clouds[0].Painted = true;
+  checks.Expect(shift(with(facts, 4, 2, 0.0)) == 3, "of colours it was measured, too");
+  for (const double apart : { 0.0, 1.5 })
+  {
+    facts.Apart = apart;
+    const vtkPointSplatChoice choice = with(facts, 4, 2, 0.0);
+    checks.Expect(choice.LeastContribution == Good && shift(choice) == (apart > 0.0 ? 3 : 0) &&
+        choice.LayersReason.find("to measure") != std::string::npos,
+      "a frame that is measured has all layers, and as many splats as it is to have");
+  }
 }
 
 void TestShadowSamples(Checks& checks)
@@ -347,6 +392,44 @@ void TestBudget(Checks& checks)
   }
 }
 
+/// Translucent shells: layers that are measured to show less than the target error are left out.
+void TestMeasuredLayers(Checks& checks)
+{
+  vtkNew<Mapper> mapper;
+  mapper->SetInputData(RandomTorus(20000));
+  Window window(150);
+  window.Add(mapper)->GetProperty()->SetOpacity(0.6);
+  window.Renderer->GetActiveCamera()->Elevation(80.0);
+  window.Renderer->ResetCamera();
+  window.Draw();
+  const int all = mapper->GetNumberOfLayersDrawn();
+  mapper->SetTargetError(Rough);
+  window.Draw();
+  checks.Expect(mapper->GetNumberOfLayersDrawn() == all, "a frame to measure has all layers");
+  window.Draw();
+  checks.AtMost(mapper->GetNumberOfLayersDrawn(), all - 1, "layers after it");
+  const auto measures = [&]() {
+    window.Draw();
+    return std::string(mapper->GetChoices()).find("to measure") != std::string::npos;
+  };
+  checks.Expect(!measures(), "it is measured once");
+  window.Renderer->GetActiveCamera()->Elevation(-20.0);
+  checks.Expect(!measures(), "and holds when the camera turns a little");
+  window.Renderer->GetActiveCamera()->Elevation(-50.0);
+  checks.Expect(measures() && !measures(), "but not when it turns much");
+  window.Renderer->GetActiveCamera()->Zoom(3.0);
+  checks.Expect(measures() && !measures(), "nor when things are seen larger");
+  window.Renderer->SetBackground(1.0, 1.0, 1.0);
+  checks.Expect(measures() && !measures(), "nor on another background");
+  int measured = 0;
+  for (int i = 0; i < 12; ++i)
+  {
+    window.Renderer->SetBackground(0.05 * i, 0.5, 0.5);
+    measured += measures();
+  }
+  checks.AtMost(measured, 4, "frames of an animation that are measured");
+}
+
 /// Rms difference of colour, of 1, over the pixels that either picture draws.
 double Difference(const Picture& a, const Picture& b)
 {
@@ -383,6 +466,9 @@ void TestMapper(Checks& checks)
   for (const double error : { 1.0 / 32.0, Rough })
   {
     mapper->SetTargetError(error);
+    checks.Expect(Difference(best, window.Draw()) < error && mapper->GetStride() == 1 &&
+        std::string(mapper->GetChoices()).find("to measure what fewer would lose") != std::string::npos,
+      "a frame to measure: " + std::string(mapper->GetChoices()));
     const double difference = Difference(best, window.Draw());
     std::cout << "every " << mapper->GetStride() << ". splat differs by " << difference
               << ", allowed: " << error << "\n";
@@ -435,8 +521,10 @@ int TestSplatsChoices(int, char*[])
   TestTable(checks);
   TestRefused(checks);
   TestTolerances(checks);
+  TestMeasured(checks);
   TestShadowSamples(checks);
   TestBudget(checks);
   TestMapper(checks);
+  TestMeasuredLayers(checks);
   return checks.Result();
 }
