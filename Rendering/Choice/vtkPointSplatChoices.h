@@ -9,7 +9,7 @@
 // 3. Errors are rms differences of colour, of 1, over the pixels that surfaces cover, from the best
 //    picture that the module makes of the scene. What fewer splats and layers would lose is known from
 //    frames that were drawn and measured (vtkPointSplatFrameMeasures.cxx); before any was, fitted constants
-//    tell the most that it might be. Measured errors may have half of the squared tolerance; the other half is
+//    tell the most that it might be. Measured errors may have a third of the squared tolerance; the rest is
 //    left to outlines and to views that were not measured.
 // 4. Of splats that are denser than pixels only every second, fourth, ... is drawn, larger by as much
 //    as it takes to cover the surface. Outlines are not smoothed where the tolerance is greater than what

@@ -96,13 +96,15 @@ class TestSplatviewPicture(SplatviewTest):
         self.assertEqual(
             list(best),
             ["method", "projection", "transparency", "layers", "layer distance", "splats",
-             "levels", "triangles", "fill steps", "shadow samples", "points", "error allowed"],
+             "levels", "triangles", "outlines", "fill steps", "shadow samples", "points", "error allowed"],
         )  # fmt: skip
         self.assertRegex(best["method"], "^two-pass, no other takes less time")
         self.assertRegex(best["error allowed"], "^1/256, at rest")
-        # Of coloured points none may be left out.
+        # What fewer lose is measured, and of coloured points that is more.
+        fair = self.draw("globe.xyz", "--target-error", "0.02")[0]["surfaces"][0]
+        self.assertRegex(fair["choices"]["splats"], "^one of 1, ")
         rough = self.draw("globe.xyz", "--target-error", "1")[0]["surfaces"][0]
-        self.assertRegex(rough["choices"]["splats"], "^one of 1, ")
+        self.assertRegex(rough["choices"]["splats"], "^one of [2-9][0-9]*, fewer, larger ones")
         plain = [" ".join(line.split()[:6]) for line in globe().splitlines()]
         self.write("plain.xyz", "\n".join(plain) + "\n")
         rough = self.draw("plain.xyz", "--target-error", "1")[0]["surfaces"][0]
