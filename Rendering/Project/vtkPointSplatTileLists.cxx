@@ -401,10 +401,11 @@ std::vector<glm::ivec4> vtkPointSplatTileLists::GetCovered() const
       if (same != above.end())
       {
         rectangles[*same].w = run.w;
+        current.push_back(*same);
       }
-      current.push_back(same != above.end() ? *same : rectangles.size());
-      if (same == above.end())
+      else
       {
+        current.push_back(rectangles.size());
         rectangles.push_back(run);
       }
     }

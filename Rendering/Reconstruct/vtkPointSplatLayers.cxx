@@ -183,11 +183,11 @@ void vtkPointSplatLayers::Bind(vtkPointSplatUnits& units, vtkPointSplatProgram& 
 //------------------------------------------------------------------------------
 vtkIdType vtkPointSplatLayers::GetMemorySize() const
 {
-  return this->Buffers
-    ? this->TexelBuffer.GetSize() + this->FactorBuffer.GetSize() + this->LookBuffer.GetSize() +
-      this->IdBuffer.GetSize()
-    : this->TexelImage.GetMemorySize() + this->FactorImage.GetMemorySize() +
-      this->IdImage.GetMemorySize();
+  return this->Rectangles.GetSize() +
+    (this->Buffers ? this->TexelBuffer.GetSize() + this->FactorBuffer.GetSize() +
+          this->LookBuffer.GetSize() + this->IdBuffer.GetSize()
+                   : this->TexelImage.GetMemorySize() + this->FactorImage.GetMemorySize() +
+          this->IdImage.GetMemorySize());
 }
 
 //------------------------------------------------------------------------------

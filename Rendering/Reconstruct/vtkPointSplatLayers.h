@@ -54,7 +54,7 @@ public:
    * are forgotten when room is made.
    */
   void AddCovered(const std::vector<glm::ivec4>& rectangles);
-  const std::vector<glm::ivec4>& GetCovered() const { return this->Covered; }
+  int GetNumberOfRectangles() const { return static_cast<int>(this->Covered.size()); }
   ///@}
 
   /**

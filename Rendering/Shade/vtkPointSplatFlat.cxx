@@ -107,7 +107,7 @@ bool vtkPointSplatFlat::DrawLayers(const vtkPointSplatShading& shading,
     vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
     layers.Bind(units, program);
     shading.Bind(units, program, layers.GetFactorCount());
-    this->Screen.DrawRectangles(static_cast<int>(layers.GetCovered().size()));
+    this->Screen.DrawRectangles(layers.GetNumberOfRectangles());
     shading.Unbind();
   }
   glUseProgram(0);

@@ -18,7 +18,7 @@
 // behind the nearest.
 // PASS_FACTORS: a shadow map pass of VTK's tells how much of each light arrives, by code that finds
 // the point as vertexVC. SHADOW_MAP: such a pass's map is drawn, by code that finds the pixel as
-// coordinate, since here gl_FragCoord is a full-screen triangle's.
+// coordinate, since gl_FragCoord is here at no depth of the surface.
 
 //PointSplat::Defines
 

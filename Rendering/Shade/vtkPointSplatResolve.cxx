@@ -37,9 +37,10 @@ std::vector<int> StepsFor(const vtkPointSplatOutlines& outlines)
                                   : std::vector<int>{ OutlineMeans };
 }
 
-const char* VertexFile(int outlines)
+/// all: that of a draw over all pixels.
+const char* VertexFile(int outlines, const char* all)
 {
-  return outlines == OutlinesAlone ? "vtkPointSplatOutlineVS" : "vtkPointSplatLayersVS";
+  return outlines == OutlinesAlone ? "vtkPointSplatOutlineVS" : all;
 }
 
 std::string Define(int outlines)
@@ -237,7 +238,7 @@ bool vtkPointSplatResolve::Present(const Target& target, const vtkPointSplatShad
       return false;
     }
     vtkPointSplatProgram program;
-    if (!this->Use(target, VertexFile(outlines), "vtkPointSplatLayerFS",
+    if (!this->Use(target, VertexFile(outlines, "vtkPointSplatLayersVS"), "vtkPointSplatLayerFS",
           "#define OUTPUT 0\n" + Define(outlines) + layers.GetDefines() +
             shading.GetDefines(layers.GetGathered() >= 0),
           program))
@@ -257,7 +258,7 @@ bool vtkPointSplatResolve::Present(const Target& target, const vtkPointSplatShad
     this->Draw(target, shading.View, [&]() {
       outlines == OutlinesAlone
         ? this->Screen.DrawPoints(source.Outlines.GetCount())
-        : this->Screen.DrawRectangles(static_cast<int>(layers.GetCovered().size()));
+        : this->Screen.DrawRectangles(layers.GetNumberOfRectangles());
     });
     shading.Unbind();
   }
@@ -269,7 +270,7 @@ bool vtkPointSplatResolve::PresentSelection(const Target& target, const vtkPoint
   const vtkPointSplatLayers& layers, int slot, const Selection& selection)
 {
   vtkPointSplatProgram program;
-  if (!this->Use(target, VertexFile(0), "vtkPointSplatLayerFS",
+  if (!this->Use(target, "vtkPointSplatLayersVS", "vtkPointSplatLayerFS",
         std::string("#define OUTPUT ") + (selection.Ids ? "2\n" : "1\n") + Define(0) +
           layers.GetDefines(),
         program))
@@ -289,7 +290,7 @@ bool vtkPointSplatResolve::PresentSelection(const Target& target, const vtkPoint
   program.Set("SelectionShift", selection.Shift);
   program.Set("SelectionNearer", static_cast<float>(selection.Nearer) * view.GetPixelSize());
   this->Draw(target, view, [&]() {
-    this->Screen.DrawRectangles(static_cast<int>(layers.GetCovered().size()));
+    this->Screen.DrawRectangles(layers.GetNumberOfRectangles());
   });
   return true;
 }
@@ -306,8 +307,8 @@ bool vtkPointSplatResolve::PresentFlat(const Target& target, const vtkPointSplat
       return false;
     }
     vtkPointSplatProgram program;
-    if (!this->Use(target, step == OutlinesAlone ? VertexFile(step) : "vtkPointSplatScreenVS",
-          "vtkPointSplatFlatFS", Define(step), program))
+    if (!this->Use(target, VertexFile(step, "vtkPointSplatScreenVS"), "vtkPointSplatFlatFS",
+          Define(step), program))
     {
       return false;
     }
