@@ -23,6 +23,8 @@ constexpr float LeastBent = 0.3f;
 constexpr float FarNeighbor = 2.4f;
 /// By how much the surface may turn on the way to a disk's rim for it to be flat enough for any disk.
 constexpr float FlatTurn = 0.2f;
+/// How many times larger than its size asks for a disk may be where the surface bends: it would stand off that.
+constexpr float LargeDisk = 1.4f;
 /// Normals of two faces part by more than this cosine (20 degrees), and where points are too few for the crease between
 /// them to be found, so that just the ends of both are, by this (60 degrees).
 constexpr float CreaseCosine = 0.94f;
@@ -146,8 +148,12 @@ bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
   const vtkPointSplatDisks& disks = *cloud.Disks;
   for (Site s = 0; s < this->Sizes.size(); ++s)
   {
+    const float reach = disks.GetReach(s);
     const bool small = this->Sizes[s] > 0 && disks.HasSmallWitness(s, this->Sizes);
-    this->Uneven[s] = (this->Uneven[s] || small) && !(*cloud.Creased)[s] && !disks.IsAlone(s);
+    const bool large = this->Sizes[s] > 0 && reach > LargeDisk * this->GetRadius(s) &&
+      disks.Turn[s] * reach > FlatTurn;
+    this->Uneven[s] =
+      (this->Uneven[s] || small || large) && !(*cloud.Creased)[s] && !disks.IsAlone(s);
   }
 
   vtkSMPThreadLocal<std::vector<Triangle>> found;

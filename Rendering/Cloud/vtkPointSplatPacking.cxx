@@ -363,18 +363,22 @@ void vtkPointSplatPacking::Estimate(
   const bool sized = this->Radius || this->Axis1;
   const bool mayProject = wanted.Projection && !sized;
   Part part{ vtkAlgorithm::SafeDownCast(owner) };
-  vtkNew<vtkPointSplatEstimation> estimation;
+  vtkSmartPointer<vtkPointSplatEstimation> estimation = vtkSmartPointer<vtkPointSplatEstimation>::New();
+  vtkNew<vtkPointSplatEstimation> projected;
   vtkNew<vtkPointSplatProjection> projection;
   // What they leave out the mapper leaves out too, and reports: once is enough.
   vtkNew<vtkCallbackCommand> silence;
-  for (vtkAlgorithm* filter :
-    std::initializer_list<vtkAlgorithm*>{ estimation.Get(), projection.Get() })
+  for (vtkAlgorithm* filter : std::initializer_list<vtkAlgorithm*>{
+         estimation.Get(), projected.Get(), projection.Get() })
   {
     filter->AddObserver(vtkCommand::WarningEvent, silence);
     part.Watch(filter);
   }
-  estimation->SetFillGaps(wanted.FillPoints && !sized);
-  estimation->SetFillMeshGaps(wanted.FillMeshes);
+  for (vtkPointSplatEstimation* filter : { estimation.Get(), projected.Get() })
+  {
+    filter->SetFillGaps(wanted.FillPoints && !sized);
+    filter->SetFillMeshGaps(wanted.FillMeshes);
+  }
   estimation->SetInputData(bare);
   bool good = part.Run(estimation, 0.0, mayProject ? 0.4 : 1.0);
   if (good && mayProject && estimation->IsNoisy())
@@ -383,9 +387,14 @@ void vtkPointSplatPacking::Estimate(
     projection->SetOutliersToKeep();
     projection->SetInputData(bare);
     good = part.Run(projection, 0.4, 0.6);
-    estimation->SetInputConnection(projection->GetOutputPort());
-    good = good && part.Run(estimation, 0.6, 1.0);
-    this->Projected = good;
+    projected->SetInputConnection(projection->GetOutputPort());
+    good = good && part.Run(projected, 0.6, 1.0);
+    // Noise agrees once it is projected. What does not are layers that lie upon one another.
+    this->Projected = good && !projected->IsContradicted();
+    if (this->Projected)
+    {
+      estimation = projected;
+    }
   }
   this->Aborted = !good;
   if (this->Aborted)

@@ -55,6 +55,7 @@ CONSTANTS = {
     "LeastBent": ("vtkPointSplatStars.cxx", (0.2, 0.3, 0.5), BENT),
     "FarNeighbor": ("vtkPointSplatStars.cxx", (2.0, 2.4, 2.8), DISCS + FOLDS),
     "FlatTurn": ("vtkPointSplatStars.cxx", (0.1, 0.2, 0.4), DISCS + BENT),
+    "LargeDisk": ("vtkPointSplatStars.cxx", (1.2, 1.4, 1.6, 2.0), FOLDS + ("shell_03", "thin_disc")),
     "EndsCosine": ("vtkPointSplatStars.cxx", (0.3, 0.5, 0.7), PARTS + FOLDS),
     "Sparser": ("vtkPointSplatStars.cxx", (1.5, 2, 3), DISCS + ("holed_ball",)),
     "LongEdge": ("vtkPointSplatRefinement.cxx", (1.5, 1.7, 2.0), DISCS + FOLDS),
