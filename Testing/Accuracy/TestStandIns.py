@@ -44,9 +44,8 @@ class TestStandIns(unittest.TestCase):
                 standin.fine = None  # once is enough
             self.assertLess(found["spill"], 0.01, opacity)
 
-    @unittest.expectedFailure
     def test_tubes_have_no_holes(self):
-        # Still open: some pixels of the thinnest tubes, where disks bend too little to meet.
+        # In larger pictures some pixels of the thinnest tubes are, where disks bend too little to meet.
         standin = standins.tubes_and_specks()
         standin.fine = None
         self.assertEqual(likeness.compare(standin, 300, 1)["holes"], 0)
