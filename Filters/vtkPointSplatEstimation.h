@@ -105,12 +105,13 @@
  *    outermost of them clips all splats that reach over it. On tubes whose rings of points are farther
  *    apart than the tube is wide two lines clip disks beside the axis, which else would leave it.
  * 6. *Fill*, if FillGaps is on, Shape is Circular and the point is on no crease. Where points are much denser on one
- *    side than on the other, as of meshes whose triangles are few where faces are flat, and where given normals turn by
- *    more than 34 degrees from one point to the next, as on tubes, rims and small bodies, no round disk covers
+ *    side than on the other, as of meshes whose triangles are few where faces are flat, where given normals turn by
+ *    more than 34 degrees from one point to the next, as on tubes, rims and small bodies, and where the surface bends and
+ *    the disk would be 1.4 times as large as distances to the neighbours ask for, no round disk covers
  *    what is around a point and does not stand off the surface. There disks are as small as the densest part and
  *    the bend ask for, graded from point to point (vtkPointSplatStars.h), and fill points lie between those that are
  *    farther apart than that (vtkPointSplatRefinement.h), with normals between theirs. Without it disks are as large as
- *    gaps are. Even samplings have no fill points, random ones few; noise (IsRough()) does not count as bend.
+ *    gaps are. Even samplings have no fill points, random ones few; where IsRough(), sizes take no account of normals.
  * 7. *Bound.* No disk is larger than two and a half times those of its neighbours, which keeps
  *    outliers small. A point with no neighbour of its own sheet is a body alone, and so are points
  *    that no surface goes through (vtkPointSplatBodies.h): along a curve with nothing beside it;
@@ -293,7 +294,7 @@ public:
   /**
    * Whether more than 0.04 of the points are in contradictions. Of noise of a fifth of the spacing 0.07 to
    * 0.2 are, of overlapping range scans 0.58, of the magnified volume 0.01, and of surfaces in coarse layers upon one
-   * another, as clothes, 0.1 to 0.4. Once vtkPointSplatProjection has moved them noise and scans have
+   * another, as clothes, 0.17 to 0.44. Once vtkPointSplatProjection has moved them noise and scans have
    * at most 0.035, and layers 0.13 and more.
    */
   bool IsContradicted() const { return this->Contradiction > 0.04; }

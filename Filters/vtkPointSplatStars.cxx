@@ -146,14 +146,13 @@ std::vector<vtkPointSplatStars::Site> vtkPointSplatStars::FindContinued(const Cl
 bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
 {
   const vtkPointSplatDisks& disks = *cloud.Disks;
+  const auto isBent = [&disks](Site site, float reach) { return disks.Turn[site] * reach > FlatTurn; };
   for (Site s = 0; s < this->Sizes.size(); ++s)
   {
     const float reach = disks.GetReach(s);
-    const bool small = this->Sizes[s] > 0 && disks.HasSmallWitness(s, this->Sizes);
-    const bool large = this->Sizes[s] > 0 && reach > LargeDisk * this->GetRadius(s) &&
-      disks.Turn[s] * reach > FlatTurn;
-    this->Uneven[s] =
-      (this->Uneven[s] || small || large) && !(*cloud.Creased)[s] && !disks.IsAlone(s);
+    this->Uneven[s] = this->Sizes[s] > 0 && !(*cloud.Creased)[s] && !disks.IsAlone(s) &&
+      (this->Uneven[s] || disks.HasSmallWitness(s, this->Sizes) ||
+        (reach > LargeDisk * this->GetRadius(s) && isBent(s, reach)));
   }
 
   vtkSMPThreadLocal<std::vector<Triangle>> found;
@@ -172,8 +171,7 @@ bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
       return false;
     }
     const float reach = disks.GetReach(around.Center);
-    bool bends =
-      disks.Turn[around.Center] * reach > FlatTurn || disks.IsTooLarge(around.Center);
+    bool bends = isBent(around.Center, reach) || disks.IsTooLarge(around.Center);
     std::vector<Triangle>& local = found.Local();
     const std::size_t before = local.size();
     disk.VisitTriangles([&](int a, int b, float circumscribed) {
@@ -182,7 +180,7 @@ bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
       for (const Site corner : triangle)
       {
         spacing = std::max(spacing, disks.NearSpacing[corner]);
-        bends = bends || disks.Turn[corner] * reach > FlatTurn;
+        bends = bends || isBent(corner, reach);
       }
       // A hole has no points, and is no larger than usual where any corner's points are so sparse.
       if (circumscribed <= disks.HoleLimit * spacing)

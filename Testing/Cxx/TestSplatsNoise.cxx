@@ -20,10 +20,6 @@ vtkSmartPointer<vtkPolyData> MakeShells(int shells, double apart, double noise)
   normals->SetNumberOfComponents(3);
   vtkNew<vtkMinimalStandardRandomSequence> random;
   random->SetSeed(1);
-  auto uniform = [&random]() {
-    random->Next();
-    return random->GetValue();
-  };
   for (int shell = 0; shell < shells; ++shell)
   {
     const double radius = 1.0 + shell * apart;
@@ -33,7 +29,8 @@ vtkSmartPointer<vtkPolyData> MakeShells(int shells, double apart, double noise)
       const double z = 1.0 - (2.0 * i + 1.0) / count, across = std::sqrt(1.0 - z * z);
       const double angle = M_PI * (1.0 + std::sqrt(5.0)) * i; // a turn's golden section on
       const double n[3] = { across * std::cos(angle), across * std::sin(angle), z };
-      const double r = radius + noise * std::sqrt(-2.0 * std::log(uniform())) * std::cos(2.0 * M_PI * uniform());
+      const double u = random->GetNextValue(), v = random->GetNextValue();
+      const double r = radius + noise * std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * M_PI * v);
       points->InsertNextPoint(r * n[0], r * n[1], r * n[2]);
       normals->InsertNextTuple(n);
     }
