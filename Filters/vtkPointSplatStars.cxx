@@ -152,7 +152,7 @@ bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
     const float reach = disks.GetReach(s);
     this->Uneven[s] = this->Sizes[s] > 0 && !(*cloud.Creased)[s] && !disks.IsAlone(s) &&
       (this->Uneven[s] || disks.HasSmallWitness(s, this->Sizes) ||
-        (reach > LargeDisk * this->GetRadius(s) && isBent(s, reach)));
+        (cloud.MayBend && reach > LargeDisk * this->GetRadius(s) && isBent(s, reach)));
   }
 
   vtkSMPThreadLocal<std::vector<Triangle>> found;

@@ -15,8 +15,8 @@
  *    within that, it is the distance within which they turn by so much, and at least LeastBent of the former.
  *    No size is less than a Grain (vtkPointSplatSheet.h) of the median.
  * 2. *Uneven* sites are those with a neighbour in their star that is farther than FarNeighbor sizes, or, of
- *    a cloud, some witness of less than half of their size, or where the surface bends a disk of more than LargeDisk
- *    times the radius that their size asks for. Even samplings have none of them, random ones some percent.
+ *    a cloud, some witness of less than half of their size, or, where normals tell that the surface bends, a disk of
+ *    more than LargeDisk times the radius that their size asks for. Even samplings have none of them, random ones some percent.
  * 3. Their stars are found once more: the triangles between a site and neighbours that are next to each other
  *    around it (Delaunay's in the tangent plane), but for those that reach over holes or lie past borders, and those
  *    over creases, where splats end at lines. Sites where all is flat, as far as the disk reaches, and no neighbour
@@ -69,7 +69,8 @@ public:
 
   /**
    * Finds the triangles of a cloud's uneven sites. normals: 3 floats a slot, of the disks' planes; count: of
-   * neighbours; usual: as in vtkPointSplatSheet. creased: of each slot the splat at a crease, or null.
+   * neighbours; usual: as in vtkPointSplatSheet. creased: of each slot the splat at a crease, or null. mayBend: as
+   * SetSize()'s bends.
    * Returns false if self was aborted.
    */
   struct Cloud
@@ -81,6 +82,7 @@ public:
     const std::vector<const vtkPointSplatCreases::Splat*>* Creased;
     float Usual;
     int Count;
+    bool MayBend;
   };
   bool Find(vtkAlgorithm* self, const Cloud& cloud);
 
