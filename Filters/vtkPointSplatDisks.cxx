@@ -3,6 +3,7 @@
 #include "vtkPointSplatDisks.h"
 
 #include "vtkMath.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,7 +55,7 @@ vtkPointSplatDisks::vtkPointSplatDisks(Slot slots, bool elliptical)
   , Whole(slots, 0)
   , Spacing(slots, 0.0f)
   , NearSpacing(slots, std::numeric_limits<float>::max())
-  , Axes(elliptical ? std::size_t(6) * slots : 0)
+  , Axes(elliptical ? std::size_t(6) * slots : 0, 0.0f)
   , Planes(std::size_t(3) * slots, 0.0f)
   , Curvatures(elliptical ? 0 : std::size_t(6) * slots, 0.0f)
   , Cut(slots, 0)
@@ -153,15 +154,9 @@ float vtkPointSplatDisks::GetLargest(float curvature, float radius)
 
 void vtkPointSplatDisks::FindHoleLimit()
 {
-  std::vector<float> sizes;
-  sizes.reserve(this->Opening.size());
-  for (std::size_t s = 0; s < this->Opening.size(); ++s)
-  {
-    if (this->Opening[s] > 0)
-    {
-      sizes.push_back(this->Opening[s] / this->Spacing[s]);
-    }
-  }
+  std::vector<float> sizes = GetSamples(this->Opening.size(), [this](std::size_t s) {
+    return this->Opening[s] > 0 ? this->Opening[s] / this->Spacing[s] : 0.0f;
+  });
   if (sizes.size() < 100)
   {
     return;
@@ -178,26 +173,20 @@ void vtkPointSplatDisks::FindHoleLimit()
 
 float vtkPointSplatDisks::GetLocalSpread() const
 {
-  std::vector<float> ratios;
-  ratios.reserve(this->Opening.size());
-  for (std::size_t s = 0; s < this->Opening.size(); ++s)
-  {
+  std::vector<float> ratios = GetSamples(this->Opening.size(), [this](std::size_t s) {
     float sum = 0;
     int count = 0;
     for (int w = 0; w < NumberOfWitnesses && this->Opening[s] > 0; ++w)
     {
-      const Slot witness = this->Witnesses[std::size_t(NumberOfWitnesses) * s + w];
+      const Slot witness = this->Witnesses[NumberOfWitnesses * s + w];
       if (witness != vtkPointSplatNeighbors::None && this->Opening[witness] > 0)
       {
         sum += this->Opening[witness];
         ++count;
       }
     }
-    if (count > 0)
-    {
-      ratios.push_back(count * this->Opening[s] / sum);
-    }
-  }
+    return count > 0 ? count * this->Opening[s] / sum : 0.0f;
+  });
   if (ratios.empty())
   {
     return std::numeric_limits<float>::max();
@@ -255,16 +244,14 @@ void vtkPointSplatDisks::Close(Slot slot)
 
 void vtkPointSplatDisks::Finish()
 {
-  std::vector<float> lengths;
-  lengths.reserve(this->Length.size());
-  for (std::size_t s = 0; s < this->Length.size(); ++s)
-  {
-    this->Close(static_cast<Slot>(s));
-    if (this->Length[s] > 0)
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Length.size()), [this](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType s = begin; s < end; ++s)
     {
-      lengths.push_back(this->Length[s]);
+      this->Close(static_cast<Slot>(s));
     }
-  }
+  });
+  std::vector<float> lengths =
+    GetSamples(this->Length.size(), [this](std::size_t s) { return this->Length[s]; });
   this->Body = lengths.empty() ? std::numeric_limits<float>::max() : GetQuantile(lengths, 0.5);
 }
 
@@ -308,7 +295,8 @@ bool vtkPointSplatDisks::IsOutlier(Slot slot, float times) const
   return largest > 0 && this->Nearest[slot] > times * largest;
 }
 
-bool vtkPointSplatDisks::HasSmallWitness(Slot slot, const std::vector<float>& sizes) const
+bool vtkPointSplatDisks::HasSmallWitness(
+  Slot slot, const vtkPointSplatLargeArray<float>& sizes) const
 {
   const Slot* first = this->Witnesses.data() + std::size_t(NumberOfWitnesses) * slot;
   return std::any_of(first, first + NumberOfWitnesses, [&](Slot witness) {

@@ -12,6 +12,7 @@
 #include "vtkPointSplatCreases.h"
 #include "vtkPointSplatDisk.h"
 #include "vtkPointSplatFans.h"
+#include "vtkPointSplatLargeArray.h"
 
 #include <algorithm>
 #include <limits>
@@ -46,7 +47,7 @@ public:
   /// Whether a slot is so many times farther from all others than its neighbours are.
   bool IsOutlier(Slot slot, float times) const;
   /// Whether some witness has less than half of a slot's size. sizes: of each slot.
-  bool HasSmallWitness(Slot slot, const std::vector<float>& sizes) const;
+  bool HasSmallWitness(Slot slot, const vtkPointSplatLargeArray<float>& sizes) const;
   /// Whether the cell of some witness is closed.
   bool HasClosedWitness(Slot slot) const;
   /**
@@ -88,19 +89,36 @@ public:
 
   /// An element of some order; values are shuffled.
   static float GetQuantile(std::vector<float>& values, double q);
+  /// What is known, which is more than 0, of so many slots: of MostSamples of them at most, all over the cloud.
+  template <typename Getter>
+  static std::vector<float> GetSamples(std::size_t slots, const Getter& get)
+  {
+    // An odd stride: all lanes of leaves are among them.
+    const std::size_t stride = std::max<std::size_t>(1, slots / MostSamples) | 1;
+    std::vector<float> samples;
+    for (std::size_t s = 0; s < slots; s += stride)
+    {
+      const float value = get(s);
+      if (value > 0)
+      {
+        samples.push_back(value);
+      }
+    }
+    return samples;
+  }
 
-  std::vector<float> Distance; // how far apart points are (vtkPointSplatDisk)
-  std::vector<float> Turn;     // by how much the surface turns to a neighbour, over its distance, at most
-  std::vector<float> Farthest; // the distance of the farthest neighbour in the star
-  std::vector<float> Length;  // of the longer axis; 0 for a point alone
-  std::vector<float> Gap;     // what it must at least be to close the gaps around
-  std::vector<float> Opening; // the distance of its cell's farthest vertex, 0 for an open cell
-  std::vector<unsigned char> Whole; // whether all neighbours are of its sheet
-  std::vector<float> Spacing; // of the neighbours that the disk is made of
-  std::vector<float> NearSpacing; // of the nearest ones, of whatever sheet
-  std::vector<float> Axes;    // both, unless circular
-  std::vector<float> Planes;  // their normals
-  std::vector<float> Curvatures; // tensors, if circular
+  vtkPointSplatLargeArray<float> Distance; // how far apart points are (vtkPointSplatDisk)
+  vtkPointSplatLargeArray<float> Turn;     // by how much the surface turns to a neighbour, over its distance, at most
+  vtkPointSplatLargeArray<float> Farthest; // the distance of the farthest neighbour in the star
+  vtkPointSplatLargeArray<float> Length;  // of the longer axis; 0 for a point alone
+  vtkPointSplatLargeArray<float> Gap;     // what it must at least be to close the gaps around
+  vtkPointSplatLargeArray<float> Opening; // the distance of its cell's farthest vertex, 0 for an open cell
+  vtkPointSplatLargeArray<unsigned char> Whole; // whether all neighbours are of its sheet
+  vtkPointSplatLargeArray<float> Spacing; // of the neighbours that the disk is made of
+  vtkPointSplatLargeArray<float> NearSpacing; // of the nearest ones, of whatever sheet
+  vtkPointSplatLargeArray<float> Axes;    // both, unless circular
+  vtkPointSplatLargeArray<float> Planes;  // their normals
+  vtkPointSplatLargeArray<float> Curvatures; // tensors, if circular
   /// The distance of a cell's vertex, in spacings, past which it lies in a hole of the surface.
   float HoleLimit = std::numeric_limits<float>::max();
   bool Regular = false;
@@ -108,6 +126,7 @@ public:
   bool Stretched = false; // regular, with cells that are long in one place and not in another
 
 private:
+  static constexpr std::size_t MostSamples = std::size_t(1) << 20;
   /// The neighbours, by rank, that bound a disk.
   static constexpr int NumberOfWitnesses = 4;
   /// Whether at least half of the witnesses are such, or there are too few neighbours for any.
@@ -124,10 +143,10 @@ private:
   /// The 95th percentile, in medians, of the disks' sizes over those of their witnesses.
   float GetLocalSpread() const;
 
-  std::vector<unsigned char> Cut; // made smaller since the surface bends
-  std::vector<unsigned char> Graded; // of which something else says how large they are to be
-  std::vector<float> Nearest; // the distance to any neighbour
-  std::vector<Slot> Witnesses;
+  vtkPointSplatLargeArray<unsigned char> Cut; // made smaller since the surface bends
+  vtkPointSplatLargeArray<unsigned char> Graded; // of which something else says how large they are to be
+  vtkPointSplatLargeArray<float> Nearest; // the distance to any neighbour
+  vtkPointSplatLargeArray<Slot> Witnesses;
   float Body = 0; // the largest radius of a point alone
 };
 

@@ -13,9 +13,12 @@
 #include "vtkPointSplatNormals.h"
 #include "vtkPointSplatSensors.h"
 #include "vtkPolyData.h"
+#include "vtkSMPThreadLocal.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <string>
 
@@ -183,21 +186,27 @@ void vtkPointSplatEstimates::ReadMesh()
 bool vtkPointSplatEstimates::FindNormals()
 {
   const Slot slots = this->Neighbors.GetNumberOfSlots();
-  this->SlotNormals.assign(std::size_t(3) * slots, 0.0f);
-  this->Known.assign(slots, 0);
-  for (Slot s = 0; s < slots; ++s)
-  {
-    const vtkIdType id = this->Neighbors.GetId(s);
-    if (id >= 0)
+  this->SlotNormals = vtkPointSplatLargeArray<float>(std::size_t(3) * slots);
+  this->Known.resize(slots);
+  std::atomic<bool> missing{ false };
+  vtkSMPTools::For(0, slots, [&](vtkIdType begin, vtkIdType end) {
+    for (Slot s = static_cast<Slot>(begin); s < static_cast<Slot>(end); ++s)
     {
-      std::copy_n(this->GetNormal(id), 3, this->SlotNormals.data() + std::size_t(3) * s);
-      this->Known[s] = !IsZero(this->GetNormal(id));
-      this->Missing = this->Missing || !this->Known[s];
+      const float none[3] = { 0, 0, 0 };
+      const vtkIdType id = this->Neighbors.GetId(s);
+      const float* normal = id >= 0 ? this->GetNormal(id) : none;
+      std::copy_n(normal, 3, this->SlotNormals.data() + std::size_t(3) * s);
+      this->Known[s] = !IsZero(normal);
+      if (id >= 0 && !this->Known[s])
+      {
+        missing = true;
+      }
     }
-  }
+  });
+  this->Missing = missing;
   if (this->Missing)
   {
-    vtkPointSplatNormals fitted(this->Neighbors, this->SlotNormals, this->Known);
+    vtkPointSplatNormals fitted(this->Neighbors, this->SlotNormals.data(), this->Known);
     const bool consistent =
       this->Self->GetOrientation() == vtkPointSplatEstimation::Consistent;
     std::string error;
@@ -245,18 +254,24 @@ float vtkPointSplatEstimates::GetUsualSpacing() const
   constexpr Slot leafSize = vtkPointSplatNeighbors::LeafSize;
   const Slot slots = this->Neighbors.GetNumberOfSlots();
   const Slot stride = std::max<Slot>(1, (slots + leafSize - 1) / leafSize / UsualLeaves);
-  std::vector<float> spacings(slots, 0.0f);
+  vtkSMPThreadLocal<std::vector<float>> found;
   this->Neighbors.Visit(this->Self, 0.05, 0.1, vtkPointSplatSheet::SpacingRank,
     [&](const Neighborhood& around, int) {
       const int third = std::min(3, around.Count) - 1;
-      spacings[around.Center] = third < 0
-        ? 0.0f
-        : std::min(vtkPointSplatSheet::GetSpacing(around),
-            SixthPerThird * std::sqrt(around.SquaredDistance[third]));
+      if (third >= 0)
+      {
+        found.Local().push_back(std::min(vtkPointSplatSheet::GetSpacing(around),
+          SixthPerThird * std::sqrt(around.SquaredDistance[third])));
+      }
       return true;
     },
     [&](Slot s) { return s / leafSize % stride == 0; });
-  spacings.erase(std::remove(spacings.begin(), spacings.end(), 0.0f), spacings.end());
+  std::vector<float> spacings;
+  for (const std::vector<float>& local : found)
+  {
+    std::copy_if(local.begin(), local.end(), std::back_inserter(spacings),
+      [](float spacing) { return spacing != 0; });
+  }
   return spacings.empty() ? 0.0f : vtkPointSplatDisks::GetQuantile(spacings, 0.5);
 }
 
@@ -334,19 +349,27 @@ void vtkPointSplatEstimates::FindStar(const Neighborhood& around, const vtkPoint
   }
 }
 
+void vtkPointSplatEstimates::FindSearched()
+{
+  const std::vector<Slot>& slotOf = this->Neighbors.GetSlots();
+  this->Searched = std::vector<std::atomic<bool>>(this->Neighbors.GetNumberOfSlots());
+  vtkSMPTools::For(0, this->NumberOfPoints, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType id = begin; id < end; ++id)
+    {
+      if (slotOf[id] != vtkPointSplatNeighbors::None && !this->Fans.Has(id))
+      {
+        this->Searched[slotOf[id]].store(true, std::memory_order_relaxed);
+      }
+    }
+  });
+}
+
 /// But for the corners of triangles, whose disks these tell.
 bool vtkPointSplatEstimates::FindDisks()
 {
   const Slot slots = this->Neighbors.GetNumberOfSlots();
   const std::vector<Slot>& slotOf = this->Neighbors.GetSlots();
-  std::vector<unsigned char> wanted(slots, 0);
-  for (vtkIdType id = 0; id < this->NumberOfPoints; ++id)
-  {
-    if (slotOf[id] != vtkPointSplatNeighbors::None && !this->Fans.Has(id))
-    {
-      wanted[slotOf[id]] = 1;
-    }
-  }
+  this->FindSearched();
   this->Usual = this->Median = this->GetUsualSpacing();
   this->Disks = std::make_unique<vtkPointSplatDisks>(slots, this->Elliptical);
   this->Bodies = std::make_unique<vtkPointSplatBodies>(slots);
@@ -358,9 +381,8 @@ bool vtkPointSplatEstimates::FindDisks()
   auto measure = [this](const Neighborhood& around, int round) {
     return this->Measure(around, round);
   };
-  auto isWanted = [&wanted](Slot s) { return wanted[s] != 0; };
-  if (!this->Neighbors.Visit(
-        this->Self, this->Missing ? 0.5 : 0.1, 0.8, count, measure, isWanted))
+  if (!this->Neighbors.Visit(this->Self, this->Missing ? 0.5 : 0.1, 0.8, count, measure,
+        [this](Slot s) { return this->Searched[s].load(std::memory_order_relaxed); }))
   {
     return false;
   }
@@ -371,20 +393,21 @@ bool vtkPointSplatEstimates::FindDisks()
     // Where points are sparse is no less known than where they are dense.
     this->Usual = std::numeric_limits<float>::max();
   }
-  this->SheetNormals = this->SlotNormals;
-  for (Slot s = 0; s < slots; ++s)
-  {
-    if (wanted[s])
+  this->SheetNormals = vtkPointSplatLargeArray<float>(this->SlotNormals.size());
+  std::vector<unsigned char> again(slots, 0);
+  vtkSMPTools::For(0, slots, [&](vtkIdType begin, vtkIdType end) {
+    for (Slot s = static_cast<Slot>(begin); s < static_cast<Slot>(end); ++s)
     {
-      wanted[s] = (this->Misled[s] && !disks.Whole[s]) ||
-        disks.Opening[s] > disks.HoleLimit * disks.Spacing[s] ||
-        (disks.Stretched && disks.Opening[s] == 0);
-      std::copy_n(disks.Planes.data() + std::size_t(3) * s, 3,
-        this->SheetNormals.data() + std::size_t(3) * s);
+      again[s] = this->Searched[s] &&
+        ((this->Misled[s] && !disks.Whole[s]) ||
+          disks.Opening[s] > disks.HoleLimit * disks.Spacing[s] ||
+          (disks.Stretched && disks.Opening[s] == 0));
+      std::copy_n(this->Searched[s] ? disks.Planes.data() + std::size_t(3) * s : this->GetSlotNormal(s),
+        3, this->SheetNormals.data() + std::size_t(3) * s);
     }
-  }
+  });
   this->Directions = this->SheetNormals.data();
-  if (!this->Neighbors.Visit(this->Self, 0.8, 0.83, count, measure, isWanted) ||
+  if (!this->Neighbors.Visit(this->Self, 0.8, 0.83, count, measure, [&again](Slot s) { return again[s] != 0; }) ||
     !this->Bodies->Finish(this->Self, 0.83, 0.85, this->Neighbors, count, disks))
   {
     return false;
@@ -403,43 +426,46 @@ bool vtkPointSplatEstimates::FindDisks()
 /// Points that share a slot with one whose normal is another.
 vtkPointSplatEstimates::Twins vtkPointSplatEstimates::FindTwins() const
 {
-  Twins twins;
   const std::vector<Slot>& slotOf = this->Neighbors.GetSlots();
-  for (std::size_t id = 0; id < slotOf.size(); ++id)
+  vtkSMPThreadLocal<Twins> found;
+  vtkSMPTools::For(0, this->NumberOfPoints, [&](vtkIdType begin, vtkIdType end) {
+    Twins& local = found.Local();
+    for (vtkIdType id = begin; id < end; ++id)
+    {
+      const Slot s = slotOf[id];
+      const float* n = this->Normals->GetPointer(3 * id);
+      if (s != vtkPointSplatNeighbors::None && this->Neighbors.GetId(s) != id && !IsZero(n) &&
+        vtkPointSplatCrease::Parts(n, this->GetSlotNormal(s)))
+      {
+        local.push_back({ id, s, { n[0], n[1], n[2] } });
+      }
+    }
+  });
+  Twins twins;
+  for (const Twins& local : found)
   {
-    const Slot s = slotOf[id];
-    const float* n = this->Normals->GetPointer(0) + 3 * id;
-    if (s == vtkPointSplatNeighbors::None ||
-      this->Neighbors.GetId(s) == static_cast<vtkIdType>(id) || IsZero(n))
-    {
-      continue;
-    }
-    if (vtkPointSplatCrease::Parts(n, this->GetSlotNormal(s)))
-    {
-      twins.push_back({ static_cast<vtkIdType>(id), s, { n[0], n[1], n[2] } });
-    }
+    twins.insert(twins.end(), local.begin(), local.end());
   }
+  std::sort(twins.begin(), twins.end(), [](const auto& a, const auto& b) { return a.Id < b.Id; });
   return twins;
 }
 
 bool vtkPointSplatEstimates::FindBorders(const Twins& twins)
 {
-  const std::vector<Slot>& slotOf = this->Neighbors.GetSlots();
   this->Borders = std::make_unique<vtkPointSplatBorders>(
     this->Neighbors, this->Directions, this->Usual, *this->Disks);
   if (this->IsRough())
   {
     return true;
   }
-  std::vector<unsigned char> open(this->Neighbors.GetNumberOfSlots(), 0);
-  for (vtkIdType id = 0; id < this->NumberOfPoints; ++id)
-  {
-    const Slot s = slotOf[id];
-    if (s != vtkPointSplatNeighbors::None && !this->Fans.Has(id))
+  const Slot slots = this->Neighbors.GetNumberOfSlots();
+  std::vector<unsigned char> open(slots, 0);
+  vtkSMPTools::For(0, slots, [&](vtkIdType begin, vtkIdType end) {
+    for (Slot s = static_cast<Slot>(begin); s < static_cast<Slot>(end); ++s)
     {
-      open[s] = this->Disks->MayEnd(s);
+      open[s] = this->Searched[s] && this->Disks->MayEnd(s);
     }
-  }
+  });
   for (const vtkPointSplatCreases::Twin& twin : twins)
   {
     open[twin.At] = 0;

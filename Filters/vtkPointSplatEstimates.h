@@ -17,8 +17,9 @@
 #include "vtkPointSplatCreases.h"
 #include "vtkPointSplatDisks.h"
 #include "vtkPointSplatFans.h"
-#include "vtkPointSplatRefinement.h"
+#include "vtkPointSplatLargeArray.h"
 #include "vtkPointSplatNeighbors.h"
+#include "vtkPointSplatRefinement.h"
 #include "vtkPointSplatStars.h"
 
 #include <atomic>
@@ -63,6 +64,7 @@ private:
   void ReadMesh();
   bool FindNormals();
   float GetUsualSpacing() const;
+  void FindSearched();
   bool FindDisks();
   bool Measure(const Neighborhood& around, int round);
   void FindStar(const Neighborhood& around, const vtkPointSplatDisk& disk);
@@ -105,8 +107,9 @@ private:
   std::vector<vtkPointSplatFans::Disk> Corners; // if so
 
   vtkPointSplatNeighbors Neighbors;
-  std::vector<float> SlotNormals;
+  vtkPointSplatLargeArray<float> SlotNormals;
   std::vector<unsigned char> Known; // slots with given normals
+  std::vector<std::atomic<bool>> Searched; // slots with a point that is no triangle's corner
   float Median = 0; // spacing
   float Usual = 0; // the same, where it tells what is sparse
   std::unique_ptr<vtkPointSplatDisks> Disks;
@@ -116,7 +119,7 @@ private:
   std::unique_ptr<vtkPointSplatStars> Stars; // of slots, where gaps are filled
   std::vector<unsigned char> Creased; // slots that are likely to be at one
   std::vector<std::atomic<bool>> Misled; // slots with a neighbour whose normal is not the surface's
-  std::vector<float> SheetNormals; // of the disks' planes
+  vtkPointSplatLargeArray<float> SheetNormals; // of the disks' planes
   const float* Directions = nullptr; // which of both are looked at
 };
 

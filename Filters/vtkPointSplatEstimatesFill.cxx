@@ -7,6 +7,7 @@
 #include "vtkPointSet.h"
 #include "vtkPointSplatEstimation.h"
 #include "vtkPoints.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <memory>
@@ -27,21 +28,21 @@ bool vtkPointSplatEstimates::FindStars()
   {
     return true;
   }
-  const std::vector<Slot>& slotOf = this->Neighbors.GetSlots();
   const Slot slots = this->Neighbors.GetNumberOfSlots();
   this->Stars = std::make_unique<vtkPointSplatStars>(
     slots, [this](Slot s, double x[3]) { this->Neighbors.GetPosition(s, x); });
-  for (vtkIdType id = 0; id < this->NumberOfPoints; ++id)
-  {
-    const Slot s = slotOf[id];
-    if (s != vtkPointSplatNeighbors::None && !this->Fans.Has(id))
+  vtkSMPTools::For(0, slots, [this](vtkIdType begin, vtkIdType end) {
+    for (Slot s = static_cast<Slot>(begin); s < static_cast<Slot>(end); ++s)
     {
-      this->Stars->SetSize(s,
-        { this->Disks->Distance[s], this->Disks->Turn[s], this->Disks->Farthest[s] },
-        this->MayBend());
+      if (this->Searched[s])
+      {
+        this->Stars->SetSize(s,
+          { this->Disks->Distance[s], this->Disks->Turn[s], this->Disks->Farthest[s] },
+          this->MayBend());
+      }
     }
-  }
-  std::vector<const vtkPointSplatCreases::Splat*> creased(slots, nullptr);
+  });
+  vtkPointSplatLargeArray<const vtkPointSplatCreases::Splat*> creased(slots, nullptr);
   for (const vtkPointSplatCreases::Splat& splat : this->Creases->Splats)
   {
     creased[splat.At] = &splat;

@@ -9,6 +9,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <atomic>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -16,19 +17,24 @@ void vtkPointSplatEstimates::Write()
 {
   const std::vector<Slot>& slotOf = this->Neighbors.GetSlots();
   const vtkPointSplatDisks& disks = *this->Disks;
-  for (vtkIdType id = 0; id < this->NumberOfPoints; ++id)
-  {
-    const Slot s = slotOf[id];
-    this->NumberOfPointsAlone +=
-      s != vtkPointSplatNeighbors::None && disks.IsAlone(s) && !this->Fans.Has(id);
-  }
+  // Of slots in their order, whose neighbours' sizes lie near to theirs in memory.
+  vtkPointSplatLargeArray<float> lengths(disks.Length.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(lengths.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType s = begin; s < end; ++s)
+    {
+      lengths[s] = disks.GetBounded(static_cast<Slot>(s));
+    }
+  });
+  std::atomic<vtkIdType> pointsAlone{ 0 };
   vtkSMPTools::For(0, this->NumberOfPoints, [&](vtkIdType begin, vtkIdType end) {
+    vtkIdType aloneHere = 0;
     for (vtkIdType id = begin; id < end; ++id)
     {
       const Slot s = slotOf[id];
+      aloneHere += s != vtkPointSplatNeighbors::None && disks.IsAlone(s) && !this->Fans.Has(id);
       float* n = this->GetNormal(id);
       const bool drawn = s != vtkPointSplatNeighbors::None && this->IsDrawn(id);
-      const float length = drawn ? this->GetScaled(disks.GetBounded(s)) : 0.0f;
+      const float length = drawn ? this->GetScaled(lengths[s]) : 0.0f;
       if (!this->Elliptical)
       {
         this->Sizes[0]->SetValue(id, length);
@@ -66,7 +72,9 @@ void vtkPointSplatEstimates::Write()
         std::copy_n(this->GetSlotNormal(s), 3, n);
       }
     }
+    pointsAlone += aloneHere;
   });
+  this->NumberOfPointsAlone = pointsAlone;
   this->WriteMesh();
   this->WriteCreases();
   this->Borders->Write(slotOf, this->Clips);

@@ -23,7 +23,7 @@ struct Item
 struct Gather
 {
   template <typename Array>
-  void operator()(Array* points, const std::vector<vtkIdType>& ids, std::vector<Item>& items) const
+  void operator()(Array* points, const std::vector<vtkIdType>& ids, vtkPointSplatLargeArray<Item>& items) const
   {
     const auto range = vtk::DataArrayTupleRange<3>(points);
     vtkSMPTools::For(0, static_cast<vtkIdType>(ids.size()), [&](vtkIdType begin, vtkIdType end) {
@@ -60,7 +60,7 @@ void GetBounds(const Item* begin, const Item* end, double bounds[6])
 class Grid
 {
 public:
-  void Fit(const std::vector<Item>& items)
+  void Fit(const vtkPointSplatLargeArray<Item>& items)
   {
     const std::size_t stride = std::max<std::size_t>(1, items.size() / MostSamples);
     double side = 0;
@@ -117,7 +117,7 @@ struct vtkPointSplatNeighbors::Builder
     std::vector<Range> Leaves;
   };
 
-  std::vector<Item> Items;
+  vtkPointSplatLargeArray<Item> Items;
   std::vector<Task> Tasks;
   Grid Places;
 
@@ -260,8 +260,8 @@ void vtkPointSplatNeighbors::Build(vtkDataArray* points, const unsigned char* us
     }
   }
   this->Nodes.clear();
-  this->Leaves.clear();
-  this->Ids.clear();
+  this->Leaves = {};
+  this->Ids = {};
   this->SlotOfPoint.assign(numberOfPoints, None);
   if (ids.empty())
   {
@@ -269,7 +269,7 @@ void vtkPointSplatNeighbors::Build(vtkDataArray* points, const unsigned char* us
   }
 
   Builder builder;
-  builder.Items.resize(ids.size());
+  builder.Items = vtkPointSplatLargeArray<Item>(ids.size());
   if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>::Execute(
         points, Gather{}, ids, builder.Items))
   {
@@ -280,8 +280,8 @@ void vtkPointSplatNeighbors::Build(vtkDataArray* points, const unsigned char* us
   std::vector<Builder::Range> ranges;
   builder.Emit(builder.Tasks[0], this->Nodes, ranges);
 
-  this->Leaves.resize(ranges.size());
-  this->Ids.assign(ranges.size() * LeafSize, -1);
+  this->Leaves = vtkPointSplatLargeArray<Leaf>(ranges.size());
+  this->Ids = vtkPointSplatLargeArray<vtkIdType>(ranges.size() * LeafSize, -1);
   vtkSMPTools::For(0, static_cast<vtkIdType>(ranges.size()), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType l = begin; l < end; ++l)
     {

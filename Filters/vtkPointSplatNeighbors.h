@@ -28,6 +28,7 @@
 #include "vtkDataArray.h"
 #include "vtkFiltersPointSplattingModule.h" // For export macro
 #include "vtkPointSplatBatches.h"
+#include "vtkPointSplatLargeArray.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkType.h"
 
@@ -152,8 +153,8 @@ private:
     const Predicate& wanted) const;
 
   std::vector<Node> Nodes;
-  std::vector<Leaf> Leaves;
-  std::vector<vtkIdType> Ids;
+  vtkPointSplatLargeArray<Leaf> Leaves;
+  vtkPointSplatLargeArray<vtkIdType> Ids;
   std::vector<Slot> SlotOfPoint;
 };
 

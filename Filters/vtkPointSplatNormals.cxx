@@ -86,7 +86,7 @@ void GetLeastAxis(const double m[6], float axis[3])
 }
 
 vtkPointSplatNormals::vtkPointSplatNormals(const vtkPointSplatNeighbors& neighbors,
-  std::vector<float>& normals, const std::vector<unsigned char>& known)
+  float* normals, const std::vector<unsigned char>& known)
   : Neighbors(neighbors)
   , Normals(normals)
   , Known(known)
@@ -139,7 +139,7 @@ bool vtkPointSplatNormals::Fit(vtkAlgorithm* self, double from, double to, int k
       return true;
     }
     vtkPointSplatNormals::FitPlane(
-      around, this->Normals.data() + std::size_t(3) * around.Center);
+      around, this->Normals + std::size_t(3) * around.Center);
     return true;
   };
   return this->Neighbors.Visit(self, from, to, k, fit);
@@ -181,8 +181,8 @@ float vtkPointSplatNormals::GetSign(Slot i, Slot j, int& cost) const
   double p[3], q[3];
   this->Neighbors.GetPosition(i, p);
   this->Neighbors.GetPosition(j, q);
-  const float* n = this->Normals.data() + std::size_t(3) * i;
-  const float* m = this->Normals.data() + std::size_t(3) * j;
+  const float* n = this->Normals + std::size_t(3) * i;
+  const float* m = this->Normals + std::size_t(3) * j;
   const float e[3] = { float(q[0] - p[0]), float(q[1] - p[1]), float(q[2] - p[2]) };
   const float squared = e[0] * e[0] + e[1] * e[1] + e[2] * e[2];
   const float en = e[0] * n[0] + e[1] * n[1] + e[2] * n[2];
@@ -229,7 +229,7 @@ void vtkPointSplatNormals::Propagate(std::vector<Slot>& surface)
     int unused;
     if (this->GetSign(next.From, next.To, unused) < 0)
     {
-      float* n = this->Normals.data() + std::size_t(3) * next.To;
+      float* n = this->Normals + std::size_t(3) * next.To;
       n[0] = -n[0];
       n[1] = -n[1];
       n[2] = -n[2];
@@ -276,7 +276,7 @@ void vtkPointSplatNormals::TurnOutward(const std::vector<Slot>& surface)
   {
     for (Slot slot : surface)
     {
-      float* n = this->Normals.data() + std::size_t(3) * slot;
+      float* n = this->Normals + std::size_t(3) * slot;
       n[0] = -n[0];
       n[1] = -n[1];
       n[2] = -n[2];
@@ -334,7 +334,7 @@ void vtkPointSplatNormals::Turn(const Target& target)
       }
       double x[3];
       this->Neighbors.GetPosition(slot, x);
-      float* n = this->Normals.data() + std::size_t(3) * slot;
+      float* n = this->Normals + std::size_t(3) * slot;
       if ((to[0] - x[0]) * n[0] + (to[1] - x[1]) * n[1] + (to[2] - x[2]) * n[2] < 0)
       {
         n[0] = -n[0];

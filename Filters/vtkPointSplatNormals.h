@@ -18,7 +18,7 @@ class vtkPointSplatNormals
 {
 public:
   /// Normals, 3 floats a slot, are read and written; known[slot] says which are given.
-  vtkPointSplatNormals(const vtkPointSplatNeighbors& neighbors, std::vector<float>& normals,
+  vtkPointSplatNormals(const vtkPointSplatNeighbors& neighbors, float* normals,
     const std::vector<unsigned char>& known);
 
   /**
@@ -56,7 +56,7 @@ private:
   float GetSign(Slot i, Slot j, int& cost) const;
 
   const vtkPointSplatNeighbors& Neighbors;
-  std::vector<float>& Normals;
+  float* Normals;
   const std::vector<unsigned char>& Known;
   std::vector<Slot> Graph;           // NumberOfEdges for each slot, then None
   std::vector<vtkIdType> Offsets;    // into Edges, for each slot, both directions

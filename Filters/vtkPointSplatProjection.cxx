@@ -170,7 +170,7 @@ bool vtkPointSplatProjection::Run::Begin(vtkDataArray* given)
   {
     return true;
   }
-  vtkPointSplatNormals fitted(this->Neighbors, this->Normals, known);
+  vtkPointSplatNormals fitted(this->Neighbors, this->Normals.data(), known);
   if (!fitted.Fit(this->Self, 0.1, 0.3, this->Self->NumberOfNeighbors, true))
   {
     return false;

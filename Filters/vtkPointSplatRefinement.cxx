@@ -28,6 +28,8 @@ constexpr int CoveredParts = 6;
 constexpr int MostDivisions = 24;
 /// Normals that nearly cancel have no mean.
 constexpr double LeastMean = 1e-3;
+/// How wide the table of cells is at first, a power of two.
+constexpr std::size_t LeastTable = 1024;
 }
 
 vtkPointSplatRefinement::vtkPointSplatRefinement(
@@ -96,7 +98,7 @@ vtkPointSplatRefinement::Index vtkPointSplatRefinement::Divide(Index a, Index b)
   if (!this->FindNear(middle, index))
   {
     this->Points.push_back(middle);
-    this->Insert(index, middle);
+    this->Insert(index, middle.X, middle.Size);
   }
   this->Middles.emplace(edge, index);
   return index;
@@ -179,15 +181,15 @@ vtkPointSplatRefinement::Point vtkPointSplatRefinement::MakeMiddle(
   return middle;
 }
 
-std::size_t vtkPointSplatRefinement::CellHash::operator()(const Cell& cell) const
+vtkPointSplatRefinement::Key vtkPointSplatRefinement::GetKey(const Cell& cell)
 {
-  std::uint64_t hash = static_cast<std::uint64_t>(cell.Level);
+  Key key = static_cast<Key>(cell.Level);
   for (const std::int64_t place : cell.Place)
   {
-    hash = (hash ^ static_cast<std::uint64_t>(place)) * 0x9e3779b97f4a7c15u;
-    hash ^= hash >> 29;
+    key = (key ^ static_cast<Key>(place)) * 0x9e3779b97f4a7c15u;
+    key ^= key >> 29;
   }
-  return static_cast<std::size_t>(hash);
+  return key;
 }
 
 /// Cells of a level are twice as wide as its smallest sizes.
@@ -203,13 +205,47 @@ vtkPointSplatRefinement::Cell vtkPointSplatRefinement::FindCell(const double x[3
   return cell;
 }
 
-void vtkPointSplatRefinement::Insert(Index index, const Point& point)
+void vtkPointSplatRefinement::Insert(Index index, const double x[3], float size)
 {
-  const int level = std::ilogb(point.Size);
+  const int level = std::ilogb(size);
   for (const int near : { level - 1, level, level + 1 })
   {
-    this->Cells.emplace(FindCell(point.X, near), index);
+    this->Entries.push_back({ GetKey(FindCell(x, near)), index, None });
+    if (this->Entries.size() <= this->Table.size())
+    {
+      this->Enter(this->Entries.size() - 1);
+      continue;
+    }
+    const std::size_t width = std::max<std::size_t>(LeastTable, 2 * this->Table.size());
+    this->Table.assign(width, None);
+    this->Shift = 64 - std::ilogb(static_cast<double>(width));
+    for (std::size_t entry = 0; entry < this->Entries.size(); ++entry)
+    {
+      this->Enter(entry);
+    }
   }
+}
+
+/// Puts an entry before the others at its place of the table.
+void vtkPointSplatRefinement::Enter(std::size_t entry)
+{
+  std::size_t& first = this->Table[this->Entries[entry].In >> this->Shift];
+  this->Entries[entry].Next = first;
+  first = entry;
+}
+
+/// Gives a point's position, and returns its normal.
+const float* vtkPointSplatRefinement::GetPlace(Index index, double x[3]) const
+{
+  if (index >= FirstIndex)
+  {
+    const Point& point = this->Points[index - FirstIndex];
+    std::copy_n(point.X, 3, x);
+    return point.Normal;
+  }
+  const Site site = static_cast<Site>(index);
+  this->Stars.GetPosition(site, x);
+  return this->Normals + std::size_t(3) * site;
 }
 
 bool vtkPointSplatRefinement::FindNear(const Point& point, Index& found) const
@@ -230,17 +266,24 @@ bool vtkPointSplatRefinement::FindNear(const Point& point, Index& found) const
     {
       cell.Place[c] += (k >> c) & 1;
     }
-    const auto [begin, end] = this->Cells.equal_range(cell);
-    for (auto at = begin; at != end; ++at)
+    const Key key = GetKey(cell);
+    for (std::size_t at = this->Table.empty() ? None : this->Table[key >> this->Shift]; at != None;
+         at = this->Entries[at].Next)
     {
-      const Point other = this->Get(at->second);
-      const double squared = vtkMath::Distance2BetweenPoints(point.X, other.X);
+      const Entry& entry = this->Entries[at];
+      if (entry.In != key)
+      {
+        continue;
+      }
+      double x[3];
+      const float* normal = this->GetPlace(entry.Of, x);
+      const double squared = vtkMath::Distance2BetweenPoints(point.X, x);
       // Of two that are as near it is the same one, whatever order they are found in.
-      if ((squared < least || (any && squared == least && at->second < found)) &&
-        vtkMath::Dot(point.Normal, other.Normal) > LikeNormal)
+      if ((squared < least || (any && squared == least && entry.Of < found)) &&
+        vtkMath::Dot(point.Normal, normal) > LikeNormal)
       {
         least = squared;
-        found = at->second;
+        found = entry.Of;
         any = true;
       }
     }
@@ -322,19 +365,21 @@ void vtkPointSplatRefinement::Add(const Index corners[3], int divisions, std::ve
 
 bool vtkPointSplatRefinement::Make(std::size_t most)
 {
-  std::vector<Site> corners;
+  std::vector<unsigned char> isCorner(this->Stars.Sizes.size(), 0);
   for (const vtkPointSplatStars::Triangle& triangle : this->Stars.Triangles)
   {
-    corners.insert(corners.end(), triangle.begin(), triangle.end());
-  }
-  std::sort(corners.begin(), corners.end());
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-  for (const Site corner : corners)
-  {
-    const Point point = this->Get(corner);
-    if (point.Size > 0)
+    for (const Site corner : triangle)
     {
-      this->Insert(corner, point);
+      isCorner[corner] = 1;
+    }
+  }
+  for (Site site = 0; site < isCorner.size(); ++site)
+  {
+    if (isCorner[site] && this->Stars.Sizes[site] > 0)
+    {
+      double x[3];
+      this->Stars.GetPosition(site, x);
+      this->Insert(site, x, this->Stars.Sizes[site]);
     }
   }
   std::vector<Part> parts;

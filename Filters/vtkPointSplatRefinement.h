@@ -35,6 +35,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -114,19 +115,24 @@ private:
   {
     int Level;
     std::array<std::int64_t, 3> Place;
-    bool operator==(const Cell& other) const
-    {
-      return this->Level == other.Level && this->Place == other.Place;
-    }
   };
-  struct CellHash
+  using Key = std::uint64_t; // of a cell; two that share one hold points that are far from one another
+  struct Entry
   {
-    std::size_t operator()(const Cell& cell) const;
+    Key In;
+    Index Of;
+    std::size_t Next; // of those that share a place of the table, or None
   };
+  static constexpr std::size_t None = std::numeric_limits<std::size_t>::max();
   static Cell FindCell(const double x[3], int level);
-  void Insert(Index index, const Point& point);
+  static Key GetKey(const Cell& cell);
+  void Insert(Index index, const double x[3], float size);
+  void Enter(std::size_t entry);
   bool FindNear(const Point& point, Index& found) const;
-  std::unordered_multimap<Cell, Index, CellHash> Cells;
+  const float* GetPlace(Index index, double x[3]) const;
+  std::vector<Entry> Entries;
+  std::vector<std::size_t> Table; // of the first entries, by the keys' upper bits
+  int Shift = 0;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -5,6 +5,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkMath.h"
 #include "vtkSMPThreadLocal.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +32,12 @@ constexpr float CreaseCosine = 0.94f;
 constexpr float EndsCosine = 0.5f;
 /// From how many times the spacing on points beside the border of a denser part say that the surface goes on there.
 constexpr float Sparser = 2;
+
+/// Whether the surface bends on the way to a disk's rim. turn: as in vtkPointSplatDisks.
+bool IsBent(float turn, float reach)
+{
+  return turn * reach > FlatTurn;
+}
 }
 
 vtkPointSplatStars::vtkPointSplatStars(std::size_t sites, PositionGetter getPosition)
@@ -53,9 +60,8 @@ void vtkPointSplatStars::SetSize(Site site, const Measures& measures, bool bends
 
 float vtkPointSplatStars::GetMedianSize() const
 {
-  std::vector<float> sizes;
-  std::copy_if(this->Sizes.begin(), this->Sizes.end(), std::back_inserter(sizes),
-    [](float size) { return size > 0; });
+  std::vector<float> sizes = vtkPointSplatDisks::GetSamples(
+    this->Sizes.size(), [this](std::size_t site) { return this->Sizes[site]; });
   return sizes.empty() ? 0.0f : vtkPointSplatDisks::GetQuantile(sizes, 0.5);
 }
 
@@ -123,7 +129,7 @@ bool vtkPointSplatStars::IsOutside(
 
 std::vector<vtkPointSplatStars::Site> vtkPointSplatStars::FindContinued(const Cloud& cloud) const
 {
-  const std::vector<float>& spacing = cloud.Disks->Spacing;
+  const vtkPointSplatLargeArray<float>& spacing = cloud.Disks->Spacing;
   std::vector<Site> continued;
   for (const Triangle& triangle : this->Triangles)
   {
@@ -143,18 +149,45 @@ std::vector<vtkPointSplatStars::Site> vtkPointSplatStars::FindContinued(const Cl
   return continued;
 }
 
+void vtkPointSplatStars::FindUneven(const Cloud& cloud)
+{
+  constexpr Site leafSize = vtkPointSplatNeighbors::LeafSize;
+  const vtkPointSplatDisks& disks = *cloud.Disks;
+  const Site leaves = static_cast<Site>(this->Sizes.size()) / leafSize;
+  std::vector<float> turns(leaves); // the largest of each leaf
+  for (Site leaf = 0; leaf < leaves; ++leaf)
+  {
+    const float* first = disks.Turn.data() + std::size_t(leafSize) * leaf;
+    turns[leaf] = *std::max_element(first, first + leafSize);
+  }
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Sizes.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (Site s = static_cast<Site>(begin); s < static_cast<Site>(end); ++s)
+    {
+      const float reach = disks.GetReach(s);
+      const bool bends = IsBent(disks.Turn[s], reach);
+      const bool uneven = this->Sizes[s] > 0 && !(*cloud.Creased)[s] && !disks.IsAlone(s) &&
+        (this->Uneven[s] || disks.HasSmallWitness(s, this->Sizes) ||
+          (cloud.MayBend && bends && reach > LargeDisk * this->GetRadius(s)));
+      // Of an open cell it is not known how far its star reaches.
+      bool flat = uneven && !bends && !disks.IsTooLarge(s) && disks.Opening[s] > 0;
+      if (flat)
+      {
+        // Two points whose cells meet are no farther apart than twice the way to where they do.
+        const double most = 2.0 * std::max(disks.Opening[s], disks.Farthest[s]);
+        cloud.Neighbors->VisitLeaves(s / leafSize, most, [&](Site leaf) {
+          flat = !IsBent(turns[leaf], reach);
+          return flat;
+        });
+      }
+      this->Uneven[s] = uneven && !flat;
+    }
+  });
+}
+
 bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
 {
+  this->FindUneven(cloud);
   const vtkPointSplatDisks& disks = *cloud.Disks;
-  const auto isBent = [&disks](Site site, float reach) { return disks.Turn[site] * reach > FlatTurn; };
-  for (Site s = 0; s < this->Sizes.size(); ++s)
-  {
-    const float reach = disks.GetReach(s);
-    this->Uneven[s] = this->Sizes[s] > 0 && !(*cloud.Creased)[s] && !disks.IsAlone(s) &&
-      (this->Uneven[s] || disks.HasSmallWitness(s, this->Sizes) ||
-        (cloud.MayBend && reach > LargeDisk * this->GetRadius(s) && isBent(s, reach)));
-  }
-
   vtkSMPThreadLocal<std::vector<Triangle>> found;
   auto find = [&](const vtkPointSplatNeighbors::Neighborhood& around, int round) {
     vtkPointSplatDisk disk;
@@ -171,7 +204,7 @@ bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
       return false;
     }
     const float reach = disks.GetReach(around.Center);
-    bool bends = isBent(around.Center, reach) || disks.IsTooLarge(around.Center);
+    bool bends = IsBent(disks.Turn[around.Center], reach) || disks.IsTooLarge(around.Center);
     std::vector<Triangle>& local = found.Local();
     const std::size_t before = local.size();
     disk.VisitTriangles([&](int a, int b, float circumscribed) {
@@ -180,7 +213,7 @@ bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
       for (const Site corner : triangle)
       {
         spacing = std::max(spacing, disks.NearSpacing[corner]);
-        bends = bends || isBent(corner, reach);
+        bends = bends || IsBent(disks.Turn[corner], reach);
       }
       // A hole has no points, and is no larger than usual where any corner's points are so sparse.
       if (circumscribed <= disks.HoleLimit * spacing)
@@ -197,9 +230,8 @@ bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
     return sure || !bends;
   };
   const double progress = self->GetProgress();
-  const std::vector<unsigned char> wanted = this->Uneven;
   if (!cloud.Neighbors->VisitWidely(self, progress, progress, cloud.Count, find,
-        [&wanted](Site s) { return wanted[s] != 0; }))
+        [this](Site s) { return this->Uneven[s] != 0; }))
   {
     return false;
   }
@@ -234,7 +266,7 @@ void vtkPointSplatStars::Find(const vtkPointSplatFans& mesh)
 
 void vtkPointSplatStars::Grade()
 {
-  std::sort(this->Triangles.begin(), this->Triangles.end());
+  vtkSMPTools::Sort(this->Triangles.begin(), this->Triangles.end());
   this->Triangles.erase(
     std::unique(this->Triangles.begin(), this->Triangles.end()), this->Triangles.end());
 
@@ -248,7 +280,7 @@ void vtkPointSplatStars::Grade()
   {
     pairs.insert(pairs.end(), { { t[0], t[1] }, { t[0], t[2] }, { t[1], t[2] } });
   }
-  std::sort(pairs.begin(), pairs.end());
+  vtkSMPTools::Sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   std::vector<Edge> edges;
   for (const auto& [a, b] : pairs)

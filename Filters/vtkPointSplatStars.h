@@ -17,6 +17,7 @@
  * 2. *Uneven* sites are those with a neighbour in their star that is farther than FarNeighbor sizes, or, of
  *    a cloud, some witness of less than half of their size, or, where normals tell that the surface bends, a disk of
  *    more than LargeDisk times the radius that their size asks for. Even samplings have none of them, random ones some percent.
+ *    Those are not looked at any more about which, as far as stars may reach, all is flat.
  * 3. Their stars are found once more: the triangles between a site and neighbours that are next to each other
  *    around it (Delaunay's in the tangent plane), but for those that reach over holes or lie past borders, and those
  *    over creases, where splats end at lines. Sites where all is flat, as far as the disk reaches, and no neighbour
@@ -32,6 +33,7 @@
 
 #include "vtkPointSplatBorders.h"
 #include "vtkPointSplatDisks.h"
+#include "vtkPointSplatLargeArray.h"
 
 #include <array>
 #include <cstddef>
@@ -79,7 +81,7 @@ public:
     const float* Normals;
     const vtkPointSplatDisks* Disks;
     const vtkPointSplatBorders* Borders;
-    const std::vector<const vtkPointSplatCreases::Splat*>* Creased;
+    const vtkPointSplatLargeArray<const vtkPointSplatCreases::Splat*>* Creased;
     float Usual;
     int Count;
     bool MayBend;
@@ -100,14 +102,15 @@ public:
   static float GetGraded(float size, float way) { return size + Slope * way; }
 
   const PositionGetter GetPosition;
-  std::vector<float> Sizes; // 0 where there is no star
-  std::vector<unsigned char> Uneven;
+  vtkPointSplatLargeArray<float> Sizes; // 0 where there is no star
+  vtkPointSplatLargeArray<unsigned char> Uneven;
   std::vector<Triangle> Triangles; // each once, in order
 
 private:
   static constexpr float RadiusPerSize = 0.65f;
   static constexpr float Slope = 0.3f;
 
+  void FindUneven(const Cloud& cloud);
   void Grade();
 
   static bool IsOverCrease(const Cloud& cloud, const Triangle& triangle);
