@@ -323,8 +323,7 @@ bool vtkPointSplatDisks::MayEnd(Slot slot) const
   {
     return opening == 0 || opening > HoleShare * this->HoleLimit * this->Spacing[slot];
   }
-  return opening == 0 &&
-    this->AreMostWitnesses(slot, [this](Slot witness) { return this->Opening[witness] > 0; });
+  return opening == 0 && this->HasClosedWitness(slot);
 }
 
 void vtkPointSplatDisks::Shrink(Slot slot, float length)

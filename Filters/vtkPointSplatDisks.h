@@ -53,7 +53,7 @@ public:
   /**
    * Whether the surface may end at a slot. Of a regular sampling: its cell is open, or may reach into a
    * hole by the spacing that there is farther inside, two thirds of that at a border. Of a random one:
-   * its cell is open, and those of most witnesses are not, as beside a border and unlike in vegetation.
+   * its cell is open, and that of some witness is not, as beside a border, along which others are open, and unlike in vegetation.
    */
   bool MayEnd(Slot slot) const;
   /// The radius that a disk has where it closes the gaps around; and whether that is too much for those beside.

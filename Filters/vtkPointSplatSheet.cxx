@@ -19,12 +19,15 @@ constexpr float NearOffset = 0.6f;
 /// ... and the sine of half the angle by which the arc between them may turn (106 degrees), the mean of both
 /// normals'.
 constexpr float NearTurn = 0.8f;
-/// The same for those across a gap (35 degrees), where nothing but the normals tells of a sheet.
+/// The same for those across a gap (60 degrees), where nothing but the normals tells of a sheet: so far the next row's
+/// turn where slices of a volume are some voxels apart.
 constexpr float FarOffset = 0.1f; // of their distance
-constexpr float FarTurn = 0.3f;
+constexpr float FarTurn = 0.5f;
 /// Normals that part by more than this cosine (87 degrees) are those of two faces at an edge, unless
 /// the sheet has too few others: on a body of a few points all part so.
 constexpr float EdgeCosine = 0.05f;
+/// ... and so are those that part by more than a right angle where the arc turns by more than this (35 degrees).
+constexpr float EdgeTurn = 0.3f;
 /// A point lies in another's tangent plane if it is off that by less than this part of their distance, and
 /// may be one on an edge, a rim or a tip if its normal parts from the other's by less than this cosine.
 constexpr float InPlane = 0.25f;
@@ -139,7 +142,7 @@ void vtkPointSplatSheet::Select(
       continue;
     }
     if (std::abs(arc.Cosine) < EdgeCosine ||
-      (arc.Cosine < 0 && turn * turn > FarTurn * FarTurn * squared))
+      (arc.Cosine < 0 && turn * turn > EdgeTurn * EdgeTurn * squared))
     {
       if (isNear)
       {

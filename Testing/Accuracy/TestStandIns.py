@@ -77,6 +77,13 @@ class TestStandIns(unittest.TestCase):
         self.assertEqual(found["holes"], 0)
         self.assertEqual(found["spill"], 0.0)
 
+    def test_thick_slices(self):
+        # 192 where normals of the next row, which turn by up to a right angle, were taken for another sheet's.
+        found = likeness.compare(standins.thick_slices(), 300, 4)
+        self.assertLess(found["holes"], 40)
+        self.assertGreater(min(found["psnr"]), 26)
+        self.assertLess(found["spill"], 0.001)  # 0.0016 where borders along rows were not seen
+
     def test_uneven(self):
         # 4 to 18 dB where disks of the faces' points stand out over the rim.
         for name in ("rimmed_disc", "thin_disc"):

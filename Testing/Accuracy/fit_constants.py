@@ -48,6 +48,8 @@ CONSTANTS = {
     "LeastShare": ("vtkPointSplatDisks.cxx", (0.6, 0.75, 0.9), ("tubes_edges", "drapery")),
     "NearReach": ("vtkPointSplatSheet.cxx", (1.6, 2.0, 2.5), ("tubes_edges", "shell_03")),
     "NearOffset": ("vtkPointSplatSheet.cxx", (0.4, 0.6, 0.8), ("tubes_edges", "shell_03", "scans")),
+    "FarTurn": ("vtkPointSplatSheet.cxx", (0.3, 0.4, 0.5, 0.65), ("thick_slices", "shell_03", "spray")),
+    "EdgeTurn": ("vtkPointSplatSheet.cxx", (0.2, 0.3, 0.5), ("thick_slices", "shell_03", "spray")),
     "FarOffset": ("vtkPointSplatSheet.cxx", (0.05, 0.1, 0.2), ("tubes_edges", "grid_lines")),
     "RadiusPerSize": ("vtkPointSplatStars.h", (0.6, 0.65, 0.7), DISCS + FOLDS),
     "Slope": ("vtkPointSplatStars.h", (0.2, 0.3, 0.4), DISCS + FOLDS),

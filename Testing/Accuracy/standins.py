@@ -115,9 +115,10 @@ def vessels(size, tubes, specks, seed=3):
     return made
 
 
-def image_of(field):
+def image_of(field, spacing=(1, 1, 1)):
     image = vtkImageData()
     image.SetDimensions(*reversed(field.shape))
+    image.SetSpacing(spacing)
     image.GetPointData().SetScalars(numpy_to_vtk(field.astype(np.float32).ravel(), deep=1))
     return image
 
@@ -146,6 +147,36 @@ def tubes_and_specks(extraction="edges", size=80, tubes=10, specks=250):
     cloud = isosurface(field, extraction) if extraction == "points" else vertices(mesh)
     return StandIn("tubes and specks, " + extraction, cloud, lambda p: np.abs(body(p)), 0.7, mesh,
                    lambda: isosurface(field, "edges", 4))
+
+
+# Thick slices --------------------------------------------------------------------------------
+
+def thick_slices(ratio=4, size=72):
+    """The mesh of a scanner's volume whose slices are ratio times as far apart as its voxels: round
+    bodies that overlap above a wavy sheet, which the volume cuts off. It has points along rows, whose normals turn by up
+    to a right angle from one row to the next."""
+    rng = np.random.default_rng(5)
+    centres = (rng.uniform(0.2, 0.8, (24, 3)) * (1, 1, 0.4) + (0, 0, 0.4)) * size
+    widths = rng.uniform(2.5, 4.5, 24)
+
+    def field(p):
+        bodies = sum(np.exp(-((p - c) ** 2).sum(-1) / (2 * w * w)) for c, w in zip(centres, widths))
+        x, y, z = p[..., 0], p[..., 1], p[..., 2]
+        sheet = 0.17 * size + 6 * np.sin(0.2 * x) * np.cos(0.17 * y) + np.sin(0.6 * x + 0.3 * y) - z
+        return np.maximum(bodies - 0.5, sheet / 8)
+
+    def distance(p):
+        slope = np.stack([field(p + d) - field(p - d) for d in 1e-3 * np.eye(3)], -1) / 2e-3
+        return np.abs(field(p)) / np.maximum(np.linalg.norm(slope, axis=-1), 1e-3)
+    x, y, z = np.meshgrid(np.arange(0, size + 1, ratio), *2 * [np.arange(size + 1)], indexing="ij")
+    values = field(np.stack([x, y, z], -1).astype(float)).transpose(2, 1, 0)
+    contour = vtkFlyingEdges3D()
+    contour.SetInputData(image_of(values, (ratio, 1, 1)))
+    contour.SetValue(0, 0.0)
+    contour.ComputeScalarsOff()
+    contour.Update()
+    mesh = contour.GetOutput()
+    return StandIn("thick slices", vertices(mesh), distance, 1.0, mesh)
 
 
 # Machined part -------------------------------------------------------------------------------
@@ -522,6 +553,7 @@ ALL = {
     "tubes_edges": lambda: tubes_and_specks("edges"),
     "tubes_contour": lambda: tubes_and_specks("contour"),
     "tubes_points": lambda: tubes_and_specks("points"),
+    "thick_slices": thick_slices,
     "part_vertices": machined_part,
     "part_random": lambda: machined_part(True),
     "shell_01": lambda: thin_shell(0.1),
