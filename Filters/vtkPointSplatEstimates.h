@@ -85,8 +85,9 @@ private:
   void ClipFill();
 
   bool IsRough() const;
-  /// Whether given normals tell where the surface bends.
-  bool MayBend() const { return !this->Missing && !this->IsRough(); }
+  /// Whether given normals tell where the surface bends. What is rough at regular points, as of an isosurface of a noisy
+  /// volume, is the surface's own.
+  bool MayBend() const { return !this->Missing && (!this->IsRough() || this->Disks->Regular); }
   bool IsDrawn(vtkIdType id) const;
   float GetScaled(float length) const;
   static bool IsZero(const float n[3]) { return n[0] == 0 && n[1] == 0 && n[2] == 0; }

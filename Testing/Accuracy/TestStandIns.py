@@ -50,6 +50,13 @@ class TestStandIns(unittest.TestCase):
         standin.fine = None
         self.assertEqual(likeness.compare(standin, 300, 1)["holes"], 0)
 
+    def test_noisy_tubes(self):
+        # A gap of 5 dB and a spill of 0.03 where noise was no bend for disks.
+        found = likeness.compare(standins.noisy_vessels(), 300, 2)
+        self.assertLess(found["gap"][0], 4)
+        self.assertEqual(found["holes"], 0)
+        self.assertLess(found["spill"], 0.01)
+
     def test_edges(self):
         self.check("part_random", 5, 0.012, 24)
 

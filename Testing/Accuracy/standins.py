@@ -149,6 +149,15 @@ def tubes_and_specks(extraction="edges", size=80, tubes=10, specks=250):
                    lambda: isosurface(field, "edges", 4))
 
 
+def noisy_vessels(noise=0.3):
+    """Of an angiogram as scanners give it: the same tubes, by a volume with noise, in voxels of its surface's place. Its own
+    isosurface is the truth."""
+    body = vessels(80, 10, 0)
+    field = body.sampled(80) + np.random.default_rng(12).normal(0, noise, (80,) * 3)
+    mesh = isosurface(field, "edges")
+    return StandIn("noisy vessels", vertices(mesh), lambda p: np.abs(body(p)), 0.7, mesh)
+
+
 # Thick slices --------------------------------------------------------------------------------
 
 def thick_slices(ratio=4, size=72):
@@ -553,6 +562,7 @@ ALL = {
     "tubes_edges": lambda: tubes_and_specks("edges"),
     "tubes_contour": lambda: tubes_and_specks("contour"),
     "tubes_points": lambda: tubes_and_specks("points"),
+    "tubes_noisy": noisy_vessels,
     "thick_slices": thick_slices,
     "part_vertices": machined_part,
     "part_random": lambda: machined_part(True),
