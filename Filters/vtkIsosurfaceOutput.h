@@ -28,6 +28,7 @@ struct vtkIsosurfaceOutput
   vtkSmartPointer<vtkDoubleArray> Isovalues = vtkSmartPointer<vtkDoubleArray>::New();
   vtkSmartPointer<vtkFloatArray> Radii; // both or none of these
   vtkSmartPointer<vtkFloatArray> Curvatures;
+  vtkSmartPointer<vtkFloatArray> Clips; // or none
 
   vtkIsosurfaceOutput(vtkIdType count, bool precise, bool sizes)
   {
@@ -80,6 +81,10 @@ struct vtkIsosurfaceOutput
     {
       output->GetPointData()->AddArray(this->Radii);
       output->GetPointData()->AddArray(this->Curvatures);
+    }
+    if (this->Clips)
+    {
+      output->GetPointData()->AddArray(this->Clips);
     }
   }
 };

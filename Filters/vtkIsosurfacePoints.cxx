@@ -9,6 +9,7 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkIsosurfaceBorders.h"
 #include "vtkIsosurfaceEdges.h"
 #include "vtkIsosurfaceOutput.h"
 #include "vtkIsosurfaceSamples.h"
@@ -26,6 +27,9 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
+#include <array>
+#include <functional>
 #include <numeric>
 #include <sstream>
 
@@ -93,6 +97,19 @@ bool IsUsable(const vtkIsosurfaceGrid& grid)
     }
   }
   return determinant != 0 && std::isfinite(determinant);
+}
+
+/// At which faces the volume ends that the image is all, or a piece, of: low and high of each axis.
+std::array<bool, 6> FindEnds(vtkInformationVector** inputs, vtkImageData* image)
+{
+  vtkInformation* info = inputs[0]->GetInformationObject(0);
+  const int* extent = image->GetExtent();
+  const int* whole = info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())
+    ? info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())
+    : extent;
+  std::array<bool, 6> ends;
+  std::transform(extent, extent + 6, whole, ends.begin(), std::equal_to<int>());
+  return ends;
 }
 
 /// The least point spacing for which voxels are divided far enough.
@@ -369,7 +386,13 @@ void vtkIsosurfacePoints::ExtractVolume(
     return extraction;
   };
   // As many isovalues in one sweep as a class can count.
-  this->Extract(make, 254, NeedsDouble(image), image, output);
+  std::vector<vtkIsosurfaceOutput> surfaces = this->Extract(make, 254, NeedsDouble(image), image);
+  const vtkIsosurfaceBorders borders(grid, FindEnds(inputs, image));
+  for (vtkIsosurfaceOutput& surface : surfaces)
+  {
+    borders.Clip(surface);
+  }
+  this->MoveTo(surfaces, output);
 }
 
 void vtkIsosurfacePoints::ExtractScatter(
@@ -411,11 +434,12 @@ void vtkIsosurfacePoints::ExtractScatter(
       vtkIsosurfaceScatter::Settings{ this->PointSpacing, this->NumberOfNeighbors,
         this->NeighborRadius, this->Correction });
   };
-  this->Extract(make, VTK_INT_MAX, NeedsDouble(samples), samples, output);
+  this->MoveTo(this->Extract(make, VTK_INT_MAX, NeedsDouble(samples), samples), output);
 }
 
-void vtkIsosurfacePoints::Extract(
-  const Factory& make, std::size_t most, bool precise, vtkDataSet* input, vtkDataObject* output)
+/// One surface for all isovalues, or for each; none where it was aborted.
+std::vector<vtkIsosurfaceOutput> vtkIsosurfacePoints::Extract(
+  const Factory& make, std::size_t most, bool precise, vtkDataSet* input)
 {
   const int number = static_cast<int>(this->GetNumberOfContours());
   std::vector<int> order;
@@ -448,7 +472,7 @@ void vtkIsosurfacePoints::Extract(
     std::vector<vtkIdType> found;
     if (!extraction->Find(this, 0.7 * s / sweeps, 0.7 * (s + 1) / sweeps, found))
     {
-      return;
+      return {};
     }
     for (std::size_t i = 0; i < found.size(); ++i)
     {
@@ -461,7 +485,6 @@ void vtkIsosurfacePoints::Extract(
     std::all_of(extractions.begin(), extractions.end(),
       [](const std::unique_ptr<vtkIsosurfaceExtraction>& e) { return e->KnowsSizes(); });
 
-  // One surface for all isovalues, or for each.
   std::vector<vtkIsosurfaceOutput> surfaces;
   std::vector<vtkIsosurfaceExtraction::Target> targets(number);
   if (!this->BlockPerIsovalue)
@@ -496,10 +519,20 @@ void vtkIsosurfacePoints::Extract(
     if (!extractions[s]->Write(
           this, 0.7 + 0.3 * s / sweeps, 0.7 + 0.3 * (s + 1) / sweeps, sorted))
     {
-      return;
+      return {};
     }
   }
 
+  return surfaces;
+}
+
+void vtkIsosurfacePoints::MoveTo(
+  const std::vector<vtkIsosurfaceOutput>& surfaces, vtkDataObject* output)
+{
+  if (surfaces.empty())
+  {
+    return;
+  }
   this->UpdateProgress(1.0);
   if (auto* polyData = vtkPolyData::SafeDownCast(output))
   {
@@ -507,6 +540,7 @@ void vtkIsosurfacePoints::Extract(
     return;
   }
   auto* blocks = vtkMultiBlockDataSet::SafeDownCast(output);
+  const int number = static_cast<int>(surfaces.size());
   blocks->SetNumberOfBlocks(number);
   for (int i = 0; i < number; ++i)
   {

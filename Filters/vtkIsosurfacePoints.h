@@ -18,7 +18,9 @@
  * - `Isovalue` (1 double), in the unit of the scalars;
  * - `SplatRadius` (1 float, world units) and `SplatCurvature` (6 floats, XX, YY, ZZ, XY, YZ, XZ,
  *   1 / world units), as vtkPointSplatEstimation has them, unless SplatSizes is off, or Correction
- *   for scattered samples. With these nothing is estimated when the points are drawn.
+ *   for scattered samples. With these nothing is estimated when the points are drawn;
+ * - `SplatClip` (6 floats, 1 / world units, as vtkPointSplatEstimation has it), with sizes, where a volume's faces cut
+ *   off parts of splats: the isosurface ends there.
  *
  * Stages of volumes without PointSpacing:
  * 1. *Sweep.* Each sample's class is the number of isovalues that it reaches, one byte. Slices
@@ -55,6 +57,8 @@
  *    side s (vtkIsosurfaceSplat.h). H is made of differences of second order at the samples,
  *    along an axis the mean of those one and two samples wide, interpolated as the gradient is.
  *    B's eigenvalues are held within 1 / radius.
+ * 3. *Borders.* Splats that reach past a face of the whole volume are clipped at it (vtkIsosurfaceBorders.h); pieces
+ *    of a volume go on in others.
  *
  * Stages of scattered samples (after Rosenthal, Linsen 2006, Direct isosurface extraction from
  * scattered volume data: points by linear interpolation between pairs of neighbours):
@@ -121,6 +125,7 @@ class vtkDataSet;
 class vtkImageData;
 class vtkIsosurfaceExtraction;
 class vtkPointSet;
+struct vtkIsosurfaceOutput;
 
 class VTKFILTERSPOINTSPLATTING_EXPORT vtkIsosurfacePoints : public vtkPolyDataAlgorithm
 {
@@ -237,8 +242,9 @@ private:
   void ExtractVolume(vtkInformationVector** inputs, vtkImageData* image, vtkDataObject* output);
   void ExtractScatter(vtkInformationVector** inputs, vtkPointSet* samples, vtkDataObject* output);
   /// As many isovalues at once as `most`.
-  void Extract(
-    const Factory& make, std::size_t most, bool precise, vtkDataSet* input, vtkDataObject* output);
+  std::vector<vtkIsosurfaceOutput> Extract(
+    const Factory& make, std::size_t most, bool precise, vtkDataSet* input);
+  void MoveTo(const std::vector<vtkIsosurfaceOutput>& surfaces, vtkDataObject* output);
 
   vtkContourValues* ContourValues;
   double PointSpacing = 0;

@@ -57,6 +57,14 @@ class TestStandIns(unittest.TestCase):
         self.assertEqual(found["holes"], 0)
         self.assertLess(found["spill"], 0.01)
 
+    def test_cut_by_volume(self):
+        # 27 dB where splats of isosurfaces reached past the volume.
+        for extraction in ("points", "edges"):
+            found = likeness.compare(standins.cut_by_volume(extraction), 300, 2)
+            self.assertGreater(min(found["psnr"]), 33, extraction)
+            self.assertEqual(found["holes"], 0)
+            self.assertLess(found["spill"], 0.001)
+
     def test_edges(self):
         self.check("part_random", 5, 0.012, 24)
 

@@ -158,6 +158,20 @@ def noisy_vessels(noise=0.3):
     return StandIn("noisy vessels", vertices(mesh), lambda p: np.abs(body(p)), 0.7, mesh)
 
 
+def cut_by_volume(extraction="points", size=64):
+    """A surface with a thousand spacings of border, where the volume cuts it (a gyroid)."""
+    k = 2 * math.pi / 24
+
+    def field(p):
+        x, y, z = k * p[..., 0], k * p[..., 1], k * p[..., 2]
+        return np.sin(x) * np.cos(y) + np.sin(y) * np.cos(z) + np.sin(z) * np.cos(x)
+    z, y, x = np.meshgrid(*3 * [np.arange(size, dtype=float)], indexing="ij")
+    values = field(np.stack([x, y, z], -1))
+    mesh = isosurface(values, "edges")
+    cloud = isosurface(values, "points") if extraction == "points" else vertices(mesh)
+    return StandIn("cut by its volume, " + extraction, cloud, lambda p: np.abs(field(p)) / k, 0.7, mesh)
+
+
 # Thick slices --------------------------------------------------------------------------------
 
 def thick_slices(ratio=4, size=72):
@@ -563,6 +577,8 @@ ALL = {
     "tubes_contour": lambda: tubes_and_specks("contour"),
     "tubes_points": lambda: tubes_and_specks("points"),
     "tubes_noisy": noisy_vessels,
+    "cut_points": cut_by_volume,
+    "cut_edges": lambda: cut_by_volume("edges"),
     "thick_slices": thick_slices,
     "part_vertices": machined_part,
     "part_random": lambda: machined_part(True),

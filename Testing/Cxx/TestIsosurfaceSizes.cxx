@@ -10,6 +10,7 @@
 #include "vtkFlyingEdges3D.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkIsosurfacePoints.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -19,6 +20,8 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStaticPointLocator.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTrivialProducer.h"
 
 #include <algorithm>
 #include <array>
@@ -339,6 +342,83 @@ void Coverage()
   }
 }
 
+/// Of a ball that the volume cuts: what lines leave of disks is what lies in the volume. open: the face at which
+/// the volume goes on, or -1.
+void ExpectClipped(vtkImageData* image, vtkPolyData* points, int open, const std::string& name)
+{
+  vtkPointData* arrays = points->GetPointData();
+  auto* radii = vtkFloatArray::SafeDownCast(arrays->GetArray(vtkPointSplatArrays::Radius));
+  auto* clips = vtkFloatArray::SafeDownCast(arrays->GetArray(vtkPointSplatArrays::Clip));
+  Expect(clips != nullptr, name + ": there are clip lines");
+  if (!clips)
+  {
+    return;
+  }
+  int wrong = 0, cut = 0;
+  for (vtkIdType id = 0; id < points->GetNumberOfPoints(); ++id)
+  {
+    double x[3], n[3], axes[2][3];
+    points->GetPoint(id, x);
+    arrays->GetNormals()->GetTuple(id, n);
+    vtkMath::Perpendiculars(n, axes[0], axes[1], 0);
+    const float* clip = clips->GetPointer(6 * id);
+    for (int k = 0; k < 32; ++k)
+    {
+      const double angle = k * vtkMath::Pi() / 16, reach = 1.5 * radii->GetValue(id);
+      double w[3], at[3], index[3];
+      for (int c = 0; c < 3; ++c)
+      {
+        w[c] = reach * (std::cos(angle) * axes[0][c] + std::sin(angle) * axes[1][c]);
+        at[c] = x[c] + w[c];
+      }
+      image->TransformPhysicalPointToContinuousIndex(at, index);
+      double inside = 1; // voxels from the nearest face
+      for (int face = 0; face < 6; ++face)
+      {
+        const double last = image->GetDimensions()[face / 2] - 1;
+        const double distance = face % 2 ? last - index[face / 2] : index[face / 2];
+        inside = face == open ? inside : std::min(inside, distance);
+      }
+      const bool kept = clip[0] * w[0] + clip[1] * w[1] + clip[2] * w[2] <= 1 &&
+        clip[3] * w[0] + clip[4] * w[1] + clip[5] * w[2] <= 1;
+      // Lines do not go through the points themselves.
+      wrong += std::abs(inside) > 0.03 && kept != (inside > 0);
+      cut += !kept;
+    }
+  }
+  Expect(wrong == 0, name + ": splats end at the volume's faces, " + std::to_string(wrong));
+  Expect(cut > 1000, name + ": splats are cut");
+}
+
+void Borders()
+{
+  const auto field = [](const double x[3]) { return vtkMath::Dot(x, x); };
+  for (const bool turned : { false, true })
+  {
+    const auto image = Volume(field, { 0.05, 0.04, 0.06 }, turned, turned);
+    ExpectClipped(image, Extract(image, 1.96, 0), -1, turned ? "turned" : "upright");
+    ExpectClipped(image, Extract(image, 1.96, 0.08), -1, "points further apart");
+    // A piece of a larger volume.
+    vtkNew<vtkTrivialProducer> piece;
+    piece->SetOutput(image);
+    int whole[6];
+    image->GetExtent(whole);
+    whole[1] += 10;
+    piece->SetWholeExtent(whole);
+    vtkNew<vtkIsosurfacePoints> points;
+    points->SetInputConnection(piece->GetOutputPort());
+    points->SetValue(0, 1.96);
+    points->UpdateInformation();
+    points->GetInputInformation()->Set(
+      vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), image->GetExtent(), 6);
+    points->Update();
+    ExpectClipped(image, points->GetOutput(), 1, "a piece");
+  }
+  const auto closed = Volume(field, { 0.05, 0.05, 0.05 }, false, false);
+  Expect(!Extract(closed, 0.64, 0)->GetPointData()->HasArray(vtkPointSplatArrays::Clip),
+    "what the volume does not cut has no lines");
+}
+
 void ExpectUsable(vtkPolyData* points, const std::string& name)
 {
   vtkDataArray* radii = points->GetPointData()->GetArray(vtkPointSplatArrays::Radius);
@@ -467,6 +547,7 @@ int TestIsosurfaceSizes(int, char*[])
   Curvatures({ 0.06, 0.03, 0.05 }, true, true);
   PlaneRadii();
   Coverage();
+  Borders();
   BadInput();
   Scattered();
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
