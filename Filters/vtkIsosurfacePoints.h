@@ -56,7 +56,7 @@
  * 2. *Curvature.* B = s P H P / |g| by gradient g and Hessian H, P = I - n n^T, and the normal's
  *    side s (vtkIsosurfaceSplat.h). H is made of differences of second order at the samples,
  *    along an axis the mean of those one and two samples wide, interpolated as the gradient is.
- *    B's eigenvalues are held within 1 / radius.
+ *    Where B is strong radii are smaller, by a quarter at most; its eigenvalues are held within 1 / radius.
  * 3. *Borders.* Splats that reach past a face of the whole volume are clipped at it (vtkIsosurfaceBorders.h); pieces
  *    of a volume go on in others.
  *

@@ -13,7 +13,8 @@
  * the invariants of this matrix). B is the second fundamental form: 1 / R on a
  * sphere of radius R whose normals point outward.
  *
- * B's eigenvalues are held within 1 / radius, where the disk's rim has turned by 45 degrees: so a
+ * A disk's radius is at most that within which the normal turns by 0.6 where B is strongest, but at least 0.75 of what it
+ * was: a larger one would stand out over the outline of a tube. B's eigenvalues are held within 1 / radius, where the disk's rim has turned by 45 degrees: so a
  * splat does not leave a tube that is thinner than it, and a gradient that all but vanishes gives
  * no spikes.
  */
@@ -33,7 +34,7 @@ public:
   double Curvature[6] = { 0, 0, 0, 0, 0, 0 }; // XX, YY, ZZ, XY, YZ, XZ
 
   /**
-   * Bends the disk by derivatives of the field in world units: the length of its gradient, and its
+   * Bends the disk, and makes it smaller where it bends by much, by derivatives of the field in world units: the length of its gradient, and its
    * Hessian (XX, YY, ZZ, XY, YZ, XZ) with the normal's sign s. Normal and Radius are set. Flat
    * where the derivatives are not finite or the gradient is zero.
    */

@@ -51,6 +51,8 @@ CONSTANTS = {
     "FarTurn": ("vtkPointSplatSheet.cxx", (0.3, 0.4, 0.5, 0.65), ("thick_slices", "shell_03", "spray")),
     "EdgeTurn": ("vtkPointSplatSheet.cxx", (0.2, 0.3, 0.5), ("thick_slices", "shell_03", "spray")),
     "FarOffset": ("vtkPointSplatSheet.cxx", (0.05, 0.1, 0.2), ("tubes_edges", "grid_lines")),
+    "LargestTurn": ("vtkIsosurfaceSplat.cxx", (0.4, 0.6, 0.8), ("tubes_points", "cut_points")),
+    "LeastOfReach": ("vtkIsosurfaceSplat.cxx", (0.65, 0.75, 0.85), ("tubes_points", "cut_points")),
     "RadiusPerSize": ("vtkPointSplatStars.h", (0.6, 0.65, 0.7), DISCS + FOLDS),
     "Slope": ("vtkPointSplatStars.h", (0.2, 0.3, 0.4), DISCS + FOLDS),
     "MostTurn": ("vtkPointSplatStars.cxx", (0.4, 0.6, 0.8), BENT),

@@ -256,8 +256,10 @@ void PlaneRadii()
   AtMost(std::abs(range[1] - 0.088), 1e-6, "plane, spaced: largest radius");
 }
 
-/// Every place on vtkFlyingEdges3D's triangles lies on a disk, or next to it.
-void Covered(vtkImageData* image, double isovalue, double pointSpacing, const std::string& name)
+/// Every place on vtkFlyingEdges3D's triangles lies on a disk, or next to it; where disks bend, and are a quarter smaller
+/// for it, within what draws them, which reaches 1.5 radii.
+void Covered(vtkImageData* image, double isovalue, double pointSpacing, const std::string& name,
+  bool bends = false)
 {
   vtkNew<vtkFlyingEdges3D> mesh;
   mesh->SetInputData(image);
@@ -308,7 +310,7 @@ void Covered(vtkImageData* image, double isovalue, double pointSpacing, const st
       }
     }
   }
-  AtMost(worst, 1.1, name + ": the farthest place from a disk's centre, in radii");
+  AtMost(worst, bends ? 1.1 / 0.75 : 1.1, name + ": the farthest place from a disk's centre, in radii");
 }
 
 void Coverage()
@@ -332,7 +334,7 @@ void Coverage()
     // Hexagons, which a face's points alone do not tell from smaller outlines.
     Covered(Volume(slanted, even, false, false), 0.0431, s, "slanted plane" + spaced);
     Covered(Volume(gyroid, even, false, false), 0.2, s, "gyroid" + spaced);
-    Covered(Volume(vessel, even, false, false), 0.45, s, "vessel" + spaced);
+    Covered(Volume(vessel, even, false, false), 0.45, s, "vessel" + spaced, true);
     if (s == 0)
     {
       // Samples that lie on the surface, where several edges have the same point.
