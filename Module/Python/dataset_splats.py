@@ -128,7 +128,7 @@ class DataSetSplats:
         >>> grid = pv.Wavelet()
         >>> surface = grid.splats.contour([100, 150], spacing=0.5)
         >>> surface.array_names
-        ['Normals', 'Isovalue', 'SplatRadius', 'SplatCurvature']
+        ['Normals', 'Isovalue', 'SplatRadius', 'SplatCurvature', 'SplatClip']
         """
         data = self._dataset
         if isinstance(data, pv.RectilinearGrid):
