@@ -120,7 +120,8 @@ class DataSetSplats:
         -------
         pyvista.PolyData
             Points with `Normals` (n, 3), unit length, `Isovalue` (n,), `SplatRadius` (n,), world
-            units, and `SplatCurvature` (n, 6), 1 / world units, which are drawn as they are.
+            units, and `SplatCurvature` (n, 6), 1 / world units, which are drawn as they are;
+            `SplatClip` (n, 6), 1 / world units, where faces of an image cut the surface.
 
         Examples
         --------
