@@ -343,7 +343,10 @@ void vtkPointSplatDisks::Open(Slot slot, float length)
 bool vtkPointSplatDisks::AgreeWitnesses(
   Slot slot, const std::vector<unsigned char>& marks) const
 {
-  return this->AreMostWitnesses(slot, [&marks](Slot witness) { return marks[witness] != 0; });
+  const Slot* first = this->Witnesses.data() + std::size_t(NumberOfWitnesses) * slot;
+  return 2 * std::count_if(first, first + NumberOfWitnesses, [&marks](Slot witness) {
+    return witness == vtkPointSplatNeighbors::None || marks[witness] != 0;
+  }) >= NumberOfWitnesses;
 }
 
 void vtkPointSplatDisks::GetBall(Slot slot, float tensor[6]) const

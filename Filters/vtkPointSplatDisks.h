@@ -129,16 +129,6 @@ private:
   static constexpr std::size_t MostSamples = std::size_t(1) << 20;
   /// The neighbours, by rank, that bound a disk.
   static constexpr int NumberOfWitnesses = 4;
-  /// Whether at least half of the witnesses are such, or there are too few neighbours for any.
-  template <typename Predicate>
-  bool AreMostWitnesses(Slot slot, const Predicate& isSuch) const
-  {
-    const Slot* first = this->Witnesses.data() + std::size_t(NumberOfWitnesses) * slot;
-    return 2 * std::count_if(first, first + NumberOfWitnesses, [&isSuch](Slot witness) {
-      return witness == vtkPointSplatNeighbors::None || isSuch(witness);
-    }) >= NumberOfWitnesses;
-  }
-
   float GetBound(Slot slot) const;
   /// The 95th percentile, in medians, of the disks' sizes over those of their witnesses.
   float GetLocalSpread() const;
