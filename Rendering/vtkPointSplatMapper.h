@@ -16,7 +16,8 @@
  * 3. Reconstruct. In each tile the depth of the nearest cap at each pixel is found, and then the
  *    mean of the normals, depths and colours of all splats within the least layer distance of it
  *    (Zhang, Pajarola 2006, equation 1), weighted by a kernel (Pajarola, Sainz, Guidotti 2004,
- *    equations 9 and 10). Splats narrower than a pixel are widened (after Guennebaud, section 4). Where
+ *    equations 9 and 10), and the less the farther off, so that surfaces that cross don't blend.
+ *    Splats narrower than a pixel are widened (after Guennebaud, section 4). Where
  *    surfaces are translucent the next layer is made of what is left (Guennebaud, section 6).
  * 4. Shade, by VTK's own lighting formulas, once a pixel and layer.
  * 5. Present. Colour, opacity and depth go to the framebuffer as ordinary geometry does, so that
@@ -519,8 +520,8 @@ public:
   ///@{
   /**
    * The least distance between two surface layers, in world units, measured along the normal: what
-   * is nearer than this belongs to one layer. 0, the default, is automatic: a fraction of each splat's
-   * own radius. GetLayerDistanceUsed() gives the distance for a splat of median size.
+   * is nearer than this belongs to one layer, with a weight that falls to 0 there. 0, the default, is
+   * automatic: each splat's own radius. GetLayerDistanceUsed() gives the distance for a splat of median size.
    */
   vtkPointSplatSetClampMacro(LayerDistance, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(LayerDistance, double);

@@ -31,3 +31,13 @@ float kernelWeight(float r2, vec4 kernel)
   return decay(r2 * kernel.x); // equation 9
 #endif
 }
+
+// What of its weight a splat keeps in a layer whose nearest hit is so far off; layer: the least layer
+// distance, along the same line. Disks that cover one surface lie much nearer together than that:
+// what lies nearly as far off is rather of another surface, which crosses this one or ends on it.
+// Where a plane is seen edge-on a pixel has many depths of it, which all count alike; as much as
+// others do in the mean, so that beside these at a silhouette they do not prevail.
+float layerShare(float off, float layer, bool edgeOn)
+{
+  return edgeOn ? 0.5 : max(1.0 - abs(off) / max(layer, 1e-30), 0.0);
+}

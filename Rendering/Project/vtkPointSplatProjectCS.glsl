@@ -203,7 +203,7 @@ void main()
   boxes[to] = seen ? box : uvec2(0u);
 
   uint head = q.tag | (belongsToBothSides(q) ? BothSides : 0u) |
-    encodeShort(q.layer / max(q.facing, LeastFacing)) << 16;
+    encodeLayer(q.layer / max(q.facing, LeastFacing), isEdgeOn(q.facing)) << 16;
   uint normal = encodeNormal(q.normal);
   uvec4 r1;
   uvec4 r2;

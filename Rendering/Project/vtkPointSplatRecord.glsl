@@ -31,7 +31,7 @@
 //
 // Head: bits 0 to 14 the tag, which names the cloud and, in bit 0, the side that is seen; bit 15
 // whether splats of both sides belong to its layers; above, the least layer distance along the
-// ray, 16 bits of a float.
+// ray, 16 bits of a float, negative where the splat is seen edge-on.
 //
 // Box: first tile x 12 bits, y 13, bucket of the nearest depth 7 lower bits; last tile x and y,
 // bucket 3 upper bits, kind.
@@ -54,15 +54,16 @@ const uint RecordBits = 22u;
 const uint TagBits = 0x7fffu;
 const uint BothSides = 0x8000u;
 
-// 16 bits of a float: its sign, exponent and 7 bits of the mantissa.
-uint encodeShort(float x)
+// A sign, the exponent and 7 bits of the mantissa.
+uint encodeLayer(float layer, bool edgeOn)
 {
-  return (floatBitsToUint(x) + 0x8000u) >> 16;
+  return (floatBitsToUint(layer) + 0x8000u) >> 16 | (edgeOn ? 0x8000u : 0u);
 }
 
-float decodeShort(uint code)
+float decodeLayer(uint code, out bool edgeOn)
 {
-  return uintBitsToFloat(code << 16);
+  edgeOn = (code & 0x8000u) != 0u;
+  return uintBitsToFloat((code & 0x7fffu) << 16);
 }
 
 uvec3 encodeTurns(vec3 first, vec3 second)

@@ -155,7 +155,8 @@ void main()
   float stretch = length(edge1) / max(length(edge1MC), 1e-30);
   float share = (entry & BesideSplats) != 0u ? 1.0 : SharpShare;
   float layer = LayerDistance + share * LayerRadii * RadiusScale * radius * stretch;
-  uint head = Tag | (back ? 1u : 0u) | encodeShort(layer / max(facing, LeastFacing)) << 16;
+  uint head = Tag | (back ? 1u : 0u) |
+    encodeLayer(layer / max(facing, LeastFacing), isEdgeOn(facing)) << 16;
 
   uint bucket = uint(clamp((nearest - BucketScale.x) * BucketScale.y, 0.0,
     float(DepthBuckets - 1u)));

@@ -68,6 +68,9 @@ void main()
 #endif
 #ifdef GATHER
   f.weight *= colour.a;
+#elif !defined(POINTS)
+  f.weight *= layerShare((f.depth - decodeDepth(nearest)) * max(f.splat.facing, LeastFacing),
+    f.splat.layer, isEdgeOn(f.splat.facing));
 #endif
   // A weight never vanishes inside the support.
   float weight = max(f.weight, 1.0 / 4096.0);

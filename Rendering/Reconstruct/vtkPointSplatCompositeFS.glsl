@@ -4,12 +4,13 @@
 //
 // The compositing pass of deferred blending (Zhang, Pajarola 2006, figure 5): what
 // of the groups' images lies within the least layer distance of the nearest
-// disk is summed up.
+// disk is summed up, the less of it the farther off it is.
 // Reads: the groups' texels and depths. Writes: see vtkPointSplatTexel.
 
 #include "vtkPointSplatProjection"
 #include "vtkPointSplatDepthCode"
 #include "vtkPointSplatGroupTexel"
+#include "vtkPointSplatKernel"
 #include "vtkPointSplatTexel"
 #if defined(VALUES) || defined(CELL_COLOURS) || defined(FACETS)
 #define ITEMS
@@ -103,10 +104,11 @@ void main()
       uint different = (nearest ^ splat.x) & TagMask;
       bool steep = (splat.z & 0x80000000u) != 0u;
       float behind = decodeDepth(splat.x) - decodeDepth(nearest);
-      if ((different == 0u || (different == 1u && !steep)) &&
-        abs(behind) <= DepthUnit * decodeHalf(splat.z >> 16))
+      float layer = DepthUnit * decodeHalf(splat.z >> 16);
+      bool edgeOn = (splat.z >> 16 & EdgeOnLayer) != 0u;
+      if ((different == 0u || (different == 1u && !steep)) && abs(behind) <= layer)
       {
-        float weight = decodeHalf(splat.z);
+        float weight = decodeHalf(splat.z) * layerShare(behind, layer, edgeOn);
         weights += weight;
         normalAndBehind +=
           weight * vec4(turnTo(nearest, splat.x) * decodeNormal(splat.y), behind);

@@ -51,9 +51,11 @@ void main()
   // A weight never vanishes inside the support.
   float weight = max(hit.share * kernelWeight(hit.r2, Kernel), 1.0 / 4096.0);
   float along = q.layer / max(q.facing, LeastFacing);
+  uint layer = encodeHalf(along / DepthUnit, !belongsToBothSides(q)) |
+    (isEdgeOn(q.facing) ? EdgeOnLayer : 0u);
   texel = uvec4(encodeDepth(onDisk ? onto.depth : hit.depth, q.tag),
     encodeNormal(normalAt(q, NormalBend * hit.uv)),
-    encodeHalf(weight, !onDisk) | encodeHalf(along / DepthUnit, !belongsToBothSides(q)) << 16,
+    encodeHalf(weight, !onDisk) | layer << 16,
     packColour(splatColour));
 #ifdef FACTORS
   factorTexel = packColour(splatFactors);

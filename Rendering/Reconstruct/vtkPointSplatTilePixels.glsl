@@ -123,12 +123,15 @@ struct Head
   uint tag;
   uint sides;  // tags whose bits differ by less than this belong to one layer
   float layer; // least layer distance along the ray
+  bool edgeOn;
 };
 
 Head headOf(uvec4 texel)
 {
+  bool edgeOn;
+  float layer = decodeLayer(texel.w >> 16, edgeOn);
   return Head(corner - uintBitsToFloat(texel.xy), uintBitsToFloat(texel.z), texel.w & TagBits,
-    (texel.w & BothSides) != 0u ? 2u : 1u, decodeShort(texel.w >> 16));
+    (texel.w & BothSides) != 0u ? 2u : 1u, layer, edgeOn);
 }
 
 int recordOf(uint entry)
@@ -303,7 +306,9 @@ void addToLayer(int k, Head h, Paint p, float share, float r2, float depth, vec3
 #endif
   float kernel = share * kernelWeight(min(r2, p.kernel.z * p.kernel.z), p.kernel);
 #ifdef GATHER
-  kernel *= gathering ? p.colour.a : 1.0;
+  kernel *= gathering ? p.colour.a : layerShare(behind, h.layer, h.edgeOn);
+#else
+  kernel *= layerShare(behind, h.layer, h.edgeOn);
 #endif
   float weight = mine ? max(round(WeightScale * kernel), 1.0) : 0.0;
   // Turned to the side that the nearest splat shows: with those of a thin wall's far side, or that

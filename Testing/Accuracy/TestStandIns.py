@@ -65,6 +65,12 @@ class TestStandIns(unittest.TestCase):
             self.assertEqual(found["holes"], 0)
             self.assertLess(found["spill"], 0.001)
 
+    def test_crossing(self):
+        # 31.2 dB where all splats within the least layer distance counted alike.
+        found = likeness.compare(standins.crossing(), 300, 3)
+        self.assertGreater(min(found["psnr"]), 33)
+        self.assertEqual(found["holes"], 0)
+
     def test_edges(self):
         self.check("part_random", 5, 0.012, 24)
 

@@ -14,14 +14,15 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import (
-    vtkCleanPolyData, vtkContourFilter, vtkFlyingEdges3D, vtkPolyDataNormals, vtkTriangleFilter)
+    vtkAppendPolyData, vtkCleanPolyData, vtkContourFilter, vtkFlyingEdges3D, vtkPolyDataNormals,
+    vtkTriangleFilter)
 from vtkmodules.vtkFiltersModeling import vtkAdaptiveSubdivisionFilter, vtkLinearExtrusionFilter
-from vtkmodules.vtkFiltersPoints import vtkPointInterpolator, vtkVoronoiKernel
 from vtkmodules.vtkImagingCore import vtkImageResample
 import pointsplatting
 
+from parametric import nearest, normals_of, parametric, random_of, to_parametric
 from reference.surfaces import unit
-from scenes import grid_triangles, polydata
+from scenes import grid_triangles, polydata, sphere_mesh
 
 
 class StandIn:
@@ -37,27 +38,6 @@ def vertices(mesh):
     """The cloud of a mesh's vertices and normals."""
     return polydata(vtk_to_numpy(mesh.GetPoints().GetData()),
                     vtk_to_numpy(mesh.GetPointData().GetNormals()))
-
-
-def nearest(points, normals):
-    """What finds for places the nearest of these points, and its normal."""
-    source = polydata(points, normals)
-
-    def find(places):
-        probe = vtkPointInterpolator()
-        probe.SetSourceData(source)
-        probe.SetInputData(polydata(places, None))
-        probe.SetKernel(vtkVoronoiKernel())
-        probe.PassPointArraysOff()
-        probe.Update()
-        found = probe.GetOutput().GetPointData()
-        return (vtk_to_numpy(found.GetArray("Position")).astype(float),
-                vtk_to_numpy(found.GetArray("Normals")).astype(float))
-    for data, name in ((source.GetPoints().GetData(), "Position"),
-                       (source.GetPointData().GetNormals(), "Normals")):
-        data.SetName(name)
-        source.GetPointData().AddArray(data)
-    return find
 
 
 # Vessels -------------------------------------------------------------------------------------
@@ -170,6 +150,22 @@ def cut_by_volume(extraction="points", size=64):
     mesh = isosurface(values, "edges")
     cloud = isosurface(values, "points") if extraction == "points" else vertices(mesh)
     return StandIn("cut by its volume, " + extraction, cloud, lambda p: np.abs(field(p)) / k, 0.7, mesh)
+
+
+# Surfaces that pierce one another ------------------------------------------------------------
+
+def crossing(angle=60):
+    """Two balls, each of which goes on inside of the other, whose surfaces cross at so many degrees."""
+    apart = 2 * math.sin(math.radians(angle) / 2)
+    centres = [(-apart / 2, 0, 0), (apart / 2, 0, 0)]
+    append = vtkAppendPolyData()
+    for centre in centres:
+        append.AddInputData(sphere_mesh(20000, 1.0, centre))
+    append.Update()
+    mesh = append.GetOutput()
+    return StandIn("crossing", vertices(mesh),
+                   lambda p: np.min([np.abs(np.linalg.norm(p - c, axis=1) - 1) for c in centres], 0),
+                   math.pi / 2 / 58, mesh)
 
 
 # Thick slices --------------------------------------------------------------------------------
@@ -319,49 +315,7 @@ def machined_part(at_random=False, count=100000):
     return StandIn("part, vertices", vertices(mesh), part_distance, spacing, mesh)
 
 
-# Surfaces with two parameters ----------------------------------------------------------------
-
-def parametric(function, columns, rows, u_range, v_range, closed=True):
-    """A mesh of function(u, v) (points, last axis 3), its normals by differences; u closed."""
-    u = np.linspace(*u_range, columns + 1)
-    v = np.linspace(*v_range, rows + 1)
-    u, v = np.meshgrid(u[:-1] if closed else u, v)
-    points, normals = function(u, v), normals_of(function, u, v)
-    numbers = np.arange(u.size).reshape(u.shape)
-    if closed:
-        numbers = np.pad(numbers, ((0, 0), (0, 1)), mode="wrap")
-    return polydata(points.reshape(-1, 3), normals.reshape(-1, 3),
-                    grid_triangles(columns, rows, numbers))
-
-
-def normals_of(function, u, v, step=1e-5):
-    du = function(u + step, v) - function(u - step, v)
-    dv = function(u, v + step) - function(u, v - step)
-    return unit(np.cross(du, dv))
-
-
-def random_of(function, u_range, v_range, count, rng):
-    """Points by equal areas."""
-    many = 4 * count
-    u, v = rng.uniform(*u_range, many), rng.uniform(*v_range, many)
-    du = (function(u + 1e-5, v) - function(u - 1e-5, v)) / 2e-5
-    dv = (function(u, v + 1e-5) - function(u, v - 1e-5)) / 2e-5
-    area = np.linalg.norm(np.cross(du, dv), axis=1)
-    pick = rng.choice(many, count, replace=False, p=area / area.sum())
-    return u[pick], v[pick]
-
-
-def to_parametric(function, u_range, v_range):
-    """The distance to such a surface: from the nearest of many of its points, and the plane there."""
-    u, v = np.meshgrid(np.linspace(*u_range, 1501), np.linspace(*v_range, 1001))
-    find = nearest(function(u, v).reshape(-1, 3), normals_of(function, u, v).reshape(-1, 3))
-
-    def distance(p):
-        q, n = find(p)
-        far = np.linalg.norm(p - q, axis=1)
-        return np.where(far < 0.05, np.abs(((p - q) * n).sum(1)), far)
-    return distance
-
+# Drapery -------------------------------------------------------------------------------------
 
 FOLDS = ((0, 2 * math.pi), (0.0, 2.4))
 
@@ -579,6 +533,7 @@ ALL = {
     "tubes_noisy": noisy_vessels,
     "cut_points": cut_by_volume,
     "cut_edges": lambda: cut_by_volume("edges"),
+    "crossing": crossing,
     "thick_slices": thick_slices,
     "part_vertices": machined_part,
     "part_random": lambda: machined_part(True),
