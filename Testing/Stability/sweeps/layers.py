@@ -40,15 +40,21 @@ def turned(degrees):
     return np.array([[math.cos(a), 0, -math.sin(a)], [0, 1, 0], [math.sin(a), 0, math.cos(a)]])
 
 
-def crossing_sheets(degrees, n):
-    return several([plate(0, RED), plate(0, BLUE, turn=turned(degrees))], n,
-                   look((0.3, -0.7, 0.8), up=(0, 0, 1)))
+def crossing_sheets(degrees, n, draw=several, colour=BLUE):
+    return draw([plate(0, RED), plate(0, colour, turn=turned(degrees))], n,
+                look((0.3, -0.7, 0.8), up=(0, 0, 1)))
 
 
 @sweep([5, 10, 20, 45, 90], Stable([20, 90], 12), coarse([90]))
 def crossing(degrees, n):
     """angle at which two sheets cross, degrees"""
     return crossing_sheets(degrees, n)
+
+
+@sweep([5, 10, 20, 45, 90], Stable([45], 13), coarse([90]))
+def crossing_in_one(degrees, n):
+    """angle at which two sheets of one actor cross, degrees"""
+    return crossing_sheets(degrees, n, merged, RED)
 
 
 @sweep([-0.3, -0.1, -0.03, -0.01, 0, 0.01, 0.03, 0.1, 0.3], Stable([-0.1, 0, 0.1]),
