@@ -69,8 +69,7 @@ void main()
 #ifdef GATHER
   f.weight *= colour.a;
 #elif !defined(POINTS)
-  f.weight *= layerShare((f.depth - decodeDepth(nearest)) * max(f.splat.facing, LeastFacing),
-    f.splat.layer, isEdgeOn(f.splat.facing));
+  f.weight *= shareInLayer(f, nearest);
 #endif
   // A weight never vanishes inside the support.
   float weight = max(f.weight, 1.0 / 4096.0);

@@ -46,3 +46,12 @@ bool findFragment(out Fragment f)
   return covers;
 #endif
 }
+
+#ifndef POINTS
+// As layerShare(), measured along the normal; nearest: the coded depth.
+float shareInLayer(Fragment f, uint nearest)
+{
+  return layerShare((f.depth - decodeDepth(nearest)) * max(f.splat.facing, LeastFacing),
+    f.splat.layer, isEdgeOn(f.splat.facing));
+}
+#endif

@@ -47,6 +47,6 @@ void main()
   gl_FragDepth = float(tagAndId.y) / 4294967296.0;
 #else
   // A weight never vanishes inside the support.
-  gl_FragDepth = 1.0 - clamp(f.weight, 1.0 / 4096.0, 1.0);
+  gl_FragDepth = 1.0 - clamp(f.weight * shareInLayer(f, nearest), 1.0 / 4096.0, 1.0);
 #endif
 }
