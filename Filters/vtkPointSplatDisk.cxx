@@ -417,6 +417,14 @@ bool vtkPointSplatDisk::InRow(int nearest) const
   return mean - root < RowVariance * (mean + root);
 }
 
+void vtkPointSplatDisk::Limit(float most)
+{
+  const float share = this->Length1 > most ? most / this->Length1 : 1.0f;
+  this->Length1 *= share;
+  this->Length2 *= share;
+  this->Gap = std::min(this->Gap, most);
+}
+
 bool vtkPointSplatDisk::Estimate(const vtkPointSplatNeighbors::Neighborhood& around,
   const float* normals, bool elliptical, float usual, float holeLimit)
 {

@@ -40,6 +40,9 @@ public:
   bool Estimate(const vtkPointSplatNeighbors::Neighborhood& around, const float* normals,
     bool elliptical, float usual, float holeLimit);
 
+  /// Makes the disk no larger than that, whatever it covers.
+  void Limit(float most);
+
   /**
    * Finds no more than Normal and Sheet. countNear: how many of the neighbours lie as near as they
    * do at that spacing.

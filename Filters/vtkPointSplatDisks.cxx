@@ -53,6 +53,7 @@ vtkPointSplatDisks::vtkPointSplatDisks(Slot slots, bool elliptical)
   , Gap(slots, 0.0f)
   , Opening(slots, 0.0f)
   , Whole(slots, 0)
+  , Few(slots, 0)
   , Spacing(slots, 0.0f)
   , NearSpacing(slots, std::numeric_limits<float>::max())
   , Axes(elliptical ? std::size_t(6) * slots : 0, 0.0f)
@@ -83,6 +84,7 @@ void vtkPointSplatDisks::Set(const vtkPointSplatNeighbors::Neighborhood& around,
   this->Cut[s] = disk.Length1 > largest;
   this->Opening[s] = disk.Opening;
   this->Whole[s] = disk.Sheet.Whole;
+  this->Few[s] = 2 * disk.Sheet.Count < around.Count;
   this->Spacing[s] = disk.Spacing;
   this->NearSpacing[s] = std::min(this->NearSpacing[s], vtkPointSplatSheet::GetSpacing(around));
   this->Distance[s] = disk.Distance;

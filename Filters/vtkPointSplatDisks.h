@@ -114,6 +114,7 @@ public:
   vtkPointSplatLargeArray<float> Gap;     // what it must at least be to close the gaps around
   vtkPointSplatLargeArray<float> Opening; // the distance of its cell's farthest vertex, 0 for an open cell
   vtkPointSplatLargeArray<unsigned char> Whole; // whether all neighbours are of its sheet
+  vtkPointSplatLargeArray<unsigned char> Few; // whether most neighbours are of other sheets
   vtkPointSplatLargeArray<float> Spacing; // of the neighbours that the disk is made of
   vtkPointSplatLargeArray<float> NearSpacing; // of the nearest ones, of whatever sheet
   vtkPointSplatLargeArray<float> Axes;    // both, unless circular

@@ -12,6 +12,7 @@
 #include "vtkPointSplatNoise.h"
 #include "vtkPointSplatNormals.h"
 #include "vtkPointSplatSensors.h"
+#include "vtkPointSplatSparsePart.h"
 #include "vtkPolyData.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
@@ -275,6 +276,13 @@ float vtkPointSplatEstimates::GetUsualSpacing() const
   return spacings.empty() ? 0.0f : vtkPointSplatDisks::GetQuantile(spacings, 0.5);
 }
 
+/// Whether points of other sheets may hide those of a slot's own: no neighbour counts, or most are of others.
+bool vtkPointSplatEstimates::IsHemmed(Slot s) const
+{
+  return this->Known[s] &&
+    (this->Disks->IsAlone(s) || (this->Disks->Few[s] && this->Disks->Opening[s] == 0));
+}
+
 /// A slot's disk; returns whether its cell is closed, or more neighbours tell nothing new.
 bool vtkPointSplatEstimates::Measure(const Neighborhood& around, int round)
 {
@@ -292,7 +300,14 @@ bool vtkPointSplatEstimates::Measure(const Neighborhood& around, int round)
   {
     this->Bodies->Look(around, this->SlotNormals.data());
   }
-  if (round == 2)
+  // In the second look farther neighbours of what is hemmed in are asked for, and nothing about rows.
+  const bool again = directions != this->SlotNormals.data();
+  const bool hemmed = again && this->IsHemmed(s);
+  if (hemmed && round == 1 && !closed)
+  {
+    return false;
+  }
+  if (round == 2 && !hemmed)
   {
     this->Bodies->AddRow(around, disk.Sheet, this->Disks->Length[s]);
   }
@@ -317,9 +332,16 @@ bool vtkPointSplatEstimates::Measure(const Neighborhood& around, int round)
     this->FindStar(around, disk);
     return true;
   }
-  std::copy_n(disk.Normal, 3, this->Disks->Planes.data() + std::size_t(3) * s);
-  const bool fits =
-    std::equal(disk.Normal, disk.Normal + 3, directions + std::size_t(3) * s);
+  this->SetDisk(around, disk);
+  return closed;
+}
+
+/// Takes a disk over, with the surface's curvature.
+void vtkPointSplatEstimates::SetDisk(const Neighborhood& around, const vtkPointSplatDisk& disk)
+{
+  const std::size_t s = around.Center;
+  std::copy_n(disk.Normal, 3, this->Disks->Planes.data() + 3 * s);
+  const bool fits = std::equal(disk.Normal, disk.Normal + 3, this->Directions + 3 * s);
   for (int i = 0; i < around.Count && !fits; ++i)
   {
     this->Misled[around.Slots[i]].store(true, std::memory_order_relaxed);
@@ -331,14 +353,13 @@ bool vtkPointSplatEstimates::Measure(const Neighborhood& around, int round)
     // Normals that are not the surface's say nothing of its curvature.
     if (fits)
     {
-      curvature.Estimate(around, directions, disk.Normal, disk.Sheet);
+      curvature.Estimate(around, this->Directions, disk.Normal, disk.Sheet);
     }
-    std::copy_n(curvature.Tensor, 6, this->Disks->Curvatures.data() + std::size_t(6) * s);
+    std::copy_n(curvature.Tensor, 6, this->Disks->Curvatures.data() + 6 * s);
     largest = vtkPointSplatDisks::GetLargest(curvature.Strongest, disk.Length1);
   }
   this->Disks->Set(around, disk, largest);
   this->FindStar(around, disk);
-  return closed;
 }
 
 void vtkPointSplatEstimates::FindStar(const Neighborhood& around, const vtkPointSplatDisk& disk)
@@ -362,6 +383,42 @@ void vtkPointSplatEstimates::FindSearched()
       }
     }
   });
+}
+
+/// Those of points that dense ones of another part of the surface hem in. taken: of each slot whether it has one.
+bool vtkPointSplatEstimates::FindSparseDisks(std::vector<unsigned char>& taken)
+{
+  vtkPointSplatDisks& disks = *this->Disks;
+  std::vector<unsigned char> hemmed(this->Neighbors.GetNumberOfSlots(), 0);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(hemmed.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (Slot s = static_cast<Slot>(begin); s < static_cast<Slot>(end); ++s)
+    {
+      hemmed[s] = this->Searched[s] && this->IsHemmed(s);
+    }
+  });
+  const vtkPointSplatSparsePart part(this->Neighbors, disks, std::move(hemmed));
+  auto look = [&](const Neighborhood& around, int round) {
+    vtkPointSplatDisk disk;
+    const bool closed =
+      disk.Estimate(around, this->Directions, this->Elliptical, this->Usual, disks.HoleLimit);
+    if (!closed && round == 0)
+    {
+      return false;
+    }
+    // Where a cell is open, nothing but the dense points tells how far the surface goes on.
+    const std::size_t s = around.Center;
+    const float most = vtkPointSplatStars::GetRadius(disk.Distance);
+    disk.Limit(closed ? most : std::min(most, disks.NearSpacing[s]));
+    if (disk.Sheet.Count >= vtkPointSplatSheet::FewMembers && disk.Length1 > disks.Length[s])
+    {
+      this->SetDisk(around, disk);
+      taken[s] = 1;
+    }
+    return true;
+  };
+  return part.IsEmpty() ||
+    part.Visit(this->Self, this->Input->GetPoints()->GetData(),
+      this->Self->GetNumberOfNeighbors(), look);
 }
 
 /// But for the corners of triangles, whose disks these tell.
@@ -393,13 +450,18 @@ bool vtkPointSplatEstimates::FindDisks()
     // Where points are sparse is no less known than where they are dense.
     this->Usual = std::numeric_limits<float>::max();
   }
+  std::vector<unsigned char> sparse(slots, 0); // what has its disk so is not looked at again
+  if (!this->FindSparseDisks(sparse))
+  {
+    return false;
+  }
   this->SheetNormals = vtkPointSplatLargeArray<float>(this->SlotNormals.size());
   std::vector<unsigned char> again(slots, 0);
   vtkSMPTools::For(0, slots, [&](vtkIdType begin, vtkIdType end) {
     for (Slot s = static_cast<Slot>(begin); s < static_cast<Slot>(end); ++s)
     {
-      again[s] = this->Searched[s] &&
-        ((this->Misled[s] && !disks.Whole[s]) ||
+      again[s] = this->Searched[s] && !sparse[s] &&
+        ((this->Misled[s] && !disks.Whole[s]) || this->IsHemmed(s) ||
           disks.Opening[s] > disks.HoleLimit * disks.Spacing[s] ||
           (disks.Stretched && disks.Opening[s] == 0));
       std::copy_n(this->Searched[s] ? disks.Planes.data() + std::size_t(3) * s : this->GetSlotNormal(s),
@@ -407,7 +469,8 @@ bool vtkPointSplatEstimates::FindDisks()
     }
   });
   this->Directions = this->SheetNormals.data();
-  if (!this->Neighbors.Visit(this->Self, 0.8, 0.83, count, measure, [&again](Slot s) { return again[s] != 0; }) ||
+  if (!this->Neighbors.VisitWidely(this->Self, 0.8, 0.83, count, measure,
+        [&again](Slot s) { return again[s] != 0; }) ||
     !this->Bodies->Finish(this->Self, 0.83, 0.85, this->Neighbors, count, disks))
   {
     return false;

@@ -66,7 +66,10 @@ private:
   float GetUsualSpacing() const;
   void FindSearched();
   bool FindDisks();
+  bool IsHemmed(Slot s) const;
   bool Measure(const Neighborhood& around, int round);
+  void SetDisk(const Neighborhood& around, const vtkPointSplatDisk& disk);
+  bool FindSparseDisks(std::vector<unsigned char>& taken);
   void FindStar(const Neighborhood& around, const vtkPointSplatDisk& disk);
   Twins FindTwins() const;
   bool FindBorders(const Twins& twins);

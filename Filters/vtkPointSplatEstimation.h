@@ -75,6 +75,10 @@
  *    the surface; in random samplings such are to be closed. What holes and normals that do not fit
  *    tell is known after all points are looked at; so those beside a hole are looked at once more
  *    without the neighbours across it, and those beside such a normal with the plane in its place.
+ *    Points with given normals whose neighbours are mostly of other sheets, and not all around on their own, may be
+ *    hemmed in: where dense points lie close to a sparse part of the surface, as those of a belt on a body, the nearest
+ *    ones are all theirs. Such points are looked at once more among the points of sparse parts alone
+ *    (vtkPointSplatSparsePart.h), and where those do not help with farther neighbours.
  *    For ellipses all this is done in the plane scaled along the principal axes of the neighbours'
  *    covariance (Confetti, section 4.2, equation 3) until it is round there.
  *    Circular disks also get the surface's *curvature*: the second fundamental form that fits

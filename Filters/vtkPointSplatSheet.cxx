@@ -32,7 +32,6 @@ constexpr float EdgeTurn = 0.3f;
 /// may be one on an edge, a rim or a tip if its normal parts from the other's by less than this cosine.
 constexpr float InPlane = 0.25f;
 constexpr float LeastTipCosine = -0.1f;
-constexpr int FewMembers = 3;
 /// Normals tell of a crease if they part by more than this cosine (13 degrees; at an edge of 30
 /// degrees, averaged ones part by 15 from those of its faces) and the surfaces through the two
 /// points pass each other by more than this part of their distance (at that edge it is 0.13 to

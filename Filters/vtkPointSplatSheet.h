@@ -27,6 +27,8 @@ public:
   /// The neighbour whose distance tells the spacing: past what lies together by chance, or around a
   /// grid's vertex where an isosurface passes it.
   static constexpr int SpacingRank = 6;
+  /// So many neighbours are not of the sheet by chance.
+  static constexpr int FewMembers = 3;
   static float GetSpacing(const vtkPointSplatNeighbors::Neighborhood& around);
 
   /// By how much the surface turns from a point with the normal n to one that lies there, over their distance: twice

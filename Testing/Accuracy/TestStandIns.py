@@ -71,6 +71,13 @@ class TestStandIns(unittest.TestCase):
         self.assertGreater(min(found["psnr"]), 33)
         self.assertEqual(found["holes"], 0)
 
+    def test_dense_part_beside_a_sparse_one(self):
+        # 29 to 37 dB where all neighbours that were found of points beside the belt were on the belt.
+        found = likeness.compare(standins.belted(), 400, 4)
+        self.assertGreater(min(found["psnr"]), 40)
+        self.assertEqual(found["holes"], 0)
+        self.assertLess(found["spill"], 0.001)
+
     def test_edges(self):
         self.check("part_random", 5, 0.012, 24)
 

@@ -53,6 +53,8 @@ CONSTANTS = {
     "FarOffset": ("vtkPointSplatSheet.cxx", (0.05, 0.1, 0.2), ("tubes_edges", "grid_lines")),
     "LargestTurn": ("vtkIsosurfaceSplat.cxx", (0.4, 0.6, 0.8), ("tubes_points", "cut_points")),
     "LeastOfReach": ("vtkIsosurfaceSplat.cxx", (0.65, 0.75, 0.85), ("tubes_points", "cut_points")),
+    "SparseRatio": ("vtkPointSplatSparsePart.cxx", (0.6, 0.8, 1.0, 1.2),
+                    ("belted", "belted_6", "thin_disc")),
     "RadiusPerSize": ("vtkPointSplatStars.h", (0.6, 0.65, 0.7), DISCS + FOLDS),
     "Slope": ("vtkPointSplatStars.h", (0.2, 0.3, 0.4), DISCS + FOLDS),
     "MostTurn": ("vtkPointSplatStars.cxx", (0.4, 0.6, 0.8), BENT),

@@ -168,6 +168,26 @@ def crossing(angle=60):
                    math.pi / 2 / 58, mesh)
 
 
+def belted(ratio=8):
+    """A ball with a belt, which lies a little off it, whose vertices are ratio times as near together."""
+    radius, tube, spacing = 1.04, 0.03, math.pi / 2 / 31
+
+    def belt(u, v):
+        r = radius + tube * np.cos(v)
+        return np.stack([r * np.cos(u), r * np.sin(u), tube * np.sin(v)], -1)
+    around, across = (round(2 * math.pi * r * ratio / spacing) for r in (radius, tube))
+    append = vtkAppendPolyData()
+    append.AddInputData(sphere_mesh(6 * 31 * 31, 1.0))
+    append.AddInputData(parametric(belt, around, across, (0, 2 * math.pi), (0, 2 * math.pi)))
+    append.Update()
+    mesh = append.GetOutput()
+
+    def distance(p):
+        to_belt = np.hypot(np.hypot(p[:, 0], p[:, 1]) - radius, p[:, 2]) - tube
+        return np.minimum(np.abs(np.linalg.norm(p, axis=1) - 1), np.abs(to_belt))
+    return StandIn("belted", vertices(mesh), distance, spacing, mesh)
+
+
 # Thick slices --------------------------------------------------------------------------------
 
 def thick_slices(ratio=4, size=72):
@@ -534,6 +554,8 @@ ALL = {
     "cut_points": cut_by_volume,
     "cut_edges": lambda: cut_by_volume("edges"),
     "crossing": crossing,
+    "belted": belted,
+    "belted_6": lambda: belted(6),
     "thick_slices": thick_slices,
     "part_vertices": machined_part,
     "part_random": lambda: machined_part(True),

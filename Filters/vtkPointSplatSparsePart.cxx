@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatSparsePart.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataArray.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+/// Points are dense up to so many times the spacing next to hemmed slots (Testing/Accuracy/fit_constants.py): up to
+/// more, sheets of points that are as dense as one another lose some of theirs.
+constexpr float SparseRatio = 0.8f;
+}
+
+vtkPointSplatSparsePart::vtkPointSplatSparsePart(const vtkPointSplatNeighbors& neighbors,
+  const vtkPointSplatDisks& disks, std::vector<unsigned char> hemmed)
+  : Neighbors(neighbors)
+  , Disks(disks)
+  , Hemmed(std::move(hemmed))
+{
+  for (std::size_t s = 0; s < this->Hemmed.size(); ++s)
+  {
+    if (this->Hemmed[s])
+    {
+      this->Spacings.push_back(this->Disks.NearSpacing[s]);
+    }
+  }
+}
+
+/// Of each point whether it is in the search tree.
+std::vector<unsigned char> vtkPointSplatSparsePart::GetUsed() const
+{
+  std::vector<float> spacings = this->Spacings;
+  const float least = SparseRatio * vtkPointSplatDisks::GetQuantile(spacings, 0.5);
+  std::vector<unsigned char> used(this->Neighbors.GetSlots().size(), 0);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Hemmed.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (Slot s = static_cast<Slot>(begin); s < static_cast<Slot>(end); ++s)
+    {
+      const vtkIdType id = this->Neighbors.GetId(s);
+      if (id >= 0)
+      {
+        used[id] = this->Hemmed[s] || this->Disks.Spacing[s] > least;
+      }
+    }
+  });
+  return used;
+}
+
+bool vtkPointSplatSparsePart::Visit(
+  vtkAlgorithm* self, vtkDataArray* points, int count, const Visitor& visit) const
+{
+  vtkPointSplatNeighbors sparse;
+  sparse.Build(points, this->GetUsed().data());
+  const auto getSlot = [&](Slot s) {
+    const vtkIdType id = sparse.GetId(s);
+    return id >= 0 ? this->Neighbors.GetSlots()[id] : vtkPointSplatNeighbors::None;
+  };
+  const auto visitTranslated = [&](const Neighborhood& found, int round) {
+    std::array<Slot, vtkPointSplatNeighbors::MaximumNumberOfNeighbors> slots;
+    std::transform(found.Slots, found.Slots + found.Count, slots.begin(), getSlot);
+    Neighborhood around = found;
+    around.Center = getSlot(found.Center);
+    around.Slots = slots.data();
+    return visit(around, round);
+  };
+  const double progress = self->GetProgress();
+  return sparse.Visit(self, progress, progress, count, visitTranslated, [&](Slot s) {
+    const Slot slot = getSlot(s);
+    return slot != vtkPointSplatNeighbors::None && this->Hemmed[slot] != 0;
+  });
+}
+
+VTK_ABI_NAMESPACE_END
