@@ -396,7 +396,7 @@ bool vtkPointSplatEstimates::FindSparseDisks(std::vector<unsigned char>& taken)
       hemmed[s] = this->Searched[s] && this->IsHemmed(s);
     }
   });
-  const vtkPointSplatSparsePart part(this->Neighbors, disks, std::move(hemmed));
+  const vtkPointSplatSparsePart part(this->Neighbors, disks, this->Median, std::move(hemmed));
   auto look = [&](const Neighborhood& around, int round) {
     vtkPointSplatDisk disk;
     const bool closed =

@@ -17,12 +17,15 @@ namespace
 /// Points are dense up to so many times the spacing next to hemmed slots (Testing/Accuracy/fit_constants.py): up to
 /// more, sheets of points that are as dense as one another lose some of theirs.
 constexpr float SparseRatio = 0.8f;
+/// So many times as far as what is next to hemmed slots their sheet's sparse points are looked for.
+constexpr float Reach = 64;
 }
 
 vtkPointSplatSparsePart::vtkPointSplatSparsePart(const vtkPointSplatNeighbors& neighbors,
-  const vtkPointSplatDisks& disks, std::vector<unsigned char> hemmed)
+  const vtkPointSplatDisks& disks, float usual, std::vector<unsigned char> hemmed)
   : Neighbors(neighbors)
   , Disks(disks)
+  , Usual(usual)
   , Hemmed(std::move(hemmed))
 {
   for (std::size_t s = 0; s < this->Hemmed.size(); ++s)
@@ -39,18 +42,47 @@ std::vector<unsigned char> vtkPointSplatSparsePart::GetUsed() const
 {
   std::vector<float> spacings = this->Spacings;
   const float least = SparseRatio * vtkPointSplatDisks::GetQuantile(spacings, 0.5);
+  const std::vector<std::atomic<bool>> near = this->GetNearLeaves();
   std::vector<unsigned char> used(this->Neighbors.GetSlots().size(), 0);
   vtkSMPTools::For(0, static_cast<vtkIdType>(this->Hemmed.size()), [&](vtkIdType begin, vtkIdType end) {
     for (Slot s = static_cast<Slot>(begin); s < static_cast<Slot>(end); ++s)
     {
       const vtkIdType id = this->Neighbors.GetId(s);
-      if (id >= 0)
+      if (id >= 0 && near[s / vtkPointSplatNeighbors::LeafSize])
       {
         used[id] = this->Hemmed[s] || this->Disks.Spacing[s] > least;
       }
     }
   });
   return used;
+}
+
+/// Of each leaf whether it is within reach of a hemmed slot.
+std::vector<std::atomic<bool>> vtkPointSplatSparsePart::GetNearLeaves() const
+{
+  constexpr Slot leafSize = vtkPointSplatNeighbors::LeafSize;
+  std::vector<std::atomic<bool>> near(this->Hemmed.size() / leafSize);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(near.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (Slot leaf = static_cast<Slot>(begin); leaf < static_cast<Slot>(end); ++leaf)
+    {
+      float spacing = 0;
+      for (Slot s = leaf * leafSize; s < (leaf + 1) * leafSize; ++s)
+      {
+        // That of an outlier is no smaller than the way to the others.
+        spacing = this->Hemmed[s]
+          ? std::max(spacing, std::min(this->Disks.NearSpacing[s], this->Usual))
+          : spacing;
+      }
+      if (spacing > 0)
+      {
+        this->Neighbors.VisitLeaves(leaf, Reach * spacing, [&near](Slot other) {
+          near[other].store(true, std::memory_order_relaxed);
+          return true;
+        });
+      }
+    }
+  });
+  return near;
 }
 
 bool vtkPointSplatSparsePart::Visit(

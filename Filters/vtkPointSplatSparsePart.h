@@ -12,7 +12,7 @@
  * 1. Which slots may be hemmed in is given.
  * 2. A search tree is made of these and of all slots but the dense ones: those whose disks' neighbours are less than
  *    SparseRatio times as far apart as what the former have next to them, at the median. Where all points are about as
- *    dense, all are in it.
+ *    dense, all are in it. What is farther from the former than Reach times that spacing is not, to save time.
  * 3. Each of the former is visited with its neighbours in that tree.
  */
 #ifndef vtkPointSplatSparsePart_h
@@ -20,6 +20,7 @@
 
 #include "vtkPointSplatDisks.h"
 
+#include <atomic>
 #include <functional>
 #include <vector>
 
@@ -36,9 +37,9 @@ public:
   /// As vtkPointSplatNeighbors::Visit() has it.
   using Visitor = std::function<bool(const Neighborhood& around, int round)>;
 
-  /// hemmed: of each slot whether it may be hemmed in.
+  /// usual: the spacing of most points; hemmed: of each slot whether it may be hemmed in.
   vtkPointSplatSparsePart(const vtkPointSplatNeighbors& neighbors, const vtkPointSplatDisks& disks,
-    std::vector<unsigned char> hemmed);
+    float usual, std::vector<unsigned char> hemmed);
 
   /// Whether no slot may be hemmed in.
   bool IsEmpty() const { return this->Spacings.empty(); }
@@ -51,9 +52,11 @@ public:
 
 private:
   std::vector<unsigned char> GetUsed() const;
+  std::vector<std::atomic<bool>> GetNearLeaves() const;
 
   const vtkPointSplatNeighbors& Neighbors;
   const vtkPointSplatDisks& Disks;
+  const float Usual;
   const std::vector<unsigned char> Hemmed;
   std::vector<float> Spacings; // next to those
 };
