@@ -363,7 +363,21 @@ void vtkPointSplatRefinement::Add(const Index corners[3], int divisions, std::ve
   std::push_heap(parts.begin(), parts.end());
 }
 
-bool vtkPointSplatRefinement::Make(std::size_t most)
+/// About how many points will divide these triangles: their first edges are halved until they are short, and each is
+/// that of another triangle, too. Where points stand for others it is fewer, else more.
+double vtkPointSplatRefinement::CountExpected(const std::vector<Part>& parts) const
+{
+  double divisions = 0;
+  for (const Part& part : parts)
+  {
+    const double sizes = double(this->Get(part.Corners[0]).Size) + this->Get(part.Corners[1]).Size;
+    divisions += std::ceil(std::log2(part.Length / (LongEdge * 0.5 * sizes)));
+  }
+  return 0.5 * divisions;
+}
+
+/// Enters the corners of triangles, which may stand for fill points.
+void vtkPointSplatRefinement::InsertSites()
 {
   std::vector<unsigned char> isCorner(this->Stars.Sizes.size(), 0);
   for (const vtkPointSplatStars::Triangle& triangle : this->Stars.Triangles)
@@ -382,12 +396,22 @@ bool vtkPointSplatRefinement::Make(std::size_t most)
       this->Insert(site, x, this->Stars.Sizes[site]);
     }
   }
+}
+
+bool vtkPointSplatRefinement::Make(std::size_t most)
+{
   std::vector<Part> parts;
   for (const vtkPointSplatStars::Triangle& triangle : this->Stars.Triangles)
   {
     const Index indices[3] = { triangle[0], triangle[1], triangle[2] };
     this->Add(indices, 0, parts);
   }
+  // Of points all over a volume it takes long to see that there are too many by making them.
+  if (this->CountExpected(parts) > static_cast<double>(most))
+  {
+    return false;
+  }
+  this->InsertSites();
   while (!parts.empty())
   {
     std::pop_heap(parts.begin(), parts.end());

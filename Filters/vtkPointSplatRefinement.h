@@ -64,7 +64,7 @@ public:
   vtkPointSplatRefinement(
     const vtkPointSplatStars& stars, const float* normals, const float* curvatures);
 
-  /// Returns false if more than most points are to be made.
+  /// Returns false if more than most points are to be made, or are expected to be.
   bool Make(std::size_t most);
 
   std::vector<Point> Points;
@@ -90,6 +90,8 @@ private:
     }
   };
   void Add(const Index corners[3], int divisions, std::vector<Part>& parts);
+  double CountExpected(const std::vector<Part>& parts) const;
+  void InsertSites();
 
   Point Get(Index index) const;
   bool IsLong(const Point& a, const Point& b, double& length) const;

@@ -19,6 +19,9 @@ namespace
 constexpr float SparseRatio = 0.8f;
 /// So many times as far as what is next to hemmed slots their sheet's sparse points are looked for.
 constexpr float Reach = 64;
+/// Where one of so many slots may be hemmed in, as in a volume full of points, looking for what is near takes longer
+/// than a tree of all.
+constexpr std::size_t ManyHemmed = 64;
 }
 
 vtkPointSplatSparsePart::vtkPointSplatSparsePart(const vtkPointSplatNeighbors& neighbors,
@@ -62,6 +65,11 @@ std::vector<std::atomic<bool>> vtkPointSplatSparsePart::GetNearLeaves() const
 {
   constexpr Slot leafSize = vtkPointSplatNeighbors::LeafSize;
   std::vector<std::atomic<bool>> near(this->Hemmed.size() / leafSize);
+  if (ManyHemmed * this->Spacings.size() > this->Hemmed.size())
+  {
+    std::fill(near.begin(), near.end(), true);
+    return near;
+  }
   vtkSMPTools::For(0, static_cast<vtkIdType>(near.size()), [&](vtkIdType begin, vtkIdType end) {
     for (Slot leaf = static_cast<Slot>(begin); leaf < static_cast<Slot>(end); ++leaf)
     {

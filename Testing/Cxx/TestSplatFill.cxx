@@ -420,6 +420,18 @@ void TestBadInput()
   }
   AtMost(double(Filled(cloud).CountFill()), 4 * 10000 + 4096, "fill points of copies");
 
+  // Points all over a volume, whose normals have nothing to do with one another. The sizes that would ask for too many
+  // fill points are not tried one after the other: that took minutes for a few hundred thousand points.
+  const int many = 20000;
+  vtkNew<vtkMinimalStandardRandomSequence> heights;
+  heights->SetSeed(12);
+  vtkSmartPointer<vtkPolyData> volume = MakeRandom(many, [&](double u, double v, double x[3], double n[3]) {
+    const double place[3] = { u, v, heights->GetNextValue() };
+    PlaceOnBall(heights->GetNextValue(), heights->GetNextValue(), x, n);
+    std::copy_n(place, 3, x);
+  });
+  AtMost(double(Filled(volume).CountFill()), 4 * many + 4096, "fill points of a volume");
+
   // Bad points among the disc's, ahead of them.
   Filled good(MakeDisc());
   vtkSmartPointer<vtkPolyData> disc = MakeDisc();
