@@ -14,8 +14,8 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-/// Points are dense up to so many times the spacing next to hemmed slots (Testing/Accuracy/fit_constants.py): up to
-/// more, sheets of points that are as dense as one another lose some of theirs.
+/// Points are dense up to so many times the spacing next to hemmed slots (Testing/Accuracy/fit_constants.py). Were it
+/// more, the tree of two parallel sheets that are equally dense would lack some of their points.
 constexpr float SparseRatio = 0.8f;
 /// So many times as far as what is next to hemmed slots their sheet's sparse points are looked for.
 constexpr float Reach = 64;
@@ -76,10 +76,11 @@ std::vector<std::atomic<bool>> vtkPointSplatSparsePart::GetNearLeaves() const
       float spacing = 0;
       for (Slot s = leaf * leafSize; s < (leaf + 1) * leafSize; ++s)
       {
-        // That of an outlier is no smaller than the way to the others.
-        spacing = this->Hemmed[s]
-          ? std::max(spacing, std::min(this->Disks.NearSpacing[s], this->Usual))
-          : spacing;
+        if (this->Hemmed[s])
+        {
+          // An outlier's own spacing is the distance to all others: it would reach the whole cloud.
+          spacing = std::max(spacing, std::min(this->Disks.NearSpacing[s], this->Usual));
+        }
       }
       if (spacing > 0)
       {

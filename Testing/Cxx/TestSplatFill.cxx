@@ -423,11 +423,12 @@ void TestBadInput()
   // Points all over a volume, whose normals have nothing to do with one another. The sizes that would ask for too many
   // fill points are not tried one after the other: that took minutes for a few hundred thousand points.
   const int many = 20000;
-  vtkNew<vtkMinimalStandardRandomSequence> heights;
-  heights->SetSeed(12);
+  vtkNew<vtkMinimalStandardRandomSequence> random;
+  random->SetSeed(12);
   vtkSmartPointer<vtkPolyData> volume = MakeRandom(many, [&](double u, double v, double x[3], double n[3]) {
-    const double place[3] = { u, v, heights->GetNextValue() };
-    PlaceOnBall(heights->GetNextValue(), heights->GetNextValue(), x, n);
+    const double place[3] = { u, v, random->GetNextValue() };
+    const double turn = random->GetNextValue();
+    PlaceOnBall(turn, random->GetNextValue(), x, n);
     std::copy_n(place, 3, x);
   });
   AtMost(double(Filled(volume).CountFill()), 4 * many + 4096, "fill points of a volume");
