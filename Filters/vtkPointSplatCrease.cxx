@@ -400,6 +400,7 @@ bool vtkPointSplatCrease::FindMeeting(const vtkPointSplatNeighbors::Neighborhood
 {
   const float reach = LargestReach * spacing;
   int members[MaximumNumberOfMeeting];
+  float sums[MaximumNumberOfMeeting][3];
   this->NumberOfMeeting = 0;
   for (int i = 0; i < around.Count && around.SquaredDistance[i] <= reach * reach; ++i)
   {
@@ -413,13 +414,15 @@ bool vtkPointSplatCrease::FindMeeting(const vtkPointSplatNeighbors::Neighborhood
     float C[6], turned[3], normal[3];
     faces.GetTensor(j, C);
     vtkPointSplatFace::Multiply(C, q, turned);
-    if (std::abs(0.5f * vtkMath::Dot(q, turned) - vtkMath::Dot(m, q)) > OnLine * spacing)
+    const float height = 0.5f * vtkMath::Dot(q, turned) - vtkMath::Dot(m, q);
+    if (std::abs(height) > OnLine * spacing)
     {
       continue;
     }
+    // The centre is on the face: the height that is left says by how much more that bends on the way there.
     for (int c = 0; c < 3; ++c)
     {
-      normal[c] = m[c] - turned[c];
+      normal[c] = m[c] - turned[c] + 2 * height / around.SquaredDistance[i] * q[c];
     }
     const float length =
       std::sqrt(vtkMath::Dot(normal, normal)) * (vtkMath::Dot(normal, n) < 0 ? -1 : 1);
@@ -438,18 +441,24 @@ bool vtkPointSplatCrease::FindMeeting(const vtkPointSplatNeighbors::Neighborhood
     }
     if (f == this->NumberOfMeeting)
     {
-      // The nearest neighbour on a face says its normal.
       std::copy(normal, normal + 3, this->Meeting[f]);
+      std::fill_n(sums[f], 3, 0.0f);
       members[this->NumberOfMeeting++] = 0;
     }
     ++members[f];
+    for (int c = 0; c < 3; ++c)
+    {
+      sums[f][c] += normal[c];
+    }
   }
   int count = 0;
   for (int f = 0; f < this->NumberOfMeeting; ++f)
   {
     if (members[f] >= FewestVotes)
     {
-      std::copy_n(this->Meeting[f], 3, this->Meeting[count++]);
+      // A single neighbour's normal may be an average of faces', too.
+      vtkMath::Normalize(sums[f]);
+      std::copy_n(sums[f], 3, this->Meeting[count++]);
     }
   }
   this->NumberOfMeeting = count;

@@ -141,7 +141,10 @@ vtkPointSplatRefinement::Point vtkPointSplatRefinement::MakeMiddle(
   double m[3] = { q.Normal[0], q.Normal[1], q.Normal[2] };
   const double lean = vtkMath::Dot(n, way);
   double otherLean = vtkMath::Dot(m, way);
-  if (vtkMath::Dot(n, m) < 2 * lean * otherLean)
+  // What is less than this product points, across the edge, against the other; what is less than twice that, against
+  // its mirror image.
+  const double leans = lean * otherLean;
+  if (vtkMath::Dot(n, m) < std::min(leans, 2 * leans))
   {
     vtkMath::MultiplyScalar(m, -1);
     otherLean = -otherLean;

@@ -13,8 +13,9 @@
  *    Where some point of about that size, a site or a fill point, lies within ShareOfSize of its place, that takes
  *    its: needles between a point and a dense row beside it have one row of fill points, and not each its own, and
  *    triangles that two sites see in different ways have the same.
- * 3. A fill point's normal is the mean of the ends', the second one's turned to where the first one's mirror
- *    image points; its disk's plane goes through the edge. Between ends whose normals lean the same way from
+ * 3. A fill point's normal is the mean of the ends'. The second one's is turned, as normals that are not
+ *    consistently oriented have to be, where it points against the first one's mirror image and its part across
+ *    the edge against the first one's; the disk's plane goes through the edge. Between ends whose normals lean the same way from
  *    it, as on an arc, it is lifted by what an arc rises over its chord, a quarter of the length times the lesser of
  *    their sines; at an edge or a tip, where one end's normal is across it, it stays on the chord. Along
  *    the edge it is curved as the ends' normals say, and across it as the ends are in the mean, weighted by the

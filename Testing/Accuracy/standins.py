@@ -152,6 +152,28 @@ def cut_by_volume(extraction="points", size=64):
     return StandIn("cut by its volume, " + extraction, cloud, lambda p: np.abs(field(p)) / k, 0.7, mesh)
 
 
+def gear(size=128):
+    """A machined part as a volume of distances gives it: the faces of its teeth bend, and points near their edges have
+    normals of both faces, by the field's differences."""
+    unit_length = (size - 1) / 2
+
+    def field(p):
+        x, y, z = ((p[..., k] - unit_length) / unit_length for k in range(3))
+        r, angle = np.hypot(x, y), np.arctan2(y, x)
+        teeth = r - 0.749 - 0.1 * np.clip(4 * np.cos(14 * angle), -1, 1)
+        bores = [0.119 - np.hypot(x - 0.45 * math.cos(a), y - 0.45 * math.sin(a))
+                 for a in np.arange(6) * math.pi / 3]
+        return np.max([teeth, np.abs(z) - 0.199, 0.181 - r, *bores], 0)
+
+    def distance(p):
+        step = 1e-4
+        slope = [(field(p + e) - field(p - e)) / (2 * step) for e in step * np.eye(3)]
+        return np.abs(field(p)) / np.maximum(np.linalg.norm(slope, axis=0), 1 / unit_length)
+    z, y, x = np.meshgrid(*3 * [np.arange(size, dtype=float)], indexing="ij")
+    mesh = isosurface(field(np.stack([x, y, z], -1)), "edges")
+    return StandIn("gear", vertices(mesh), distance, 0.7, mesh)
+
+
 # Surfaces that pierce one another ------------------------------------------------------------
 
 def crossing(angle=60):
@@ -553,6 +575,7 @@ ALL = {
     "tubes_noisy": noisy_vessels,
     "cut_points": cut_by_volume,
     "cut_edges": lambda: cut_by_volume("edges"),
+    "gear": gear,
     "crossing": crossing,
     "belted": belted,
     "belted_6": lambda: belted(6),
