@@ -79,6 +79,9 @@ public:
   /// What was found, in order of slots and ids.
   std::vector<Splat> Splats;
 
+  /// Whether points of a slot have normals of several faces.
+  bool HasTwins(Slot s) const;
+
   /// Whether a splat goes on behind one of its lines.
   static bool HasFold(const Splat& splat);
 
@@ -89,7 +92,6 @@ private:
     vtkAlgorithm* self, double from, double to, std::vector<unsigned char>& wanted);
   /// The first twin of a slot, if it has some.
   std::vector<Twin>::const_iterator FindTwin(Slot s) const;
-  bool HasTwins(Slot s) const;
   void FindSplats(const Neighborhood& around, std::vector<Splat>& splats) const;
   bool FindSplat(const Neighborhood& around, const float n[3], Splat& splat) const;
   static bool HasLine(const Splat& splat);

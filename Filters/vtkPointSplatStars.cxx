@@ -149,6 +149,23 @@ std::vector<vtkPointSplatStars::Site> vtkPointSplatStars::FindContinued(const Cl
   return continued;
 }
 
+/// Whether all points that a site's disk was made from lie to one side, though the surface does not end there.
+bool vtkPointSplatStars::IsOpen(const Cloud& cloud, Site site) const
+{
+  return this->Sizes[site] > 0 && cloud.Disks->Opening[site] == 0 && !(*cloud.Creased)[site] &&
+    !cloud.Creases->HasTwins(site) && !cloud.Borders->IsEnd(site);
+}
+
+/// Whether some corner's disk covers none of a triangle in the midst of a face: where faces meet, points of several share
+/// a place.
+bool vtkPointSplatStars::IsHalfCovered(const Cloud& cloud, const Triangle& triangle) const
+{
+  return std::any_of(triangle.begin(), triangle.end(),
+           [&](Site corner) { return this->IsOpen(cloud, corner); }) &&
+    std::none_of(triangle.begin(), triangle.end(),
+      [&](Site corner) { return cloud.Creases->HasTwins(corner); });
+}
+
 void vtkPointSplatStars::FindUneven(const Cloud& cloud)
 {
   constexpr Site leafSize = vtkPointSplatNeighbors::LeafSize;
@@ -157,8 +174,12 @@ void vtkPointSplatStars::FindUneven(const Cloud& cloud)
   std::vector<float> turns(leaves); // the largest of each leaf
   for (Site leaf = 0; leaf < leaves; ++leaf)
   {
-    const float* first = disks.Turn.data() + std::size_t(leafSize) * leaf;
-    turns[leaf] = *std::max_element(first, first + leafSize);
+    const Site first = leafSize * leaf;
+    turns[leaf] = *std::max_element(disks.Turn.data() + first, disks.Turn.data() + first + leafSize);
+    for (Site s = first; s < first + leafSize; ++s)
+    {
+      turns[leaf] = this->IsOpen(cloud, s) ? std::numeric_limits<float>::max() : turns[leaf];
+    }
   }
   vtkSMPTools::For(0, static_cast<vtkIdType>(this->Sizes.size()), [&](vtkIdType begin, vtkIdType end) {
     for (Site s = static_cast<Site>(begin); s < static_cast<Site>(end); ++s)
@@ -207,6 +228,7 @@ bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
     bool bends = IsBent(disks.Turn[around.Center], reach) || disks.IsTooLarge(around.Center);
     std::vector<Triangle>& local = found.Local();
     const std::size_t before = local.size();
+    std::vector<Triangle> halfCovered;
     disk.VisitTriangles([&](int a, int b, float circumscribed) {
       Triangle triangle{ { around.Center, around.Slots[a], around.Slots[b] } };
       float spacing = 0;
@@ -220,14 +242,19 @@ bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
       {
         std::sort(triangle.begin(), triangle.end());
         local.push_back(triangle);
+        if (this->IsHalfCovered(cloud, triangle))
+        {
+          halfCovered.push_back(triangle);
+        }
       }
     });
     this->Uneven[around.Center] = bends;
     if (!bends)
     {
       local.resize(before);
+      local.insert(local.end(), halfCovered.begin(), halfCovered.end());
     }
-    return sure || !bends;
+    return sure || (!bends && halfCovered.empty());
   };
   const double progress = self->GetProgress();
   if (!cloud.Neighbors->VisitWidely(self, progress, progress, cloud.Count, find,

@@ -21,7 +21,9 @@
  * 3. Their stars are found once more: the triangles between a site and neighbours that are next to each other
  *    around it (Delaunay's in the tangent plane), but for those that reach over holes or lie past borders, and those
  *    over creases, where splats end at lines. Sites where all is flat, as far as the disk reaches, and no neighbour
- *    is so small that it bounds this, are not uneven: there one large disk harms nothing. What is a hole goes by
+ *    is so small that it bounds this, are not uneven: there one large disk harms nothing. Of their triangles those count
+ *    that such a disk covers by half: a corner's own disk is small, since all points that it was made from lie to one
+ *    side, and the surface does not end there. What is a hole goes by
  *    the spacing of the corner whose nearest points are sparsest: a ring of dense points has no lid.
  * 4. *Grading.* No size is larger than that of a site next to it in such a triangle and Slope of the way to that:
  *    a disk does not reach over a denser part to what lies beyond, which may be an edge.
@@ -81,6 +83,7 @@ public:
     const float* Normals;
     const vtkPointSplatDisks* Disks;
     const vtkPointSplatBorders* Borders;
+    const vtkPointSplatCreases* Creases;
     const vtkPointSplatLargeArray<const vtkPointSplatCreases::Splat*>* Creased;
     float Usual;
     int Count;
@@ -110,6 +113,8 @@ private:
   static constexpr float RadiusPerSize = 0.65f;
   static constexpr float Slope = 0.3f;
 
+  bool IsOpen(const Cloud& cloud, Site site) const;
+  bool IsHalfCovered(const Cloud& cloud, const Triangle& triangle) const;
   void FindUneven(const Cloud& cloud);
   void Grade();
 

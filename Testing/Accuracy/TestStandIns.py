@@ -146,6 +146,14 @@ class TestStandIns(unittest.TestCase):
             self.assertEqual(found["holes"], 0, name)
             self.assertLess(found["spill"], 0.001, name)
 
+    def test_gap_beside_dense_points(self):
+        # 36 dB where disks of the sparse row filled half of the gap, and those of the dense row, whose nearest points are all on one
+        # side, did not fill the other.
+        found = likeness.compare(standins.rounded_ring(), 300, 3)
+        self.assertGreater(min(found["psnr"]), 41)
+        self.assertEqual(found["holes"], 0)
+        self.assertLess(found["spill"], 0.001)
+
     def test_spray(self):
         # 9 spacings, and a third of the area off, where disks reached from drop to drop.
         self.check("spray", 4, 0.1, 0)

@@ -17,6 +17,7 @@ from vtkmodules.vtkFiltersCore import (
     vtkAppendPolyData, vtkCleanPolyData, vtkContourFilter, vtkFlyingEdges3D, vtkPolyDataNormals,
     vtkTriangleFilter)
 from vtkmodules.vtkFiltersModeling import vtkAdaptiveSubdivisionFilter, vtkLinearExtrusionFilter
+from vtkmodules.vtkFiltersSources import vtkSuperquadricSource
 from vtkmodules.vtkImagingCore import vtkImageResample
 import pointsplatting
 
@@ -395,6 +396,30 @@ def disc_surface(rim, u, v):
     return np.stack([r * np.cos(u), r * np.sin(u), rim * np.sin(turn) + 0 * u], -1)
 
 
+def rounded_ring(resolution=120):
+    """VTK's own superquadric: on its flat faces a row of points is four times as far off as the ones before, that
+    are dense all about."""
+    source = vtkSuperquadricSource()
+    source.ToroidalOn()
+    source.SetPhiRoundness(0.3)
+    source.SetThetaRoundness(0.5)
+    source.SetPhiResolution(resolution)
+    source.SetThetaResolution(resolution)
+    clean, normals = vtkCleanPolyData(), vtkPolyDataNormals()
+    clean.SetInputConnection(source.GetOutputPort())
+    normals.SetInputConnection(clean.GetOutputPort())
+    normals.SplittingOff()
+    normals.Update()
+    mesh = normals.GetOutput()
+    points = vtk_to_numpy(mesh.GetPoints().GetData())
+    to_vertex = nearest(points, vtk_to_numpy(mesh.GetPointData().GetNormals()))
+
+    def distance(p):
+        place, normal = to_vertex(p)
+        return np.abs(((p - place) * normal).sum(-1))
+    return StandIn("rounded ring", vertices(mesh), distance, 0.01, mesh)
+
+
 def rimmed_disc(rim=0.1):
     """What modelling programs make of flat things: ten thousand vertices on the rim, fifty on the faces."""
     def surface(u, v):
@@ -588,6 +613,7 @@ ALL = {
     "holed_ball": holed_ball,
     "drapery": drapery,
     "drapery_vertices": drapery_vertices,
+    "rounded_ring": rounded_ring,
     "rimmed_disc": rimmed_disc,
     "thin_disc": lambda: rimmed_disc(0.02),
     "grid_lines": along_grid_lines,
