@@ -449,11 +449,17 @@ void vtkPointSplatNeighbors::SearchLeaf(
     static_cast<std::size_t>(k) * LeafSize, std::numeric_limits<float>::infinity());
   scratch.Slots.resize(static_cast<std::size_t>(k) * LeafSize);
 
-  // The leaves around in the tree's order give a first bound.
-  const std::uint32_t window = spread ? k : 1 + k / 16;
-  const std::uint32_t first = leafId > window ? leafId - window : 0;
-  const std::uint32_t last =
-    std::min<std::uint32_t>(leafId + window, static_cast<std::uint32_t>(this->Leaves.size()) - 1);
+  // The leaves around in the tree's order give a first bound: some, and as many as have enough points, which
+  // may be more where points share their places.
+  const std::uint32_t leaves = static_cast<std::uint32_t>(this->Leaves.size());
+  const std::uint32_t least = spread ? k : 1 + k / 16;
+  std::uint32_t first = leafId, last = leafId;
+  int points = leaf.Count - 1;
+  for (std::uint32_t step = 0; step < leaves && (step < least || points < k); ++step)
+  {
+    points += first > 0 ? this->Leaves[--first].Count : 0;
+    points += last + 1 < leaves ? this->Leaves[++last].Count : 0;
+  }
   this->Scan(leaf, leafId, lanes, k, true, spread, scratch);
   for (std::uint32_t other = first; other <= last; ++other)
   {

@@ -16,8 +16,8 @@
  * 2. A leaf stores its positions as floats relative to its own origin (a double), so that
  *    neighbours are exact to float's precision of their *distance*, wherever the cloud lies
  *    and whatever outliers it has.
- * 3. For a leaf, candidates from the leaves next to it in the tree's order bound the search
- *    radius; one walk over the tree collects the leaves within that bound for all its points.
+ * 3. For a leaf, candidates from the leaves next to it in the tree's order, as many leaves as have enough points,
+ *    bound the search radius; one walk over the tree collects the leaves within that bound for all its points.
  *
  * Nodes lie in depth-first order with the index of the next node to visit when one is
  * skipped, so the walk needs no stack.
