@@ -36,6 +36,8 @@ constexpr float HoleFactor = 1.3f;
 constexpr float GapFactor = 3.0f;
 /// At a regular sampling's border the spacing is larger than farther inside: of HoleLimit counts this.
 constexpr float HoleShare = 0.667f;
+/// And this with the least spacing around, which is that farther inside: where cells are even none reaches so far.
+constexpr float InsideShare = 0.9f;
 /// How far the normal may turn from the centre to the rim of a disk: the kernel's rim, a half
 /// farther out, then stays within a tube's silhouette.
 constexpr float LargestBend = 0.6f;
@@ -323,7 +325,15 @@ bool vtkPointSplatDisks::MayEnd(Slot slot) const
   }
   if (this->Regular)
   {
-    return opening == 0 || opening > HoleShare * this->HoleLimit * this->Spacing[slot];
+    float inside = this->Stretched ? 0.0f : this->Spacing[slot];
+    const Slot* first = this->Witnesses.data() + std::size_t(NumberOfWitnesses) * slot;
+    for (int w = 0; w < NumberOfWitnesses; ++w)
+    {
+      const float spacing = first[w] != vtkPointSplatNeighbors::None ? this->Spacing[first[w]] : 0.0f;
+      inside = spacing > 0 ? std::min(inside, spacing) : inside;
+    }
+    return opening == 0 ||
+      opening > this->HoleLimit * std::max(HoleShare * this->Spacing[slot], InsideShare * inside);
   }
   return opening == 0 && this->HasClosedWitness(slot);
 }
