@@ -3,6 +3,7 @@
 #include "vtkPointSplatRefinement.h"
 
 #include "vtkMath.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +61,24 @@ vtkPointSplatRefinement::Point vtkPointSplatRefinement::Get(Index index) const
   return point;
 }
 
-bool vtkPointSplatRefinement::IsLong(const Point& a, const Point& b, double& length) const
+vtkPointSplatRefinement::Corner vtkPointSplatRefinement::GetCorner(Index index) const
+{
+  Corner corner;
+  if (index >= FirstIndex)
+  {
+    const Point& point = this->Points[index - FirstIndex];
+    std::copy_n(point.X, 3, corner.X);
+    corner.Size = point.Size;
+  }
+  else
+  {
+    this->Stars.GetPosition(static_cast<Site>(index), corner.X);
+    corner.Size = this->Stars.Sizes[index];
+  }
+  return corner;
+}
+
+bool vtkPointSplatRefinement::IsLong(const Corner& a, const Corner& b, double& length) const
 {
   length = std::sqrt(vtkMath::Distance2BetweenPoints(a.X, b.X));
   return a.Size > 0 && b.Size > 0 && std::isfinite(length) &&
@@ -294,14 +312,22 @@ bool vtkPointSplatRefinement::FindNear(const Point& point, Index& found) const
   return any;
 }
 
-void vtkPointSplatRefinement::Cover(const Index corners[3])
+/// By how much the splats of a triangle's corners must be larger to cover it.
+float vtkPointSplatRefinement::GetCover(const Corners& indices) const
 {
-  const Point points[3] = { this->Get(corners[0]), this->Get(corners[1]), this->Get(corners[2]) };
-  if (std::any_of(points, points + 3, [](const Point& point) { return !(point.Size > 0); }))
+  const Corner corners[3] = { this->GetCorner(indices[0]), this->GetCorner(indices[1]),
+    this->GetCorner(indices[2]) };
+  if (std::any_of(corners, corners + 3, [](const Corner& corner) { return !(corner.Size > 0); }))
   {
-    return; // what is beside such a one is not the surface's
+    return 1; // what is beside such a one is not the surface's
   }
-  double needed = 0; // squared, in radii
+  double inverse[3]; // of squared radii
+  for (int k = 0; k < 3; ++k)
+  {
+    const double radius = vtkPointSplatStars::GetRadius(corners[k].Size);
+    inverse[k] = 1 / (radius * radius);
+  }
+  double needed = 1; // squared, in radii
   for (int i = 0; i <= CoveredParts; ++i)
   {
     for (int j = 0; j <= CoveredParts - i; ++j)
@@ -313,35 +339,50 @@ void vtkPointSplatRefinement::Cover(const Index corners[3])
       {
         for (int c = 0; c < 3; ++c)
         {
-          place[c] += shares[k] * points[k].X[c];
+          place[c] += shares[k] * corners[k].X[c];
         }
       }
-      for (const Point& point : points)
+      for (int k = 0; k < 3; ++k)
       {
-        const double radius = vtkPointSplatStars::GetRadius(point.Size);
         nearest =
-          std::min(nearest, vtkMath::Distance2BetweenPoints(place, point.X) / (radius * radius));
+          std::min(nearest, vtkMath::Distance2BetweenPoints(place, corners[k].X) * inverse[k]);
       }
       needed = std::max(needed, nearest);
     }
   }
-  for (int k = 0; k < 3; ++k)
+  return static_cast<float>(std::sqrt(needed));
+}
+
+/// Covers the triangles that are left.
+void vtkPointSplatRefinement::Cover()
+{
+  vtkPointSplatLargeArray<float> covers(this->Undivided.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Undivided.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType t = begin; t < end; ++t)
+    {
+      covers[t] = this->GetCover(this->Undivided[t]);
+    }
+  });
+  for (std::size_t t = 0; t < this->Undivided.size(); ++t)
   {
-    float& cover = corners[k] < FirstIndex ? this->Covers[corners[k]]
-                                           : this->Points[corners[k] - FirstIndex].Cover;
-    cover = std::max(cover, static_cast<float>(std::sqrt(needed)));
+    for (const Index corner : this->Undivided[t])
+    {
+      float& cover = corner < FirstIndex ? this->Covers[corner] : this->Points[corner - FirstIndex].Cover;
+      cover = std::max(cover, covers[t]);
+    }
   }
 }
 
-/// Adds a triangle to those that are to be divided, or covers it.
-void vtkPointSplatRefinement::Add(const Index corners[3], int divisions, std::vector<Part>& parts)
+/// Adds a triangle to those that are to be divided, or to those that are not.
+void vtkPointSplatRefinement::Add(const Corners& indices, int divisions, std::vector<Part>& parts)
 {
-  const Point points[3] = { this->Get(corners[0]), this->Get(corners[1]), this->Get(corners[2]) };
+  const Corner corners[3] = { this->GetCorner(indices[0]), this->GetCorner(indices[1]),
+    this->GetCorner(indices[2]) };
   int longest = -1;
   double length, largest = 0;
   for (int k = 0; k < 3; ++k)
   {
-    if (this->IsLong(points[k], points[(k + 1) % 3], length) && length > largest)
+    if (this->IsLong(corners[k], corners[(k + 1) % 3], length) && length > largest)
     {
       largest = length;
       longest = k;
@@ -349,18 +390,18 @@ void vtkPointSplatRefinement::Add(const Index corners[3], int divisions, std::ve
   }
   if (longest < 0)
   {
-    this->Cover(corners);
+    this->Undivided.push_back(indices);
     return;
   }
   if (divisions == MostDivisions)
   {
     return;
   }
-  Part part{ largest, { 0, 0, 0 }, { 0, 0, 0 }, divisions };
+  Part part{ largest, { 0, 0, 0 }, {}, divisions };
   for (int k = 0; k < 3; ++k)
   {
-    part.Corners[k] = corners[(longest + k) % 3];
-    part.Middle[k] = points[longest].X[k] + points[(longest + 1) % 3].X[k];
+    part.Indices[k] = indices[(longest + k) % 3];
+    part.Middle[k] = corners[longest].X[k] + corners[(longest + 1) % 3].X[k];
   }
   parts.push_back(part);
   std::push_heap(parts.begin(), parts.end());
@@ -373,7 +414,7 @@ double vtkPointSplatRefinement::CountExpected(const std::vector<Part>& parts) co
   double divisions = 0;
   for (const Part& part : parts)
   {
-    const double sizes = double(this->Get(part.Corners[0]).Size) + this->Get(part.Corners[1]).Size;
+    const double sizes = double(this->GetCorner(part.Indices[0]).Size) + this->GetCorner(part.Indices[1]).Size;
     divisions += std::ceil(std::log2(part.Length / (LongEdge * 0.5 * sizes)));
   }
   return 0.5 * divisions;
@@ -406,8 +447,7 @@ bool vtkPointSplatRefinement::Make(std::size_t most)
   std::vector<Part> parts;
   for (const vtkPointSplatStars::Triangle& triangle : this->Stars.Triangles)
   {
-    const Index indices[3] = { triangle[0], triangle[1], triangle[2] };
-    this->Add(indices, 0, parts);
+    this->Add({ triangle[0], triangle[1], triangle[2] }, 0, parts);
   }
   // Of points all over a volume it takes long to see that there are too many by making them.
   if (this->CountExpected(parts) > static_cast<double>(most))
@@ -420,15 +460,16 @@ bool vtkPointSplatRefinement::Make(std::size_t most)
     std::pop_heap(parts.begin(), parts.end());
     const Part part = parts.back();
     parts.pop_back();
-    const Index *c = part.Corners, middle = this->Divide(c[0], c[1]);
-    const Index halves[2][3] = { { c[0], middle, c[2] }, { middle, c[1], c[2] } };
-    this->Add(halves[0], part.Divisions + 1, parts);
-    this->Add(halves[1], part.Divisions + 1, parts);
+    const Corners& c = part.Indices;
+    const Index middle = this->Divide(c[0], c[1]);
+    this->Add({ c[0], middle, c[2] }, part.Divisions + 1, parts);
+    this->Add({ middle, c[1], c[2] }, part.Divisions + 1, parts);
     if (this->Points.size() > most)
     {
       return false;
     }
   }
+  this->Cover();
   return true;
 }
 

@@ -74,13 +74,14 @@ public:
 private:
   using Index = std::uint64_t; // a site, or a fill point's number from FirstIndex on
   static constexpr Index FirstIndex = Index(1) << 32;
+  using Corners = std::array<Index, 3>; // of a triangle
 
   /// A triangle to be divided at the first edge, its longest one.
   struct Part
   {
     double Length;
     double Middle[3];
-    Index Corners[3];
+    Corners Indices;
     int Divisions;
     bool operator<(const Part& other) const
     {
@@ -90,16 +91,24 @@ private:
             this->Middle, this->Middle + 3, other.Middle, other.Middle + 3);
     }
   };
-  void Add(const Index corners[3], int divisions, std::vector<Part>& parts);
+  void Add(const Corners& corners, int divisions, std::vector<Part>& parts);
   double CountExpected(const std::vector<Part>& parts) const;
   void InsertSites();
 
+  /// Where a corner lies, and its size.
+  struct Corner
+  {
+    double X[3];
+    float Size;
+  };
   Point Get(Index index) const;
-  bool IsLong(const Point& a, const Point& b, double& length) const;
+  Corner GetCorner(Index index) const;
+  bool IsLong(const Corner& a, const Corner& b, double& length) const;
   Index Divide(Index a, Index b);
   Point MakeMiddle(const Point& p, const Point& q) const;
   void AddEnds(const Point& of, Point& to) const;
-  void Cover(const Index corners[3]);
+  float GetCover(const Corners& corners) const;
+  void Cover();
 
   const vtkPointSplatStars& Stars;
   const float* Normals;
@@ -112,6 +121,7 @@ private:
     }
   };
   std::unordered_map<std::pair<Index, Index>, Index, Hash> Middles;
+  std::vector<Corners> Undivided; // triangles
 
   /// Points in cells of a grid about as wide as they are large, one for each power of two and the next ones.
   struct Cell
