@@ -43,6 +43,7 @@ CONSTANTS = {
     "LeastSure": ("vtkPointSplatBorders.cxx", (4, 8, 12, 16), ("holed_ball",) + FOLDS),
     "WholeReach": ("vtkPointSplatDisk.cxx", (1.0, 1.1, 1.2, 1.4), FOLDS + ("tubes_edges",)),
     "BorderPerDistance": ("vtkPointSplatDisk.cxx", (0.5, 0.6, 0.7, 0.8), FOLDS + PARTS),
+    "InsideShare": ("vtkPointSplatDisks.cxx", (0.8, 0.9, 1.0, 1.1), ("holed_ball", "cut_edges") + FOLDS),
     "LargestRatio": ("vtkPointSplatDisks.cxx", (1.8, 2.5, 3.5), ("tubes_edges", "part_random")),
     "LargestBend": ("vtkPointSplatDisks.cxx", (0.4, 0.6, 0.8), ("tubes_edges", "drapery")),
     "LeastShare": ("vtkPointSplatDisks.cxx", (0.6, 0.75, 0.9), ("tubes_edges", "drapery")),
