@@ -6,7 +6,6 @@ import unittest
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdList
 from vtkmodules.vtkCommonDataModel import vtkStaticPointLocator
-import pointsplatting
 
 import likeness
 import standins
@@ -76,11 +75,8 @@ class TestStandIns(unittest.TestCase):
         self.assertEqual(found["holes"], 0)
         self.assertLess(found["spill"], 0.0015)
         # A hundred fill points in notches had normals that looked along the surface.
-        estimation = pointsplatting.vtkPointSplatEstimation()
-        estimation.SetInputData(standin.cloud)
-        estimation.FillGapsOn()
-        estimation.Update()
-        splats, given = estimation.GetOutput(), standin.cloud.GetNumberOfPoints()
+        splats = likeness.estimated(standin.cloud, fill_gaps=True).GetOutput()
+        given = standin.cloud.GetNumberOfPoints()
         normals = vtk_to_numpy(splats.GetPointData().GetNormals())
         locator = vtkStaticPointLocator()
         locator.SetDataSet(standin.cloud)

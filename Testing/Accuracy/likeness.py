@@ -120,9 +120,10 @@ def compare(standin, size=512, views=4, opacity=1.0, pictures=None):
     return found
 
 
-def estimated(cloud):
+def estimated(cloud, fill_gaps=False):
     estimation = pointsplatting.vtkPointSplatEstimation()
     estimation.SetInputData(cloud)
+    estimation.SetFillGaps(fill_gaps)
     estimation.Update()
     return estimation
 

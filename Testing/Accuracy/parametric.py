@@ -41,9 +41,14 @@ def random_of(function, u_range, v_range, count, rng):
 
 
 def to_parametric(function, u_range, v_range):
-    """The distance to such a surface: from the nearest of many of its points, and the plane there."""
+    """The distance to such a surface."""
     u, v = np.meshgrid(np.linspace(*u_range, 1501), np.linspace(*v_range, 1001))
-    find = nearest(function(u, v).reshape(-1, 3), normals_of(function, u, v).reshape(-1, 3))
+    return to_points(function(u, v).reshape(-1, 3), normals_of(function, u, v).reshape(-1, 3))
+
+
+def to_points(points, normals):
+    """The distance to a surface by many of its points: to the plane at the nearest one."""
+    find = nearest(points, normals)
 
     def distance(p):
         q, n = find(p)

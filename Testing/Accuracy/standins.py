@@ -12,167 +12,18 @@ import math
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import (
-    vtkAppendPolyData, vtkCleanPolyData, vtkContourFilter, vtkFlyingEdges3D, vtkPolyDataNormals,
-    vtkTriangleFilter)
+    vtkAppendPolyData, vtkCleanPolyData, vtkPolyDataNormals, vtkTriangleFilter)
 from vtkmodules.vtkFiltersModeling import vtkAdaptiveSubdivisionFilter, vtkLinearExtrusionFilter
 from vtkmodules.vtkFiltersSources import vtkSuperquadricSource
-from vtkmodules.vtkImagingCore import vtkImageResample
-import pointsplatting
 
-from parametric import nearest, normals_of, parametric, random_of, to_parametric
+from parametric import nearest, normals_of, parametric, random_of, to_parametric, to_points
 from reference.surfaces import unit
-from scenes import grid_triangles, polydata, sphere_mesh
-
-
-class StandIn:
-    """spacing: the distance from a point to the next ones that it was made with; fine: where the
-    mesh's facets are coarse, what makes a mesh of the same surface whose facets are not."""
-
-    def __init__(self, name, cloud, distance, spacing, mesh=None, fine=None):
-        self.name, self.cloud, self.distance = name, cloud, distance
-        self.spacing, self.mesh, self.fine = spacing, mesh, fine
-
-
-def vertices(mesh):
-    """The cloud of a mesh's vertices and normals."""
-    return polydata(vtk_to_numpy(mesh.GetPoints().GetData()),
-                    vtk_to_numpy(mesh.GetPointData().GetNormals()))
-
-
-# Vessels -------------------------------------------------------------------------------------
-
-class Capsules:
-    """Chains of round cones: the distance to their union, negative inside."""
-
-    def __init__(self):
-        self.segments = []  # a, b, radius at a, radius at b
-
-    def add(self, line, radii):
-        self.segments += [(line[i], line[i + 1], radii[i], radii[i + 1])
-                          for i in range(len(line) - 1)]
-
-    @staticmethod
-    def to_one(p, a, b, ra, rb):
-        along = b - a
-        t = np.clip(((p - a) @ along) / max(along @ along, 1e-30), 0, 1)
-        return np.linalg.norm(p - a - t[..., None] * along, axis=-1) - (ra + t * (rb - ra))
-
-    def __call__(self, p):
-        return np.min([self.to_one(p, *s) for s in self.segments], 0)
-
-    def sampled(self, size, reach=3.0):
-        """On a grid of unit spacing; what is farther than reach is reach."""
-        field = np.full((size,) * 3, reach)  # z, y, x
-        for a, b, ra, rb in self.segments:
-            low = np.clip(np.floor(np.minimum(a, b) - max(ra, rb) - reach).astype(int), 0, size)
-            high = np.clip(np.ceil(np.maximum(a, b) + max(ra, rb) + reach).astype(int) + 1, 0, size)
-            x, y, z = (np.arange(low[k], high[k], dtype=float) for k in range(3))
-            grid = np.stack(np.broadcast_arrays(x[None, None, :], y[None, :, None],
-                                                z[:, None, None]), -1)
-            box = tuple(slice(low[k], high[k]) for k in (2, 1, 0))
-            field[box] = np.minimum(field[box], self.to_one(grid, a, b, ra, rb))
-        return field
-
-
-def vessels(size, tubes, specks, seed=3):
-    """Tubes of 0.7 to 2 voxels' radius that wind through a volume, and specks of 3 to 30
-    vertices."""
-    rng = np.random.default_rng(seed)
-    made = Capsules()
-    for k in range(tubes):
-        place, heading = rng.uniform(0.2, 0.8, 3) * size, unit(rng.normal(size=3))
-        radius = 0.7 + 1.3 * k / max(1, tubes - 1)
-        line = []
-        while len(line) < 60 and (place > 4).all() and (place < size - 5).all():
-            line.append(place)
-            heading = unit(heading + 0.35 * rng.normal(size=3))
-            place = place + 2.0 * heading
-        made.add(line, np.full(len(line), radius))
-    for _ in range(specks):
-        place = rng.uniform(4, size - 5, 3)
-        made.add([place, place + rng.uniform(0, 0.5, 3)], np.full(2, rng.uniform(0.55, 1.1)))
-    return made
-
-
-def image_of(field, spacing=(1, 1, 1)):
-    image = vtkImageData()
-    image.SetDimensions(*reversed(field.shape))
-    image.SetSpacing(spacing)
-    image.GetPointData().SetScalars(numpy_to_vtk(field.astype(np.float32).ravel(), deep=1))
-    return image
-
-
-def isosurface(field, extraction, finer=1):
-    """extraction: "points", "edges" or "contour"; finer: so many times, between linearly."""
-    filters = {"points": pointsplatting.vtkIsosurfacePoints, "edges": vtkFlyingEdges3D,
-               "contour": vtkContourFilter}
-    contour = filters[extraction]()
-    resample = vtkImageResample()
-    resample.SetInputData(image_of(-field))  # denser inside, as an angiogram is
-    resample.SetMagnificationFactors(finer, finer, finer)
-    contour.SetInputConnection(resample.GetOutputPort())
-    contour.SetValue(0, 0.0)
-    if extraction != "points":
-        contour.ComputeNormalsOn()
-        contour.ComputeScalarsOff()
-    contour.Update()
-    return contour.GetOutput()
-
-
-def tubes_and_specks(extraction="edges", size=80, tubes=10, specks=250):
-    body = vessels(size, tubes, specks)
-    field = body.sampled(size)
-    mesh = isosurface(field, "edges" if extraction == "points" else extraction)
-    cloud = isosurface(field, extraction) if extraction == "points" else vertices(mesh)
-    return StandIn("tubes and specks, " + extraction, cloud, lambda p: np.abs(body(p)), 0.7, mesh,
-                   lambda: isosurface(field, "edges", 4))
-
-
-def noisy_vessels(noise=0.3):
-    """Of an angiogram as scanners give it: the same tubes, by a volume with noise, in voxels of its surface's place. Its own
-    isosurface is the truth."""
-    body = vessels(80, 10, 0)
-    field = body.sampled(80) + np.random.default_rng(12).normal(0, noise, (80,) * 3)
-    mesh = isosurface(field, "edges")
-    return StandIn("noisy vessels", vertices(mesh), lambda p: np.abs(body(p)), 0.7, mesh)
-
-
-def cut_by_volume(extraction="points", size=64):
-    """A surface with a thousand spacings of border, where the volume cuts it (a gyroid)."""
-    k = 2 * math.pi / 24
-
-    def field(p):
-        x, y, z = k * p[..., 0], k * p[..., 1], k * p[..., 2]
-        return np.sin(x) * np.cos(y) + np.sin(y) * np.cos(z) + np.sin(z) * np.cos(x)
-    z, y, x = np.meshgrid(*3 * [np.arange(size, dtype=float)], indexing="ij")
-    values = field(np.stack([x, y, z], -1))
-    mesh = isosurface(values, "edges")
-    cloud = isosurface(values, "points") if extraction == "points" else vertices(mesh)
-    return StandIn("cut by its volume, " + extraction, cloud, lambda p: np.abs(field(p)) / k, 0.7, mesh)
-
-
-def gear(size=128):
-    """A machined part as a volume of distances gives it: the faces of its teeth bend, and points near their edges have
-    normals of both faces, by the field's differences."""
-    unit_length = (size - 1) / 2
-
-    def field(p):
-        x, y, z = ((p[..., k] - unit_length) / unit_length for k in range(3))
-        r, angle = np.hypot(x, y), np.arctan2(y, x)
-        teeth = r - 0.749 - 0.1 * np.clip(4 * np.cos(14 * angle), -1, 1)
-        bores = [0.119 - np.hypot(x - 0.45 * math.cos(a), y - 0.45 * math.sin(a))
-                 for a in np.arange(6) * math.pi / 3]
-        return np.max([teeth, np.abs(z) - 0.199, 0.181 - r, *bores], 0)
-
-    def distance(p):
-        step = 1e-4
-        slope = [(field(p + e) - field(p - e)) / (2 * step) for e in step * np.eye(3)]
-        return np.abs(field(p)) / np.maximum(np.linalg.norm(slope, axis=0), 1 / unit_length)
-    z, y, x = np.meshgrid(*3 * [np.arange(size, dtype=float)], indexing="ij")
-    mesh = isosurface(field(np.stack([x, y, z], -1)), "edges")
-    return StandIn("gear", vertices(mesh), distance, 0.7, mesh)
+from scenes import polydata, sphere_mesh
+from standin import StandIn, vertices
+from volumes import (
+    cut_by_volume, gear, holed_ball, noisy_vessels, thick_slices, tubes_and_specks)
 
 
 # Surfaces that pierce one another ------------------------------------------------------------
@@ -209,36 +60,6 @@ def belted(ratio=8):
         to_belt = np.hypot(np.hypot(p[:, 0], p[:, 1]) - radius, p[:, 2]) - tube
         return np.minimum(np.abs(np.linalg.norm(p, axis=1) - 1), np.abs(to_belt))
     return StandIn("belted", vertices(mesh), distance, spacing, mesh)
-
-
-# Thick slices --------------------------------------------------------------------------------
-
-def thick_slices(ratio=4, size=72):
-    """The mesh of a scanner's volume whose slices are ratio times as far apart as its voxels: round
-    bodies that overlap above a wavy sheet, which the volume cuts off. It has points along rows, whose normals turn by up
-    to a right angle from one row to the next."""
-    rng = np.random.default_rng(5)
-    centres = (rng.uniform(0.2, 0.8, (24, 3)) * (1, 1, 0.4) + (0, 0, 0.4)) * size
-    widths = rng.uniform(2.5, 4.5, 24)
-
-    def field(p):
-        bodies = sum(np.exp(-((p - c) ** 2).sum(-1) / (2 * w * w)) for c, w in zip(centres, widths))
-        x, y, z = p[..., 0], p[..., 1], p[..., 2]
-        sheet = 0.17 * size + 6 * np.sin(0.2 * x) * np.cos(0.17 * y) + np.sin(0.6 * x + 0.3 * y) - z
-        return np.maximum(bodies - 0.5, sheet / 8)
-
-    def distance(p):
-        slope = np.stack([field(p + d) - field(p - d) for d in 1e-3 * np.eye(3)], -1) / 2e-3
-        return np.abs(field(p)) / np.maximum(np.linalg.norm(slope, axis=-1), 1e-3)
-    x, y, z = np.meshgrid(np.arange(0, size + 1, ratio), *2 * [np.arange(size + 1)], indexing="ij")
-    values = field(np.stack([x, y, z], -1).astype(float)).transpose(2, 1, 0)
-    contour = vtkFlyingEdges3D()
-    contour.SetInputData(image_of(values, (ratio, 1, 1)))
-    contour.SetValue(0, 0.0)
-    contour.ComputeScalarsOff()
-    contour.Update()
-    mesh = contour.GetOutput()
-    return StandIn("thick slices", vertices(mesh), distance, 1.0, mesh)
 
 
 # Machined part -------------------------------------------------------------------------------
@@ -405,18 +226,11 @@ def rounded_ring(resolution=120):
     source.SetThetaRoundness(0.5)
     source.SetPhiResolution(resolution)
     source.SetThetaResolution(resolution)
-    clean, normals = vtkCleanPolyData(), vtkPolyDataNormals()
+    clean = vtkCleanPolyData()
     clean.SetInputConnection(source.GetOutputPort())
-    normals.SetInputConnection(clean.GetOutputPort())
-    normals.SplittingOff()
-    normals.Update()
-    mesh = normals.GetOutput()
-    points = vtk_to_numpy(mesh.GetPoints().GetData())
-    to_vertex = nearest(points, vtk_to_numpy(mesh.GetPointData().GetNormals()))
-
-    def distance(p):
-        place, normal = to_vertex(p)
-        return np.abs(((p - place) * normal).sum(-1))
+    mesh = with_normals(clean, False)
+    distance = to_points(vtk_to_numpy(mesh.GetPoints().GetData()),
+                         vtk_to_numpy(mesh.GetPointData().GetNormals()))
     return StandIn("rounded ring", vertices(mesh), distance, 0.01, mesh)
 
 
@@ -488,33 +302,6 @@ def thin_shell(gap=0.3, count=40000):
         return np.hypot(to_sheets, np.maximum(p[:, 2], 0))
     cloud = polydata(*(np.concatenate(part) for part in zip(*parts)))
     return StandIn("thin shell, %g spacings" % gap, cloud, distance, spacing, both)
-
-
-def holed_ball(size=72):
-    """A ball's mesh as an extraction of isosurfaces leaves it, triangles taken out: holes with ragged
-    borders, of a few spacings and more."""
-    body = Capsules()
-    centre = np.full(3, 0.5 * size - 0.3)
-    body.add([centre, centre], np.full(2, 0.42 * size))
-    mesh = isosurface(body.sampled(size), "edges")
-    p = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
-    triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-
-    def is_cut(q):
-        x, y, z = (0.22 * (q - centre)).T
-        return np.sin(x + 0.4) * np.sin(y + 1) * np.sin(z + 2) > 0.45
-    triangles = triangles[~is_cut(p[triangles].mean(1))]
-    used, triangles = np.unique(triangles, return_inverse=True)
-    normals = vtk_to_numpy(mesh.GetPointData().GetNormals())
-    mesh = polydata(p[used], normals[used], triangles.reshape(-1, 3))
-
-    find = nearest(p[used], normals[used])
-
-    def distance(q):
-        # Past the border, as far as the nearest vertex.
-        far = np.linalg.norm(q - find(q)[0], axis=1)
-        return np.where(far < 1, np.abs(body(q)), far)
-    return StandIn("holed ball", vertices(mesh), distance, 0.7, mesh)
 
 
 # Particles -----------------------------------------------------------------------------------
