@@ -23,9 +23,9 @@
  *
  * A point with an average of faces' normals has no face of its own that is spread. It lies on those
  * of its neighbours' faces whose surfaces pass by it; these are told apart by their normals there.
- * Whatever height is left over the point, the face turns on the way to it by twice that over the way more,
- * so that it ends there. A face's normal is the mean of what its points say: the nearest one's own may be an
- * average, too.
+ * Where such a surface leaves a height at the point, the face bends by so much more on the way there that it ends at
+ * the point: its normal turns by twice the height over the distance. A face's normal is the mean of what its points
+ * say: the nearest one's own may be an average, too.
  *
  * Whether the edge is convex or concave makes no difference, nor which side normals point to.
  */

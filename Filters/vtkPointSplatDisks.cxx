@@ -175,20 +175,29 @@ void vtkPointSplatDisks::FindHoleLimit()
   this->Regular = t < 1 || this->Stretched;
 }
 
+/// Calls visit(witness) for each that a slot has.
+template <typename Visitor>
+void vtkPointSplatDisks::VisitWitnesses(Slot slot, const Visitor& visit) const
+{
+  const Slot* first = this->Witnesses.data() + std::size_t(NumberOfWitnesses) * slot;
+  for (const Slot* witness = first; witness != first + NumberOfWitnesses; ++witness)
+  {
+    if (*witness != vtkPointSplatNeighbors::None)
+    {
+      visit(*witness);
+    }
+  }
+}
+
 float vtkPointSplatDisks::GetLocalSpread() const
 {
   std::vector<float> ratios = GetSamples(this->Opening.size(), [this](std::size_t s) {
     float sum = 0;
     int count = 0;
-    for (int w = 0; w < NumberOfWitnesses && this->Opening[s] > 0; ++w)
-    {
-      const Slot witness = this->Witnesses[NumberOfWitnesses * s + w];
-      if (witness != vtkPointSplatNeighbors::None && this->Opening[witness] > 0)
-      {
-        sum += this->Opening[witness];
-        ++count;
-      }
-    }
+    this->VisitWitnesses(static_cast<Slot>(s), [&](Slot witness) {
+      sum += this->Opening[witness];
+      count += this->Opening[witness] > 0 ? 1 : 0;
+    });
     return count > 0 ? count * this->Opening[s] / sum : 0.0f;
   });
   if (ratios.empty())
@@ -274,46 +283,39 @@ float vtkPointSplatDisks::GetBounded(Slot slot) const
 float vtkPointSplatDisks::GetBound(Slot slot) const
 {
   float smallest = std::numeric_limits<float>::max(), second = smallest;
-  for (int w = 0; w < NumberOfWitnesses; ++w)
-  {
-    const Slot witness = this->Witnesses[std::size_t(NumberOfWitnesses) * slot + w];
-    if (witness != vtkPointSplatNeighbors::None && !this->IsAlone(witness))
+  this->VisitWitnesses(slot, [&](Slot witness) {
+    if (!this->IsAlone(witness))
     {
       const float length = this->GetReach(witness);
       second = std::min(second, std::max(smallest, length));
       smallest = std::min(smallest, length);
     }
-  }
+  });
   return LargestRatio * second;
 }
 
 bool vtkPointSplatDisks::IsOutlier(Slot slot, float times) const
 {
   float largest = 0;
-  for (int w = 0; w < NumberOfWitnesses; ++w)
-  {
-    const Slot witness = this->Witnesses[std::size_t(NumberOfWitnesses) * slot + w];
-    largest = std::max(
-      largest, witness != vtkPointSplatNeighbors::None ? this->Spacing[witness] : 0.0f);
-  }
+  this->VisitWitnesses(
+    slot, [&](Slot witness) { largest = std::max(largest, this->Spacing[witness]); });
   return largest > 0 && this->Nearest[slot] > times * largest;
 }
 
 bool vtkPointSplatDisks::HasSmallWitness(
   Slot slot, const vtkPointSplatLargeArray<float>& sizes) const
 {
-  const Slot* first = this->Witnesses.data() + std::size_t(NumberOfWitnesses) * slot;
-  return std::any_of(first, first + NumberOfWitnesses, [&](Slot witness) {
-    return witness != vtkPointSplatNeighbors::None && 2 * sizes[witness] < sizes[slot];
-  });
+  bool any = false;
+  this->VisitWitnesses(
+    slot, [&](Slot witness) { any = any || 2 * sizes[witness] < sizes[slot]; });
+  return any;
 }
 
 bool vtkPointSplatDisks::HasClosedWitness(Slot slot) const
 {
-  const Slot* first = this->Witnesses.data() + std::size_t(NumberOfWitnesses) * slot;
-  return std::any_of(first, first + NumberOfWitnesses, [this](Slot witness) {
-    return witness != vtkPointSplatNeighbors::None && this->Opening[witness] > 0;
-  });
+  bool any = false;
+  this->VisitWitnesses(slot, [&](Slot witness) { any = any || this->Opening[witness] > 0; });
+  return any;
 }
 
 bool vtkPointSplatDisks::MayEnd(Slot slot) const
@@ -326,12 +328,10 @@ bool vtkPointSplatDisks::MayEnd(Slot slot) const
   if (this->Regular)
   {
     float inside = this->Stretched ? 0.0f : this->Spacing[slot];
-    const Slot* first = this->Witnesses.data() + std::size_t(NumberOfWitnesses) * slot;
-    for (int w = 0; w < NumberOfWitnesses; ++w)
-    {
-      const float spacing = first[w] != vtkPointSplatNeighbors::None ? this->Spacing[first[w]] : 0.0f;
+    this->VisitWitnesses(slot, [&](Slot witness) {
+      const float spacing = this->Spacing[witness];
       inside = spacing > 0 ? std::min(inside, spacing) : inside;
-    }
+    });
     return opening == 0 ||
       opening > this->HoleLimit * std::max(HoleShare * this->Spacing[slot], InsideShare * inside);
   }
@@ -355,10 +355,9 @@ void vtkPointSplatDisks::Open(Slot slot, float length)
 bool vtkPointSplatDisks::AgreeWitnesses(
   Slot slot, const std::vector<unsigned char>& marks) const
 {
-  const Slot* first = this->Witnesses.data() + std::size_t(NumberOfWitnesses) * slot;
-  return 2 * std::count_if(first, first + NumberOfWitnesses, [&marks](Slot witness) {
-    return witness == vtkPointSplatNeighbors::None || marks[witness] != 0;
-  }) >= NumberOfWitnesses;
+  int unmarked = 0;
+  this->VisitWitnesses(slot, [&](Slot witness) { unmarked += marks[witness] ? 0 : 1; });
+  return 2 * (NumberOfWitnesses - unmarked) >= NumberOfWitnesses;
 }
 
 void vtkPointSplatDisks::GetBall(Slot slot, float tensor[6]) const

@@ -131,6 +131,8 @@ private:
   static constexpr std::size_t MostSamples = std::size_t(1) << 20;
   /// The neighbours, by rank, that bound a disk.
   static constexpr int NumberOfWitnesses = 4;
+  template <typename Visitor>
+  void VisitWitnesses(Slot slot, const Visitor& visit) const;
   float GetBound(Slot slot) const;
   /// The 95th percentile, in medians, of the disks' sizes over those of their witnesses.
   float GetLocalSpread() const;

@@ -64,17 +64,9 @@ vtkPointSplatRefinement::Point vtkPointSplatRefinement::Get(Index index) const
 vtkPointSplatRefinement::Corner vtkPointSplatRefinement::GetCorner(Index index) const
 {
   Corner corner;
-  if (index >= FirstIndex)
-  {
-    const Point& point = this->Points[index - FirstIndex];
-    std::copy_n(point.X, 3, corner.X);
-    corner.Size = point.Size;
-  }
-  else
-  {
-    this->Stars.GetPosition(static_cast<Site>(index), corner.X);
-    corner.Size = this->Stars.Sizes[index];
-  }
+  this->GetPlace(index, corner.X);
+  corner.Size =
+    index >= FirstIndex ? this->Points[index - FirstIndex].Size : this->Stars.Sizes[index];
   return corner;
 }
 
