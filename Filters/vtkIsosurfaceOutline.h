@@ -29,50 +29,82 @@ public:
   {
   }
 
-  /**
-   * How far the point on a crossed edge, from a corner along an axis, is from the outline's
-   * centroid. With disks that reach there, those of the outline's points cover all between them.
-   */
-  double GetReach(int corner, int axis) const
-  {
-    const Edge start = { corner, axis };
-    Edge edge = start;
-    int across = (axis + 1) % 3; // the axis that stands on the next face
-    double first[3], here[3], sum[3] = { 0, 0, 0 }, length = 0;
-    this->GetPoint(start, first);
-    std::copy(first, first + 3, here);
-    for (int step = 0; step < 12; ++step)
-    {
-      this->Follow(edge, across);
-      double next[3], squared = 0;
-      this->GetPoint(edge, next);
-      for (int c = 0; c < 3; ++c)
-      {
-        squared += (next[c] - here[c]) * (next[c] - here[c]);
-      }
-      // By lengths, since several points may all but coincide.
-      const double side = std::sqrt(squared);
-      length += side;
-      for (int c = 0; c < 3; ++c)
-      {
-        sum[c] += side * (0.5 * (here[c] + next[c]) - first[c]);
-        here[c] = next[c];
-      }
-      if (edge.Corner == start.Corner && edge.Axis == start.Axis)
-      {
-        break;
-      }
-    }
-    return length > 0 ? std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]) / length : 0;
-  }
+  static constexpr int Most = 12; // edges of a cell
 
-private:
   /// From a corner further along an axis.
   struct Edge
   {
     int Corner;
     int Axis;
+
+    bool operator==(const Edge& other) const
+    {
+      return this->Corner == other.Corner && this->Axis == other.Axis;
+    }
   };
+
+  /// Follows the outline through a crossed edge.
+  void Follow(const Edge& start)
+  {
+    Edge here = start;
+    int across = (start.Axis + 1) % 3; // the axis that stands on the next face
+    this->Count = 0;
+    do
+    {
+      this->Edges[this->Count++] = here;
+      this->Step(here, across);
+    } while (!(here == start) && this->Count < Most);
+  }
+
+  bool IsCrossed(const Edge& edge) const
+  {
+    return this->IsAbove(edge.Corner) != this->IsAbove(edge.Corner | 1 << edge.Axis);
+  }
+
+  /// Finds the points on an outline's edges, and their centroid.
+  void FindPoints()
+  {
+    double sum[3] = { 0, 0, 0 }, length = 0;
+    this->GetPoint(this->Edges[0], this->Points[0]);
+    for (int i = 0; i < this->Count; ++i)
+    {
+      const double* here = this->Points[i];
+      double* next = this->Points[i + 1];
+      this->GetPoint(this->Edges[i + 1 < this->Count ? i + 1 : 0], next);
+      // By lengths, since several points may all but coincide.
+      const double side = Distance(here, next);
+      length += side;
+      for (int c = 0; c < 3; ++c)
+      {
+        sum[c] += side * (0.5 * (here[c] + next[c]) - this->Points[0][c]);
+      }
+    }
+    for (int c = 0; c < 3; ++c)
+    {
+      const double offset = sum[c] / length;
+      this->Centroid[c] = this->Points[0][c] + (std::isfinite(offset) ? offset : 0.0);
+    }
+  }
+
+  int GetCount() const { return this->Count; }
+  const Edge& GetEdge(int i) const { return this->Edges[i]; }
+  /// From the cell's first corner, in the unit of the sides.
+  const double* GetCentroid() const { return this->Centroid; }
+  const double* GetPoint(int i) const { return this->Points[i]; }
+  /// How far a point is from the centroid. With disks that reach there, those of the outline's points
+  /// cover all between them.
+  double GetReach(int i) const { return Distance(this->Points[i], this->Centroid); }
+
+private:
+  static double Distance(const double a[3], const double b[3])
+  {
+    double squared = 0;
+    for (int c = 0; c < 3; ++c)
+    {
+      squared += (a[c] - b[c]) * (a[c] - b[c]);
+    }
+    return std::sqrt(squared);
+  }
 
   bool IsAbove(int corner) const { return this->Values[corner] >= 0; }
 
@@ -88,7 +120,7 @@ private:
   }
 
   /// Goes on to the edge through which the outline leaves a face, and to the face beyond it.
-  void Follow(Edge& edge, int& across) const
+  void Step(Edge& edge, int& across) const
   {
     const int along = edge.Axis, aside = 3 - along - across;
     const int a = edge.Corner, b = a | 1 << along;
@@ -120,6 +152,10 @@ private:
 
   const double* Values;
   const double* Spacing;
+  int Count = 0;
+  Edge Edges[Most];
+  double Points[Most + 1][3]; // the last is the first again
+  double Centroid[3];
 };
 
 VTK_ABI_NAMESPACE_END

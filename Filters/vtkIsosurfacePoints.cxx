@@ -163,14 +163,15 @@ vtkSmartPointer<vtkDataArray> GetContiguous(vtkDataArray* array)
 
 template <typename T>
 std::unique_ptr<vtkIsosurfaceExtraction> MakeExtraction(const vtkIsosurfaceGrid& grid,
-  const T* values, const std::vector<double>& isovalues, double spacing)
+  const T* values, const std::vector<double>& isovalues, double spacing, bool sizes,
+  bool fillGaps)
 {
   if (spacing > 0)
   {
     return std::make_unique<vtkIsosurfaceSamples<T>>(
       grid, values, isovalues, std::max(spacing, GetFinestSpacing(grid)));
   }
-  return std::make_unique<vtkIsosurfaceEdges<T>>(grid, values, isovalues);
+  return std::make_unique<vtkIsosurfaceEdges<T>>(grid, values, isovalues, sizes, fillGaps);
 }
 }
 
@@ -381,7 +382,7 @@ void vtkIsosurfacePoints::ExtractVolume(
       vtkTemplateMacro(extraction = MakeExtraction(grid,
                          static_cast<const VTK_TT*>(scalars->GetVoidPointer(0)) +
                            this->ArrayComponent,
-                         isovalues, this->PointSpacing));
+                         isovalues, this->PointSpacing, this->SplatSizes, this->FillGaps));
     }
     return extraction;
   };
@@ -566,6 +567,7 @@ void vtkIsosurfacePoints::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NeighborRadius: " << this->NeighborRadius << "\n";
   os << indent << "Correction: " << (this->Correction ? "On" : "Off") << "\n";
   os << indent << "SplatSizes: " << (this->SplatSizes ? "On" : "Off") << "\n";
+  os << indent << "FillGaps: " << (this->FillGaps ? "On" : "Off") << "\n";
 }
 
 VTK_ABI_NAMESPACE_END

@@ -11,8 +11,8 @@
  *
  * Output: a vtkPolyData without cells, or a vtkMultiBlockDataSet with one for each isovalue
  * (BlockPerIsovalue), with
- * - points, isovalue after isovalue in the order given: float, or double where floats would
- *   not resolve a thousandth of a voxel because the volume lies far from the origin (of
+ * - points, isovalue after isovalue in the order given, those of each before its fill points:
+ *   float, or double where floats would not resolve a thousandth of a voxel because the volume lies far from the origin (of
  *   scattered samples, a thousandth of what would be their spacing if their bounds were full);
  * - active normals (3 floats, unit length) against the gradient, as vtkFlyingEdges3D has them;
  * - `Isovalue` (1 double), in the unit of the scalars;
@@ -48,16 +48,22 @@
  *
  * Sizes of volumes' points, with the last stage.
  * 1. *Radius.* Without PointSpacing: in each cell the isosurface crosses the faces in closed
- *    outlines of three points or more (vtkIsosurfaceOutline.h). A point's radius is its distance to
- *    the farthest centroid, weighted by length, of its outlines in the four cells around its edge.
- *    So the disks of an outline's points together cover the fan of triangles around its centroid,
- *    whatever the voxels' shape, and no disk reaches farther than a cell. With PointSpacing:
- *    1.1 times the distance that points keep, at most half of the volume's diagonal.
+ *    outlines of three points or more (vtkIsosurfaceOutline.h). A point's radius is 0.87 of its
+ *    distance to the farthest centroid, weighted by length, of its outlines in the four cells around
+ *    its edge. So what is drawn of the disks of an outline's points, 1.15 radii, covers the fan of
+ *    triangles around its centroid, whatever the voxels' shape, and no disk reaches farther than a
+ *    cell. With PointSpacing: 1.1 times the distance that points keep, at most half of the volume's
+ *    diagonal.
  * 2. *Curvature.* B = s P H P / |g| by gradient g and Hessian H, P = I - n n^T, and the normal's
  *    side s (vtkIsosurfaceSplat.h). H is made of differences of second order at the samples,
  *    along an axis the mean of those one and two samples wide, interpolated as the gradient is.
  *    Where B is strong radii are smaller, by a quarter at most; its eigenvalues are held within 1 / radius.
- * 3. *Borders.* Splats that reach past a face of the whole volume are clipped at it (vtkIsosurfaceBorders.h); pieces
+ * 3. *Fill points*, without PointSpacing (FillGaps). Where the normals of an outline's points turn by
+ *    14 degrees or more, at edges and in thin parts, disks as large as the voxel stand out over one
+ *    another. A fill point at the outline's centroid, with the mean of the normals and bent as they
+ *    turn (vtkIsosurfaceFill.h), has 0.8 of the distance to the farthest point as its radius, and
+ *    the points reach 0.6 of the way to it. That is worth 2 dB for a twentieth to four fifths more points.
+ * 4. *Borders.* Splats that reach past a face of the whole volume are clipped at it (vtkIsosurfaceBorders.h); pieces
  *    of a volume go on in others.
  *
  * Stages of scattered samples (after Rosenthal, Linsen 2006, Direct isosurface extraction from
@@ -87,9 +93,9 @@
  *
  * Bad input of volumes: no edge (with PointSpacing: no cell) that touches a sample that is hidden
  * (vtkGhostType has HIDDENPOINT) or not finite gives points, nor one whose cells are all hidden
- * or another process' (HIDDENCELL, DUPLICATECELL). Such samples are left out of gradients and of
- * Hessians; a point with no usable cell around gets the radius of half a voxel's shortest side, and
- * where derivatives are zero or not finite splats are flat.
+ * or another process' (HIDDENCELL, DUPLICATECELL); such cells have no fill points. Such samples are
+ * left out of gradients and of Hessians; a point with no usable cell around gets the radius of half a
+ * voxel's shortest side, and where derivatives are zero or not finite splats are flat.
  *
  * Bad input of scattered samples: those that are hidden, have coordinates or a value that is not
  * finite, or lie where an earlier one lies, take no part and are counted in one warning. Of points
@@ -218,6 +224,17 @@ public:
   vtkBooleanMacro(SplatSizes, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether there is a fill point in each voxel in which the isosurface of a volume bends by much; on
+   * by default. Off, or without SplatSizes, all points are those of vtkFlyingEdges3D; with PointSpacing,
+   * and of scattered samples, there are no fill points.
+   */
+  vtkSetMacro(FillGaps, bool);
+  vtkGetMacro(FillGaps, bool);
+  vtkBooleanMacro(FillGaps, bool);
+  ///@}
+
 protected:
   vtkIsosurfacePoints();
   ~vtkIsosurfacePoints() override;
@@ -254,6 +271,7 @@ private:
   double NeighborRadius = 0;
   bool Correction = true;
   bool SplatSizes = true;
+  bool FillGaps = true;
 };
 
 VTK_ABI_NAMESPACE_END

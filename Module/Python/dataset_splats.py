@@ -119,9 +119,11 @@ class DataSetSplats:
         Returns
         -------
         pyvista.PolyData
-            Points with `Normals` (n, 3), unit length, `Isovalue` (n,), `SplatRadius` (n,), world
-            units, and `SplatCurvature` (n, 6), 1 / world units, which are drawn as they are;
-            `SplatClip` (n, 6), 1 / world units, where faces of an image cut the surface.
+            Points, those of each isovalue before its fill points, which stand in the voxels in which
+            the surface bends by much where spacing is 0; with `Normals` (n, 3), unit length,
+            `Isovalue` (n,), `SplatRadius` (n,), world units, and `SplatCurvature` (n, 6),
+            1 / world units, which are drawn as they are; `SplatClip` (n, 6), 1 / world units, where
+            faces of an image cut the surface.
 
         Examples
         --------

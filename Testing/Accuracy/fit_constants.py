@@ -28,6 +28,7 @@ FOLDS = ("drapery", "drapery_vertices")
 PARTS = ("part_random", "part_vertices")
 DISCS = ("rimmed_disc", "thin_disc")
 BENT = ("tubes_edges", "drapery_vertices")
+ISOSURFACES = ("tubes_points", "cut_points", "gear_points")
 # The file in Filters, the values to try, and the stand-ins that tell.
 CONSTANTS = {
     "AnglePerDeviation": ("vtkPointSplatCrease.cxx", (2, 3, 4, 6, 8), FOLDS + PARTS),
@@ -54,6 +55,10 @@ CONSTANTS = {
     "FarOffset": ("vtkPointSplatSheet.cxx", (0.05, 0.1, 0.2), ("tubes_edges", "grid_lines")),
     "LargestTurn": ("vtkIsosurfaceSplat.cxx", (0.4, 0.6, 0.8), ("tubes_points", "cut_points")),
     "LeastOfReach": ("vtkIsosurfaceSplat.cxx", (0.65, 0.75, 0.85), ("tubes_points", "cut_points")),
+    "BentCosine": ("vtkIsosurfaceFill.cxx", (0.95, 0.97, 0.98), ISOSURFACES),
+    "FillShare": ("vtkIsosurfaceEdges.h", (0.66, 0.72, 0.8, 0.9), ISOSURFACES),
+    "BentShare": ("vtkIsosurfaceEdges.h", (0.55, 0.6, 0.7), ISOSURFACES),
+    "PlainShare": ("vtkIsosurfaceEdges.h", (0.8, 0.87, 1.0), ISOSURFACES),
     "SparseRatio": ("vtkPointSplatSparsePart.cxx", (0.6, 0.8, 1.0, 1.2),
                     ("belted", "belted_6", "thin_disc")),
     "RadiusPerSize": ("vtkPointSplatStars.h", (0.6, 0.65, 0.7), DISCS + FOLDS),

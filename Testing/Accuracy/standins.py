@@ -388,6 +388,7 @@ ALL = {
     "cut_points": cut_by_volume,
     "cut_edges": lambda: cut_by_volume("edges"),
     "gear": gear,
+    "gear_points": lambda: gear("points"),
     "crossing": crossing,
     "belted": belted,
     "belted_6": lambda: belted(6),

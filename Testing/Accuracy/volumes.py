@@ -167,9 +167,9 @@ def holed_ball(size=72):
     return StandIn("holed ball", vertices(mesh), distance, 0.7, mesh)
 
 
-def gear(size=128):
+def gear(extraction="edges", size=128):
     """A machined part as a volume of distances gives it: the faces of its teeth bend, and points near their edges have
-    normals of both faces, by the field's differences."""
+    normals of both faces, by the field's differences. extraction: as of isosurface()."""
     half = (size - 1) / 2
 
     def field(p):
@@ -180,7 +180,9 @@ def gear(size=128):
                  for a in np.arange(6) * math.pi / 3]
         return np.max([teeth, np.abs(z) - 0.199, 0.181 - r, *bores], 0)
     mesh = isosurface(sampled(field, size), "edges")
-    return StandIn("gear", vertices(mesh), to_level(field), 0.7, mesh)
+    cloud = isosurface(sampled(field, size), extraction)
+    return StandIn("gear " + extraction, vertices(mesh) if extraction == "edges" else cloud,
+                   to_level(field), 0.7, mesh)
 
 
 def thick_slices(ratio=4, size=72):

@@ -99,6 +99,7 @@ void LikeFlyingEdges(int type, double scale)
   vtkNew<vtkIsosurfacePoints> points;
   points->SetInputData(image);
   points->SetValue(0, value);
+  points->FillGapsOff();
   points->Update();
   const std::string name = "type " + std::to_string(type);
   const std::vector<Row> a = Rows(edges->GetOutput());
