@@ -546,7 +546,7 @@ private:
   /// The radius of a fill point, by its distance to the outline's farthest point; and those of points, by
   /// their distance to the centroid of an outline that has a fill point there, and of another.
   static constexpr double FillShare = 0.8;
-  static constexpr double BentShare = 0.6;
+  static constexpr double BentShare = 0.65;
   static constexpr double PlainShare = 0.87;
 
   vtkIsosurfaceField<T> Field;

@@ -62,7 +62,7 @@
  *    14 degrees or more, at edges and in thin parts, disks as large as the voxel stand out over one
  *    another. A fill point at the outline's centroid, with the mean of the normals and bent as they
  *    turn (vtkIsosurfaceFill.h), has 0.8 of the distance to the farthest point as its radius, and
- *    the points reach 0.6 of the way to it. That is worth 2 dB for a twentieth to four fifths more points.
+ *    the points reach 0.65 of the way to it. That is worth 2 dB for a twentieth to four fifths more points.
  * 4. *Borders.* Splats that reach past a face of the whole volume are clipped at it (vtkIsosurfaceBorders.h); pieces
  *    of a volume go on in others.
  *

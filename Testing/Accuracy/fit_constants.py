@@ -96,7 +96,8 @@ class Scratch:
         self.build = os.path.join(folder, "build")
         shutil.rmtree(self.sources, ignore_errors=True)
         shutil.copytree(TOP, self.sources, symlinks=True,
-                        ignore=shutil.ignore_patterns("build*", ".git", "Testing"))
+                        ignore=shutil.ignore_patterns("build*", ".git", "Testing"),
+                        copy_function=shutil.copy)  # newer than what another run has built
         subprocess.run(["cmake", "-S", self.sources, "-B", self.build, "-DBUILD_TESTING=OFF",
                         "-DCMAKE_BUILD_TYPE=Release"], check=True, stdout=subprocess.DEVNULL)
 
