@@ -541,8 +541,25 @@ bool vtkPointSplatEstimates::FindCreases(Twins twins)
   this->Creases = std::make_unique<vtkPointSplatCreases>(this->Neighbors,
     this->SlotNormals.data(), this->Elliptical ? nullptr : this->Disks->Curvatures.data(),
     this->Usual, this->Elliptical);
-  return !this->Given || !(this->Fans.IsEmpty() || this->MeshAlone) || this->IsRough() ||
-    this->Creases->Find(this->Self, 0.85, 0.9, this->Creased, std::move(twins));
+  if (!this->Given || !(this->Fans.IsEmpty() || this->MeshAlone) || this->IsRough())
+  {
+    return true;
+  }
+  if (!this->Creases->Find(this->Self, 0.85, 0.9, this->Creased, std::move(twins)))
+  {
+    return false;
+  }
+  // Beyond a crease neighbours may be far, but triangles tell how far a disk has to reach.
+  for (vtkPointSplatCreases::Splat& splat : this->Creases->Splats)
+  {
+    const vtkIdType id = splat.Id < 0 ? this->Neighbors.GetId(splat.At) : splat.Id;
+    if (this->MeshAlone && id >= 0)
+    {
+      splat.Length1 = std::min(splat.Length1, this->Corners[id].Radius);
+      splat.Gap = std::min(splat.Gap, this->Corners[id].Radius);
+    }
+  }
+  return true;
 }
 
 void vtkPointSplatEstimates::SetCreases()
