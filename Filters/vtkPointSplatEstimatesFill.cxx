@@ -90,6 +90,10 @@ void vtkPointSplatEstimates::FindMeshFill()
   {
     const vtkPointSplatFans::Disk& disk = this->Corners[id];
     stars.SetSize(static_cast<Slot>(id), { disk.Distance, disk.Turn, disk.Farthest }, true);
+    if (stars.StandsOff(static_cast<Slot>(id), disk.Turn, disk.Radius))
+    {
+      stars.Uneven[id] = 1;
+    }
     std::copy_n(disk.Curvature, 6, curvatures.data() + 6 * id);
   }
   const std::vector<unsigned char> creased = this->GetSlotsAtCreases();

@@ -58,6 +58,11 @@ void vtkPointSplatStars::SetSize(Site site, const Measures& measures, bool bends
   this->Uneven[site] = size > 0 && measures.Farthest > FarNeighbor * size;
 }
 
+bool vtkPointSplatStars::StandsOff(Site site, float turn, float reach) const
+{
+  return IsBent(turn, reach) && reach > LargeDisk * this->GetRadius(site);
+}
+
 float vtkPointSplatStars::GetMedianSize() const
 {
   std::vector<float> sizes = vtkPointSplatDisks::GetSamples(
@@ -188,7 +193,7 @@ void vtkPointSplatStars::FindUneven(const Cloud& cloud)
       const bool bends = IsBent(disks.Turn[s], reach);
       const bool uneven = this->Sizes[s] > 0 && !(*cloud.Creased)[s] && !disks.IsAlone(s) &&
         (this->Uneven[s] || disks.HasSmallWitness(s, this->Sizes) ||
-          (cloud.MayBend && bends && reach > LargeDisk * this->GetRadius(s)));
+          (cloud.MayBend && this->StandsOff(s, disks.Turn[s], reach)));
       // Of an open cell it is not known how far its star reaches.
       bool flat = uneven && !bends && !disks.IsTooLarge(s) && disks.Opening[s] > 0;
       if (flat)

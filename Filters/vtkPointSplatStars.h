@@ -65,6 +65,10 @@ public:
   /// bends: whether normals tell where the surface bends.
   void SetSize(Site site, const Measures& measures, bool bends);
 
+  /// Whether the surface bends on the way to a disk's rim, and the disk is much larger than its size asks
+  /// for. turn: as in vtkPointSplatDisks.
+  bool StandsOff(Site site, float turn, float reach) const;
+
   /// Of those that have a star.
   float GetMedianSize() const;
 
