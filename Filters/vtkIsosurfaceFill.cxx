@@ -72,15 +72,11 @@ bool vtkIsosurfaceFill::Fit(int count, const double (*offsets)[3], const double 
     squares[c][c] += least;
   }
   vtkMath::LinearSolve3x3(squares, sums, form);
-  const double *a = axes[0], *b = axes[1];
-  static const int rows[6] = { 0, 1, 2, 0, 1, 0 };
-  static const int columns[6] = { 0, 1, 2, 1, 2, 2 };
+  double tensor[6];
+  vtkIsosurfaceSplat::ToTensor(form, axes[0], axes[1], tensor);
   for (int k = 0; k < 6; ++k)
   {
-    const int r = rows[k], c = columns[k];
-    const double element =
-      form[0] * a[r] * a[c] + form[1] * b[r] * b[c] + form[2] * (a[r] * b[c] + b[r] * a[c]);
-    this->Form[k] = static_cast<float>(element);
+    this->Form[k] = static_cast<float>(tensor[k]);
   }
   return true;
 }

@@ -49,13 +49,19 @@ void vtkIsosurfaceSplat::Bend(const double hessian[6], double slope)
   const double middle = 0.5 * (greater + lesser);
   const double scale = root > 0 ? 0.5 * (greater - lesser) / root : 0.0;
   const double B[3] = { middle + scale * half, middle - scale * half, scale * ab };
+  vtkIsosurfaceSplat::ToTensor(B, a, b, this->Curvature);
+}
+
+void vtkIsosurfaceSplat::ToTensor(
+  const double form[3], const double a[3], const double b[3], double tensor[6])
+{
   static const int rows[6] = { 0, 1, 2, 0, 1, 0 };
   static const int columns[6] = { 0, 1, 2, 1, 2, 2 };
   for (int k = 0; k < 6; ++k)
   {
     const int i = rows[k], j = columns[k];
-    this->Curvature[k] =
-      B[0] * a[i] * a[j] + B[1] * b[i] * b[j] + B[2] * (a[i] * b[j] + b[i] * a[j]);
+    tensor[k] =
+      form[0] * a[i] * a[j] + form[1] * b[i] * b[j] + form[2] * (b[i] * a[j] + a[i] * b[j]);
   }
 }
 

@@ -39,6 +39,10 @@ public:
    * where the derivatives are not finite or the gradient is zero.
    */
   void Bend(const double hessian[6], double slope);
+
+  /// A form's tensor (XX, YY, ZZ, XY, YZ, XZ) from its elements 11, 22, 12 by two orthogonal directions.
+  static void ToTensor(
+    const double form[3], const double a[3], const double b[3], double tensor[6]);
 };
 
 VTK_ABI_NAMESPACE_END

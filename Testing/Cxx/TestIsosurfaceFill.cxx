@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkIsosurfacePoints' fill points: where there are some, where they lie, and how they bend.
 #include "Expect.h"
+#include "Isosurfaces.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkIsosurfacePoints.h"
 #include "vtkMath.h"
@@ -24,47 +24,6 @@
 
 namespace
 {
-using Field = std::function<double(const double x[3])>;
-
-/// A volume of [-1.1, 1.1]^3 whose axes are turned about z, and mirrored, or not.
-vtkSmartPointer<vtkImageData> Volume(const Field& field, double spacing, bool turned)
-{
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  const int n = static_cast<int>(std::round(2.2 / spacing)) + 1;
-  image->SetDimensions(n, n, n);
-  image->SetSpacing(spacing, spacing, spacing);
-  if (turned)
-  {
-    image->SetDirectionMatrix(0.8, -0.6, 0, 0.6, 0.8, 0, 0, 0, -1);
-  }
-  const double middle[3] = { 0.5 * (n - 1), 0.5 * (n - 1), 0.5 * (n - 1) };
-  double centre[3];
-  image->TransformContinuousIndexToPhysicalPoint(middle, centre);
-  image->SetOrigin(-centre[0], -centre[1], -centre[2]);
-  vtkNew<vtkDoubleArray> values;
-  values->SetName("Values");
-  values->SetNumberOfTuples(image->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
-  {
-    values->SetValue(i, field(image->GetPoint(i)));
-  }
-  image->GetPointData()->SetScalars(values);
-  return image;
-}
-
-vtkSmartPointer<vtkPolyData> Extract(
-  vtkImageData* image, double isovalue, bool fillGaps, double pointSpacing = 0)
-{
-  vtkNew<vtkIsosurfacePoints> points;
-  points->SetInputData(image);
-  points->SetValue(0, isovalue);
-  points->SetPointSpacing(pointSpacing);
-  points->SetFillGaps(fillGaps);
-  points->Update();
-  vtkSmartPointer<vtkPolyData> output = points->GetOutput();
-  return output;
-}
-
 double Box(const double x[3])
 {
   return std::max({ std::abs(x[0]), std::abs(x[1]), std::abs(x[2]) });
@@ -74,9 +33,9 @@ double Box(const double x[3])
 void Edges(bool turned)
 {
   const std::string name = turned ? "turned cube" : "cube";
-  const auto image = Volume(Box, 0.1, turned);
-  const auto plain = Extract(image, 0.63, false);
-  const auto filled = Extract(image, 0.63, true);
+  const auto image = Volume(Box, { 0.1, 0.1, 0.1 }, turned, turned);
+  const auto plain = Extract(image, 0.63, 0, false);
+  const auto filled = Extract(image, 0.63, 0, true);
   const vtkIdType first = plain->GetNumberOfPoints();
   Expect(filled->GetNumberOfPoints() > first + 100, name + ": edges have fill points");
   int elsewhere = 0, moved = 0, contrary = 0;
@@ -112,9 +71,9 @@ void Bends(bool turned)
   const Field field = [](const double x[3]) {
     return std::hypot(std::hypot(x[0], x[1]) - 0.6, x[2]);
   };
-  const auto torus = Volume(field, 0.05, turned);
-  const vtkIdType first = Extract(torus, 0.35, false)->GetNumberOfPoints();
-  const auto points = Extract(torus, 0.35, true);
+  const auto torus = Volume(field, { 0.05, 0.05, 0.05 }, turned, turned);
+  const vtkIdType first = Extract(torus, 0.35, 0, false)->GetNumberOfPoints();
+  const auto points = Extract(torus, 0.35, 0, true);
   Expect(points->GetNumberOfPoints() > first, name + ": there are fill points");
   double angle = 0, along = 0, across = 0;
   for (vtkIdType i = first; i < points->GetNumberOfPoints(); ++i)
@@ -145,11 +104,11 @@ void Bends(bool turned)
 /// No fill points where points have a spacing, or no sizes, nor in cells that are not this process'.
 void Without()
 {
-  const auto image = Volume(Box, 0.1, false);
-  const vtkIdType first = Extract(image, 0.63, false)->GetNumberOfPoints();
-  const vtkIdType all = Extract(image, 0.63, true)->GetNumberOfPoints();
-  Expect(Extract(image, 0.63, true, 0.08)->GetNumberOfPoints() ==
-      Extract(image, 0.63, false, 0.08)->GetNumberOfPoints(),
+  const auto image = Volume(Box, { 0.1, 0.1, 0.1 }, false, false);
+  const vtkIdType first = Extract(image, 0.63, 0, false)->GetNumberOfPoints();
+  const vtkIdType all = Extract(image, 0.63, 0, true)->GetNumberOfPoints();
+  Expect(Extract(image, 0.63, 0.08, true)->GetNumberOfPoints() ==
+      Extract(image, 0.63, 0.08, false)->GetNumberOfPoints(),
     "spaced points have no fill points");
   vtkNew<vtkIsosurfacePoints> bare;
   bare->SetInputData(image);
@@ -165,8 +124,8 @@ void Without()
   std::fill_n(ghosts->GetPointer(0), image->GetNumberOfCells() / 2,
     static_cast<unsigned char>(vtkDataSetAttributes::DUPLICATECELL));
   image->GetCellData()->AddArray(ghosts);
-  const vtkIdType own = Extract(image, 0.63, true)->GetNumberOfPoints() -
-    Extract(image, 0.63, false)->GetNumberOfPoints();
+  const vtkIdType own = Extract(image, 0.63, 0, true)->GetNumberOfPoints() -
+    Extract(image, 0.63, 0, false)->GetNumberOfPoints();
   Expect(2 * own == all - first,
     "half of the cells have " + std::to_string(own) + " fill points of " +
       std::to_string(all - first));
@@ -175,14 +134,14 @@ void Without()
 /// Two isovalues are as each for itself, whether in blocks or not.
 void Several()
 {
-  const auto image = Volume(Box, 0.1, true);
+  const auto image = Volume(Box, { 0.1, 0.1, 0.1 }, true, true);
   vtkNew<vtkIsosurfacePoints> points;
   points->SetInputData(image);
   points->SetValue(0, 0.63);
   points->SetValue(1, 0.41);
   points->Update();
-  const auto outer = Extract(image, 0.63, true);
-  const auto inner = Extract(image, 0.41, true);
+  const auto outer = Extract(image, 0.63, 0, true);
+  const auto inner = Extract(image, 0.41, 0, true);
   const vtkIdType first = outer->GetNumberOfPoints();
   Expect(points->GetOutput()->GetNumberOfPoints() == first + inner->GetNumberOfPoints(),
     "two isovalues: number of points");

@@ -3,6 +3,7 @@
 // Sizes and curvature of vtkIsosurfacePoints against closed forms, and whether its disks cover the
 // isosurface.
 #include "Expect.h"
+#include "Isosurfaces.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
@@ -33,54 +34,6 @@
 
 namespace
 {
-using Field = std::function<double(const double x[3])>;
-
-/// A volume of [-1.1, 1.1]^3 in its own axes, which are turned if asked, of samples so far apart.
-vtkSmartPointer<vtkImageData> Volume(
-  const Field& field, const std::array<double, 3>& spacing, bool turned, bool mirrored)
-{
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  int n[3];
-  for (int c = 0; c < 3; ++c)
-  {
-    n[c] = static_cast<int>(std::round(2.2 / spacing[c])) + 1;
-  }
-  image->SetDimensions(n);
-  image->SetSpacing(spacing.data());
-  const double s = turned ? 0.6 : 0, d = turned ? 0.8 : 1, m = mirrored ? -1 : 1;
-  // The third axis mirrored, then about z, then about x.
-  image->SetDirectionMatrix(d, -s, 0, s * d, d * d, -s * m, s * s, d * s, d * m);
-  double centre[3], index[3] = { 0.5 * (n[0] - 1), 0.5 * (n[1] - 1), 0.5 * (n[2] - 1) };
-  image->TransformContinuousIndexToPhysicalPoint(index, centre);
-  image->SetOrigin(-centre[0], -centre[1], -centre[2]);
-  vtkNew<vtkDoubleArray> values;
-  values->SetName("Values");
-  values->SetNumberOfTuples(image->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
-  {
-    double x[3];
-    int ijk[3] = { static_cast<int>(i % n[0]), static_cast<int>(i / n[0] % n[1]),
-      static_cast<int>(i / n[0] / n[1]) };
-    image->TransformIndexToPhysicalPoint(ijk, x);
-    values->SetValue(i, field(x));
-  }
-  image->GetPointData()->SetScalars(values);
-  return image;
-}
-
-vtkSmartPointer<vtkPolyData> Extract(
-  vtkImageData* image, double isovalue, double pointSpacing, bool fillGaps = true)
-{
-  vtkNew<vtkIsosurfacePoints> points;
-  points->SetInputData(image);
-  points->SetValue(0, isovalue);
-  points->SetPointSpacing(pointSpacing);
-  points->SetFillGaps(fillGaps);
-  points->Update();
-  vtkSmartPointer<vtkPolyData> output = points->GetOutput();
-  return output;
-}
-
 /// The tensor at a place with a normal.
 using Bends = std::function<void(const double x[3], const double n[3], double tensor[3][3])>;
 
