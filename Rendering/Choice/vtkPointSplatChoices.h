@@ -9,7 +9,7 @@
 // 3. Errors are rms differences of colour, of 1, over the pixels that surfaces cover, from the best
 //    picture that the module makes of the scene. What fewer splats and layers would lose is known from
 //    frames that were drawn and measured (vtkPointSplatFrameMeasures.cxx); before any was, fitted constants
-//    tell the most that it might be. Measured errors may have a third of the squared tolerance; the rest is
+//    tell the most that it might be. Measured errors may have four ninths of the squared tolerance; the rest is
 //    left to outlines and to views that were not measured.
 // 4. Of splats that are denser than pixels only every second, fourth, ... is drawn, larger by as much
 //    as it takes to cover the surface. Outlines are not smoothed where the tolerance is greater than what
@@ -155,11 +155,15 @@ public:
   /// Of splats that are so many pixels apart every 2^n-th is no farther from the next than allowed.
   static int StrideShift(double spacingPixels, double allowed);
 
+  /// The rms error of colour, of 1, of one sample of a light of intensity 1 that shines on white. tangent: of the
+  /// angle at which the light's radius is seen.
+  static double OneSampleError(double tangent);
+
   /**
-   * The samples of area lights; reason gets why. wanted, interactive: what mappers allow at rest
-   * and while the user drags. light: how much brighter the lights make what they fall on.
+   * The samples of area lights; reason gets why. error: that of one sample of each light, together, on what they
+   * fall on.
    */
-  static int ShadowSamples(const vtkPointSplatSettings& settings, bool interacting, double light,
+  static int ShadowSamples(const vtkPointSplatSettings& settings, bool interacting, double error,
     std::string& reason);
 
   /// Of an error: 1/64 and the like where that is what it is.

@@ -7,6 +7,7 @@
 #include "vtkAlgorithmOutput.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
+#include "vtkBoundingBox.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkExecutive.h"
@@ -162,7 +163,7 @@ vtkPointSplatFrameShadows::Gathered vtkPointSplatFrameShadows::Gather(vtkRendere
       cloud.GetMeanStretch() * cloud.Cloud->GetTriangles().GetLongestEdge() >=
         TriangleRadii * radius;
   }
-  const double intensity = this->AddLights(renderer, all);
+  const double error = this->AddLights(renderer, all);
   const vtkPointSplatSettings& first = all.Receivers[0].Settings;
   vtkPointSplatShadowSettings& settings = all.Settings;
   settings.Seed = static_cast<unsigned int>(first.ShadowSeed);
@@ -172,7 +173,7 @@ vtkPointSplatFrameShadows::Gathered vtkPointSplatFrameShadows::Gather(vtkRendere
   {
     std::string reason;
     const int samples = vtkPointSplatChoices::ShadowSamples(
-      receiver.Settings, all.Interacting, receiver.Diffuse * intensity, reason);
+      receiver.Settings, all.Interacting, receiver.Diffuse * error, reason);
     if (samples >= settings.Samples)
     {
       settings.Samples = samples;
@@ -199,16 +200,30 @@ double vtkPointSplatFrameShadows::AddLights(vtkRenderer* renderer, Gathered& all
     this->Warned = true;
     lights.resize(vtkPointSplatLights::MostCasting);
   }
-  double intensity = 0.0; // errors of several lights are independent
+  vtkBoundingBox box;
+  for (const vtkPointSplatShadowCloud& cloud : all.Scene.Clouds)
+  {
+    std::vector<glm::dvec3> corners;
+    vtkPointSplatShadows::AddCorners(cloud.MCWC, cloud.Cloud->GetBounds().data(), corners);
+    for (const glm::dvec3& corner : corners)
+    {
+      box.AddPoint(corner.x, corner.y, corner.z);
+    }
+  }
+  glm::dvec3 centre(0.0);
+  box.GetCenter(&centre.x);
+  double error = 0.0; // those of several lights are independent
   for (vtkLight* light : lights)
   {
+    const vtkPointSplatShadowLight lamp =
+      vtkPointSplatShadowLight::From(light, all.Receivers[0].Settings.ShadowLightRadius);
     const double* colour = light->GetDiffuseColor();
-    intensity = std::hypot(
-      intensity, light->GetIntensity() * std::max({ colour[0], colour[1], colour[2] }));
-    all.Scene.Lights.push_back(
-      vtkPointSplatShadowLight::From(light, all.Receivers[0].Settings.ShadowLightRadius));
+    error = std::hypot(error,
+      light->GetIntensity() * std::max({ colour[0], colour[1], colour[2] }) *
+        vtkPointSplatChoices::OneSampleError(lamp.GetTangent(centre)));
+    all.Scene.Lights.push_back(lamp);
   }
-  return intensity;
+  return error;
 }
 
 //------------------------------------------------------------------------------

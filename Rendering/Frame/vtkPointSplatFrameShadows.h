@@ -67,6 +67,7 @@ private:
   bool UpdateMaps(vtkRenderer* renderer, vtkPointSplatReconstruction& reconstruction,
     const Gathered& all, bool opaque);
   vtkPointSplatRequest MakeRequest(const vtkPointSplatView& view);
+  /// Returns the error of one sample of each, on white.
   double AddLights(vtkRenderer* renderer, Gathered& all);
 
   vtkPointSplatShadowCache Cache;

@@ -104,6 +104,16 @@ vtkPointSplatShadowLight vtkPointSplatShadowLight::From(vtkLight* light, double 
 }
 
 //------------------------------------------------------------------------------
+double vtkPointSplatShadowLight::GetTangent(const glm::dvec3& place) const
+{
+  if (this->Radius <= 0.0 || !this->Positional)
+  {
+    return std::max(this->Radius, 0.0);
+  }
+  return this->Radius / std::max(glm::distance(this->Position, place), this->Radius);
+}
+
+//------------------------------------------------------------------------------
 bool vtkPointSplatShadowLight::IsFinite() const
 {
   const glm::dvec3 sum = this->Position + this->Direction;

@@ -35,6 +35,8 @@ struct vtkPointSplatShadowLight
 
   static vtkPointSplatShadowLight From(vtkLight* light, double radius);
   bool IsFinite() const;
+  /// Of the angle at which the radius is seen from a place, at most 1 for a positional light.
+  double GetTangent(const glm::dvec3& place) const;
 
   /**
    * Point samples of the light's disk, of equal weight: jittered, one in each of count parts of

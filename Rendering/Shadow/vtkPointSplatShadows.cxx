@@ -103,10 +103,7 @@ double vtkPointSplatShadows::PixelSizeFor(const vtkPointSplatShadowLight& light,
     high = glm::max(high, corner);
   }
   // Half the points' extent is how far they may be behind what casts a shadow on them.
-  const double tangent = light.Positional
-    ? light.Radius / std::max(glm::distance(light.Position, 0.5 * (low + high)), light.Radius)
-    : light.Radius;
-  const double penumbra = light.Radius > 0.0 ? tangent * glm::distance(low, high) : 0.0;
+  const double penumbra = light.GetTangent(0.5 * (low + high)) * glm::distance(low, high);
   const double apart = penumbra / std::sqrt(static_cast<double>(std::max(samples, 1)));
   return std::min(std::max(OutlinePixel * apart, FinestPixel * radius), CoarsestPixel * radius);
 }

@@ -21,7 +21,8 @@ OutlineError: of the same pictures, and of all splats, where these are less than
     bodies of half as many pixels have twice that of these, and noise has more.
 OneStepPixels: points by image space with one step of filling: the greatest distance at which no more
     than one covered pixel of ten thousand stays a hole.
-ShadowSampleError: one sample of an area light against 64, on white. The greatest counts.
+ShadowSampleError, ShadowWidthPower: one sample of an area light against 64, on white. The error grows as this power of
+    the tangent at which the lamp is seen; the greatest factor counts.
 
 splatbench.py --choices judges the choices on scenes that are not among these. levels.py is for the
 constants of levels of detail.
@@ -223,9 +224,11 @@ def fit_shadows(options):
     ball, normals = shapes.sphere(10_000, generator)
     floor = cloud(*shapes.torus(60_000, generator))
     over = cloud(0.35 * ball + (0.75, -0.35, 1.0), normals)
-    errors = []
-    for radius in (0.1, 0.2, 0.4, 0.8):
-        for place in ((2.0, -1.0, 5.0), (4.0, -2.0, 3.0)):
+    boxes = np.array([floor.GetBounds(), over.GetBounds()])
+    centre = 0.5 * (boxes[:, ::2].min(axis=0) + boxes[:, 1::2].max(axis=0))
+    errors, tangents = [], []
+    for place in ((2.0, -1.0, 5.0), (4.0, -2.0, 3.0)):
+        for radius in (0.1, 0.2, 0.4, 0.8):
             scene = Scene(options, [floor, over])
             for prop in scene.properties:
                 prop.SetColor(1.0, 1.0, 1.0)
@@ -238,16 +241,23 @@ def fit_shadows(options):
             lamp.SetConeAngle(90.0)
             scene.renderer.AutomaticLightCreationOff()
             scene.renderer.AddLight(lamp)
-            best = scene.draw(Shadows=True, ShadowLightRadius=radius, NumberOfShadowSamples=64)
+            best = scene.draw(TargetError=0.0, Shadows=True, ShadowLightRadius=radius,
+                              NumberOfShadowSamples=64)
             picture = scene.draw(NumberOfShadowSamples=1)
             scene.keep(f"shadows {radius} {place[0]}", picture, best)
             errors.append(error(picture, best))
-            print(f"  lamp of {radius} at {place}: error {errors[-1]:.4f}", flush=True)
-    return {"ShadowSampleError": max(errors)}
+            tangents.append(radius / np.linalg.norm(np.array(place) - centre))
+            print(f"  lamp of {radius} at {place}: tangent {tangents[-1]:.3f}, error {errors[-1]:.4f}",
+                  flush=True)
+    # Each place has a line of its own by logarithms; their slopes' mean.
+    lines = [np.polyfit(np.log(tangents[i:i + 4]), np.log(errors[i:i + 4]), 1) for i in (0, 4)]
+    power = np.mean([line[0] for line in lines])
+    return {"ShadowSampleError": (errors / np.power(tangents, power)).max(),
+            "ShadowWidthPower": power}
 
 
 FITS = {"StrideErrorPerPixel": fit_strides, "OutlineError": fit_strides, "OneStepPixels": fit_fill,
-        "ShadowSampleError": fit_shadows}
+        "ShadowSampleError": fit_shadows, "ShadowWidthPower": fit_shadows}
 
 
 def main():

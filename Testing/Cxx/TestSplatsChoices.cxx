@@ -220,22 +220,22 @@ void TestMeasured(Checks& checks)
   const std::vector<double> lights = vtkPointSplatChoices::EndLights();
   const auto shift = [](const vtkPointSplatChoice& choice) { return choice.StrideShifts[0]; };
   // Of splats half a pixel apart: up to 0.63, 0.88, 1.25, 1.8 pixels.
-  checks.Expect(shift(with(Opaque(Fair), 4, 0, 0.009)) == 3 &&
-      shift(with(Opaque(Fair), 4, 0, 0.0091)) == 0 && shift(with(Opaque(Fair), 0, 0, 0.0)) == 0 &&
+  checks.Expect(shift(with(Opaque(Fair), 4, 0, 0.0104)) == 3 &&
+      shift(with(Opaque(Fair), 4, 0, 0.0105)) == 0 && shift(with(Opaque(Fair), 0, 0, 0.0)) == 0 &&
       shift(with(Opaque(Rough), 0, 0, 0.0)) == 0,
-    "fewer splats may have a third of the squared error");
+    "fewer splats may have four ninths of the squared error");
   checks.Expect(shift(with(Opaque(Fair), 8, 0, 0.0)) == 4 && shift(with(Opaque(Rough), 8, 0, 0.0)) == 5 &&
       shift(with(Opaque(Good), 8, 0, 0.0)) == 0,
     "twice as far apart as where it was not measured");
-  checks.Expect(shift(with(Translucent(Fair), 4, 0, 0.0063)) == 3 &&
-      shift(with(Translucent(Fair), 4, 0, 0.0065)) == 0,
-    "beside layers a sixth of it");
+  checks.Expect(shift(with(Translucent(Fair), 4, 0, 0.0073)) == 3 &&
+      shift(with(Translucent(Fair), 4, 0, 0.0075)) == 0,
+    "beside layers two ninths of it");
   const auto least = [&](size_t apart, size_t ends, double error) {
     return with(Translucent(Fair), apart, ends, error).LeastContribution;
   };
-  checks.Expect(least(0, 2, 0.009) == lights[2] && least(0, 2, 0.0091) == Fair &&
-      least(4, 2, 0.0063) == lights[2],
-    "layers may have what fewer splats leave of a third");
+  checks.Expect(least(0, 2, 0.0104) == lights[2] && least(0, 2, 0.0105) == Fair &&
+      least(4, 2, 0.0073) == lights[2],
+    "layers may have what fewer splats leave of four ninths");
   Facts facts = Translucent(Fair);
   facts.Clouds[0].Painted = true;
   checks.Expect(shift(with(facts, 4, 2, 0.0)) == 3, "of colours it was measured, too");
@@ -251,25 +251,30 @@ void TestMeasured(Checks& checks)
 
 void TestShadowSamples(Checks& checks)
 {
-  auto samples = [](int wanted, bool interacting, double error, double light = 1.0 / 3.0) {
+  auto samples = [](int wanted, bool interacting, double target, double error = 0.0267) {
     Settings settings;
     settings.NumberOfShadowSamples = wanted;
     settings.NumberOfInteractiveShadowSamples = 2;
-    settings.TargetError = error;
+    settings.TargetError = target;
     std::string reason;
-    const int count = vtkPointSplatChoices::ShadowSamples(settings, interacting, light, reason);
+    const int count = vtkPointSplatChoices::ShadowSamples(settings, interacting, error, reason);
     return reason.empty() ? -1 : count;
   };
-  checks.Expect(samples(1000, false, Good) == 1000, "full quality takes all samples");
+  checks.Expect(samples(1000, false, 0.0) == 1000 && samples(1000, false, 0.0, 0.0) == 1000,
+    "a target of 0 takes all samples");
+  checks.Expect(samples(1000, false, Good) == 47, "samples for full quality");
   checks.Expect(samples(16, false, 1.0 / 64.0) == 3, "samples for 1/64");
   checks.Expect(samples(16, false, 1.0 / 128.0) == 12, "samples for 1/128");
-  checks.Expect(samples(1000, false, 1.0 / 64.0, 1.0) == 27, "samples for 1/64 on white");
-  checks.Expect(samples(16, false, 1.0 / 64.0, 2.0) == 16, "samples for 1/64 in glaring light");
+  checks.Expect(samples(1000, false, 1.0 / 64.0, 0.08) == 27, "samples for 1/64 on white");
+  checks.Expect(samples(16, false, 1.0 / 64.0, 0.16) == 16, "samples for 1/64 in glaring light");
   checks.Expect(samples(16, false, 1.0 / 64.0, 0.0) == 1, "samples for 1/64 on black");
   checks.Expect(samples(4, false, 1.0 / 128.0) == 4, "no more than were asked for");
   checks.Expect(samples(16, false, 1.0 / 16.0) == 1, "samples for 1/16");
   checks.Expect(samples(16, true, Good) == 2, "samples while dragging");
   checks.Expect(samples(1, true, Good) == 1, "no more while dragging than at rest");
+  const auto error = vtkPointSplatChoices::OneSampleError;
+  checks.Expect(error(0.0) == 0.0 && error(0.1) > 1.5 * error(0.05) && error(0.1) < 2.0 * error(0.05),
+    "wider lamps have a greater error");
 }
 
 /// A drag on a machine on which a choice takes so many seconds.

@@ -31,6 +31,7 @@ HOPELESS = 4.0  # settings that take so many times as long as the best picture: 
 DEGREES = 17
 SAMPLES = 16
 PEEL = "SetTransparencyToPeeling"
+ALL = ("SetTargetError", 0.0)
 ONE_STEP = ("SetMaximumNumberOfFillSteps", 1)
 
 # The first is the best picture.
@@ -59,8 +60,9 @@ def shadows(samples, *calls):
 
 
 SHADED = [
-    *(splats(f"{n} samples", "shadows", *shadows(n, (TWO_PASS,))) for n in (SAMPLES, 9, 4, 2, 1)),
-    *(splats(f"image space, {n} samples", "shadows", *shadows(n, (IMAGE,)))
+    *(splats(f"{n} samples", "shadows", *shadows(n, (TWO_PASS,), ALL))
+      for n in (SAMPLES, 9, 4, 2, 1)),
+    *(splats(f"image space, {n} samples", "shadows", *shadows(n, (IMAGE,), ALL))
       for n in (SAMPLES, 9, 1)),
 ]
 QUADS_ONLY = [splats(setting.name, "opaque", *setting.calls, (QUADS,)) for setting in OPAQUE[1:]]
