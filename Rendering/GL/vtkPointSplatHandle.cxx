@@ -58,9 +58,6 @@ void Delete(vtkPointSplatHandle::KindType kind, GLuint name)
     case vtkPointSplatHandle::Query:
       glDeleteQueries(1, &name);
       break;
-    case vtkPointSplatHandle::Program:
-      glDeleteProgram(name);
-      break;
   }
 }
 }
@@ -170,9 +167,6 @@ bool vtkPointSplatHandle::Make()
       break;
     case Query:
       glGenQueries(1, &this->Name);
-      break;
-    case Program:
-      this->Name = glCreateProgram();
       break;
   }
   this->Context = vtkPointSplatContext::Entered();

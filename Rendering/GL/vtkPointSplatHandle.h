@@ -17,8 +17,7 @@ public:
     Framebuffer,
     VertexArray,
     Sampler,
-    Query,
-    Program
+    Query
   };
 
   explicit vtkPointSplatHandle(KindType kind)

@@ -7,11 +7,31 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <mutex>
 #include <set>
 #include <sstream>
 
 namespace
 {
+struct BuiltProgram
+{
+  vtkPointSplatContext Context;
+  std::string From; // defines, and names of the stages and of what is fed back
+  GLuint Name;
+};
+
+std::mutex& BuiltMutex()
+{
+  static std::mutex mutex;
+  return mutex;
+}
+
+std::vector<BuiltProgram>& BuiltPrograms()
+{
+  static std::vector<BuiltProgram> programs;
+  return programs;
+}
+
 void Expand(const std::string& name, std::set<std::string>& done, std::ostream& out)
 {
   if (!done.insert(name).second)
@@ -60,16 +80,11 @@ bool vtkPointSplatProgram::IsComputeSupported()
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatProgram::Build(
+/// 0, and a log, where it does not compile or link.
+GLuint vtkPointSplatProgram::Make(
   const std::vector<Stage>& stages, const std::string& defines, const char* feedback)
 {
-  if (this->Own.IsMade())
-  {
-    return true;
-  }
-  this->Release();
-  this->Own.Make();
-  const GLuint program = this->Own.Get();
+  const GLuint program = glCreateProgram();
   bool good = true;
   for (const Stage& stage : stages)
   {
@@ -110,9 +125,42 @@ bool vtkPointSplatProgram::Build(
   }
   if (!good)
   {
-    this->Own.Release();
+    glDeleteProgram(program);
   }
-  return good;
+  return good ? program : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatProgram::Build(
+  const std::vector<Stage>& stages, const std::string& defines, const char* feedback)
+{
+  const vtkPointSplatContext& entered = vtkPointSplatContext::Entered();
+  if (this->Name != 0 && this->Context == entered)
+  {
+    return true;
+  }
+  this->Release();
+  std::string key = defines;
+  for (const Stage& stage : stages)
+  {
+    key += stage.second + "\n";
+  }
+  key += feedback ? feedback : "";
+  const std::lock_guard<std::mutex> lock(BuiltMutex());
+  std::vector<BuiltProgram>& all = BuiltPrograms();
+  all.erase(std::remove_if(all.begin(), all.end(),
+              [](const BuiltProgram& built) { return !built.Context.IsAlive(); }),
+    all.end());
+  const auto same = std::find_if(all.begin(), all.end(), [&](const BuiltProgram& built) {
+    return built.Context == entered && built.From == key;
+  });
+  this->Name = same != all.end() ? same->Name : this->Make(stages, defines, feedback);
+  this->Context = entered;
+  if (same == all.end() && this->Name != 0)
+  {
+    all.push_back({ entered, std::move(key), this->Name });
+  }
+  return this->Name != 0;
 }
 
 //------------------------------------------------------------------------------
@@ -131,8 +179,7 @@ void vtkPointSplatProgram::Dispatch(vtkIdType invocations, vtkIdType groupSize)
 //------------------------------------------------------------------------------
 void vtkPointSplatProgram::Release()
 {
-  this->Own.Release();
-  this->Borrowed = 0;
+  this->Name = 0;
   this->Log.clear();
   this->Locations.clear();
 }
@@ -147,7 +194,7 @@ GLint vtkPointSplatProgram::Location(const char* name)
       return known.second;
     }
   }
-  this->Locations.emplace_back(name, glGetUniformLocation(this->GetHandle(), name));
+  this->Locations.emplace_back(name, glGetUniformLocation(this->Name, name));
   return this->Locations.back().second;
 }
 

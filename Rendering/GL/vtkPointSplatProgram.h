@@ -4,10 +4,14 @@
 // vtkShaderProgram of VTK 9.1 knows no compute shaders and sets no unsigned or
 // integer-vector uniforms; what VTK's render passes must be able to change (the
 // resolve stage) goes through VTK's shader cache instead.
+//
+// What is built stays as long as its context, as what is in that cache does, and is shared by all
+// that ask for the same: building takes longer than many frames, and mappers come and go. So the
+// uniforms of a program may have any values when it is used, and all are to be set.
 #ifndef vtkPointSplatProgram_h
 #define vtkPointSplatProgram_h
 
-#include "vtkPointSplatHandle.h"
+#include "vtkPointSplatContext.h"
 
 #include <glm/glm.hpp>
 
@@ -33,7 +37,7 @@ public:
   static bool IsComputeSupported();
 
   /**
-   * Compiles and links, unless that is done. defines: lines that follow the version; feedback:
+   * Compiles and links, unless the entered context has such a program. defines: lines that follow the version; feedback:
    * what the vertex shader writes by transform feedback, or null. False, and what the driver said
    * in GetLog(), on failure.
    */
@@ -50,7 +54,7 @@ public:
   /**
    * Sets uniforms of a program that belongs to somebody else, who also has it in use.
    */
-  void Borrow(GLuint handle) { this->Borrowed = handle; }
+  void Borrow(GLuint handle) { this->Name = handle; }
 
   /**
    * Of a compute program in use: as many work groups as so many invocations need, over two
@@ -59,7 +63,8 @@ public:
   static void Dispatch(vtkIdType invocations, vtkIdType groupSize);
 
   const std::string& GetLog() const { return this->Log; }
-  void Use() const { glUseProgram(this->GetHandle()); }
+  void Use() const { glUseProgram(this->Name); }
+  /// Forgets the program.
   void Release();
 
   ///@{
@@ -84,11 +89,11 @@ public:
   ///@}
 
 private:
-  GLuint GetHandle() const { return this->Borrowed ? this->Borrowed : this->Own.Get(); }
   GLint Location(const char* name);
+  GLuint Make(const std::vector<Stage>& stages, const std::string& defines, const char* feedback);
 
-  vtkPointSplatHandle Own{ vtkPointSplatHandle::Program };
-  GLuint Borrowed = 0;
+  GLuint Name = 0;
+  vtkPointSplatContext Context; // which has what was built
   std::string Log;
   std::vector<std::pair<const char*, GLint>> Locations;
 };
