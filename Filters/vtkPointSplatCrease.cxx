@@ -47,6 +47,9 @@ constexpr float OnLine = 0.15f;
 constexpr float EdgeBend = 0.1f;
 /// The distance, in spacings, of a line that the point is on.
 constexpr float LeastDistance = 0.02f;
+/// Averages of normals are no farther than this cosine (37 degrees) from the mean of the faces' own, of which one may have
+/// more weight; the normal of a strip between the two sides of a plate is across theirs (Testing/Accuracy/fit_constants.py).
+constexpr float BetweenCosine = 0.8f;
 /// Of these the nearest are kept.
 constexpr int MaximumNumberOfFound = 4;
 /// How far, in spacings, a line may begin past the foot of a point where the face goes on behind
@@ -395,6 +398,20 @@ int vtkPointSplatCrease::GetBest() const
   return best;
 }
 
+/// Whether n is about the mean of the normals of faces that meet.
+bool vtkPointSplatCrease::IsBetween(const float n[3]) const
+{
+  float sum[3] = { 0, 0, 0 };
+  for (int f = 0; f < this->NumberOfMeeting; ++f)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      sum[c] += this->Meeting[f][c];
+    }
+  }
+  return vtkMath::Normalize(sum) > 0 && vtkMath::Dot(sum, n) > BetweenCosine;
+}
+
 bool vtkPointSplatCrease::FindMeeting(const vtkPointSplatNeighbors::Neighborhood& around,
   const float n[3], float spacing, const vtkPointSplatFaces& faces)
 {
@@ -462,7 +479,7 @@ bool vtkPointSplatCrease::FindMeeting(const vtkPointSplatNeighbors::Neighborhood
     }
   }
   this->NumberOfMeeting = count;
-  return count > 1;
+  return count > 1 && this->IsBetween(n);
 }
 
 VTK_ABI_NAMESPACE_END

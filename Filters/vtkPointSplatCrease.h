@@ -22,7 +22,9 @@
  *    corner goes on past the ends of its edges. The two nearest lines are kept.
  *
  * A point with an average of faces' normals has no face of its own that is spread. It lies on those
- * of its neighbours' faces whose surfaces pass by it; these are told apart by their normals there.
+ * of its neighbours' faces whose surfaces pass by it; these are told apart by their normals there, and its own is about
+ * their mean. Where it is not, or no two such faces are there, and others have its normal, it lies on a strip that is narrower
+ * than points are apart, as on the rim of a plate: then that is its face.
  * Where such a surface leaves a height at the point, the face bends by so much more on the way there that it ends at
  * the point: its normal turns by twice the height over the distance. A face's normal is the mean of what its points
  * say: the nearest one's own may be an average, too.
@@ -124,6 +126,7 @@ private:
     int Votes;
   };
   Candidate GetMean(const Vote& best) const;
+  bool IsBetween(const float n[3]) const;
   bool IsLine(const Candidate& candidate, const vtkPointSplatNeighbors::Neighborhood& around,
     const vtkPointSplatFace& face, const float n[3], int unsound) const;
 

@@ -156,7 +156,8 @@ vtkPointSplatCreases::vtkPointSplatCreases(const vtkPointSplatNeighbors& neighbo
   this->Faces.Tensors = tensors;
 }
 
-/// Fits the faces of slots that are wanted and have none yet; those that do not end are not wanted.
+/// Fits the faces of slots that are wanted and have none yet; those that do not end are not wanted. A row of points is
+/// a strip where it is no edge of others' faces.
 bool vtkPointSplatCreases::FitFaces(
   vtkAlgorithm* self, double from, double to, std::vector<unsigned char>& wanted)
 {
@@ -171,6 +172,7 @@ bool vtkPointSplatCreases::FitFaces(
   }
   this->Faces.Fitted.resize(std::size_t(6) * number, 0.0f);
   this->Faces.Sound.resize(number, 0);
+  std::vector<unsigned char> rows(number - first, 0), strips(number - first, 0);
   auto fit = [&](const Neighborhood& around, int) {
     const Slot own = this->Faces.Numbers[around.Center];
     vtkPointSplatFace face;
@@ -178,6 +180,7 @@ bool vtkPointSplatCreases::FitFaces(
       vtkPointSplatSheet::GetSpacing(around));
     std::copy_n(face.Tensor, 6, this->Faces.Fitted.data() + std::size_t(6) * own);
     this->Faces.Sound[own] = face.Sound;
+    rows[own - first] = face.Row;
     if (face.Sound && face.NumberOfOthers < vtkPointSplatCrease::FewestVotes &&
       !this->HasTwins(around.Center))
     {
@@ -185,10 +188,32 @@ bool vtkPointSplatCreases::FitFaces(
     }
     return true;
   };
-  return this->Neighbors.Visit(self, from, to, NumberOfNeighbors, fit, [&](Slot s) {
-    const Slot own = this->Faces.Numbers[s];
-    return own != vtkPointSplatNeighbors::None && own >= first;
-  });
+  if (!this->Neighbors.Visit(self, from, to, NumberOfNeighbors, fit, [&](Slot s) {
+        const Slot own = this->Faces.Numbers[s];
+        return own != vtkPointSplatNeighbors::None && own >= first;
+      }))
+  {
+    return false;
+  }
+  auto strip = [&](const Neighborhood& around, int) {
+    const float* n = this->Faces.Normals + std::size_t(3) * around.Center;
+    vtkPointSplatCrease crease;
+    strips[this->Faces.Numbers[around.Center] - first] =
+      !crease.FindMeeting(around, n, vtkPointSplatSheet::GetSpacing(around), this->Faces);
+    return true;
+  };
+  if (!this->Neighbors.Visit(self, to, to, NumberOfNeighbors, strip, [&](Slot s) {
+        const Slot own = this->Faces.Numbers[s];
+        return own != vtkPointSplatNeighbors::None && own >= first && rows[own - first];
+      }))
+  {
+    return false;
+  }
+  for (Slot own = first; own < number; ++own)
+  {
+    this->Faces.Sound[own] |= strips[own - first];
+  }
+  return true;
 }
 
 bool vtkPointSplatCreases::HasFold(const Splat& splat)
@@ -209,7 +234,9 @@ bool vtkPointSplatCreases::FindSplat(
   const float spacing = vtkPointSplatSheet::GetSpacing(around);
   face.Fit(around, this->Faces.Normals, n, spacing);
   float plane[3] = { n[0], n[1], n[2] };
-  if (!face.Sound)
+  const bool strip = face.Row && n == this->Faces.Normals + std::size_t(3) * around.Center &&
+    this->Faces.IsSound(around.Center);
+  if (!face.Sound && !strip)
   {
     if (!crease.FindMeeting(around, n, spacing, this->Faces))
     {

@@ -9,7 +9,8 @@
  * 1. Candidates, by vtkPointSplatCrease::IsLikely for the neighbours that disks are made of, are
  *    asked for their lines, as if nothing but smooth surface were around. Only these and the 32
  *    neighbours of those that have some are looked at closely.
- * 2. Their faces are fitted, to 32 neighbours (vtkPointSplatFace). Points share a position, but not
+ * 2. Their faces are fitted, to 32 neighbours (vtkPointSplatFace); of those in a row the others tell whether they
+ *    are strips or edges. Points share a position, but not
  *    a normal, where a mesh was split at its edges: each such point has a face of its own.
  * 3. Those whose faces end are asked for their lines (vtkPointSplatCrease). Then these two stages
  *    are repeated for the neighbours of those that have some: a disk may reach farther than the

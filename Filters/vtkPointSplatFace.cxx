@@ -22,6 +22,8 @@ constexpr float FirstReach = 1.5f;
 constexpr float LastReach = 4.0f;
 /// The fewest neighbours that make a face.
 constexpr int FewestMembers = 4;
+/// And that make a row (Testing/Accuracy/fit_constants.py).
+constexpr int FewestInRow = 2;
 /// Where too few are near to say how the face bends, it must be flat: the sine (2 degrees) by which
 /// normals may deviate.
 constexpr float FlatDeviation = 0.03f;
@@ -122,6 +124,8 @@ void vtkPointSplatFace::Fit(const vtkPointSplatNeighbors::Neighborhood& around,
   }
   this->Select(around, normals, n, LastReach * spacing);
   this->Sound = this->IsSpread(around) && (!few || this->Deviation < FlatDeviation);
+  this->Row =
+    !this->Sound && this->Members.Count >= FewestInRow && this->Deviation < FlatDeviation;
 }
 
 VTK_ABI_NAMESPACE_END

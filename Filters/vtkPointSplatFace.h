@@ -29,6 +29,9 @@ public:
   /// Whether there are enough of them, and not all in a row, to tell that it is a face with this
   /// normal. Points whose normals are averages of two faces' have only such on the same edge.
   bool Sound = false;
+  /// Else, whether there are some in a row, with one normal: on an edge whose normals are averages, or on a
+  /// strip that is narrower than points are apart.
+  bool Row = false;
   /// How many neighbours, as near as these, are not on the face.
   int NumberOfOthers = 0;
   /// By how much the members' normals are off the face's: the sine, root mean square.

@@ -130,6 +130,14 @@ class TestStandIns(unittest.TestCase):
         self.assertEqual(found["holes"], 0)
         self.assertLess(found["spill"], 0.001)
 
+    def test_strips(self):
+        # 28.8 and 32.4 dB where the points of rims, which have neighbours on their face in a row only, had no lines at its edges.
+        found = likeness.compare(standins.ribbed_plate(), 400, 3)
+        self.assertGreater(found["psnr"][1], 31.5)
+        self.assertGreater(found["psnr"][2], 36)
+        self.assertEqual(found["holes"], 0)
+        self.assertLess(found["spill"], 0.001)
+
     def test_edges(self):
         self.check("part_random", 5, 0.012, 24)
 

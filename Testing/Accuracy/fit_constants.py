@@ -26,6 +26,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 TOP = os.path.dirname(os.path.dirname(HERE))
 FOLDS = ("drapery", "drapery_vertices")
 PARTS = ("part_random", "part_vertices")
+PLATES = ("ribbed_plate", "ribbed_plate_2")
 DISCS = ("rimmed_disc", "thin_disc")
 BENT = ("tubes_edges", "drapery_vertices")
 ISOSURFACES = ("tubes_points", "cut_points", "gear_points")
@@ -36,6 +37,8 @@ CONSTANTS = {
     "Agreement": ("vtkPointSplatCrease.cxx", (0.8, 0.85, 0.9, 0.95), FOLDS + PARTS),
     "LeastCompany": ("vtkPointSplatCreases.cxx", (6, 8, 10, 12, 16), FOLDS + PARTS),
     "LeastSureCompany": ("vtkPointSplatCreases.cxx", (10, 13, 16, 20), FOLDS + PARTS),
+    "FewestInRow": ("vtkPointSplatFace.cxx", (1, 2, 3, 4), PLATES + PARTS),
+    "BetweenCosine": ("vtkPointSplatCrease.cxx", (0.7, 0.8, 0.9), PLATES + PARTS),
     "VoidReach": ("vtkPointSplatBorders.cxx", (1.5, 2.0, 2.5), ("holed_ball",) + FOLDS),
     "SureReach": ("vtkPointSplatBorders.cxx", (1.5, 2.0, 2.5), ("holed_ball",) + FOLDS),
     "SpacingQuantile": ("vtkPointSplatBorders.cxx", (0.25, 0.5, 0.75), ("holed_ball",) + FOLDS),

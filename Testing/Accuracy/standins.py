@@ -97,9 +97,8 @@ def outline(steps=16):
 PART_HEIGHT = 1.2
 
 
-def part_mesh(edge):
-    """The part's triangles with edges no longer than that."""
-    polygon = outline()
+def extruded(polygon, height, edge=1e9):
+    """The triangles of a body with that outline, with edges no longer than that."""
     points = vtkPoints()
     for x, y in polygon:
         points.InsertNextPoint(x, y, 0)
@@ -111,7 +110,7 @@ def part_mesh(edge):
     extrusion = vtkLinearExtrusionFilter()
     extrusion.SetInputData(flat)
     extrusion.SetExtrusionTypeToVectorExtrusion()
-    extrusion.SetVector(0, 0, PART_HEIGHT)
+    extrusion.SetVector(0, 0, height)
     triangles = vtkTriangleFilter()
     triangles.SetInputConnection(extrusion.GetOutputPort())
     clean = vtkCleanPolyData()
@@ -134,9 +133,8 @@ def with_normals(source, splitting):
     return normals.GetOutput()
 
 
-def part_distance(p):
+def extruded_distance(polygon, height, p):
     """To the faces: the caps over the outline and the walls along it."""
-    polygon = outline()
     q, z = p[:, :2], p[:, 2]
     near, inside = np.full(len(p), np.inf), np.zeros(len(p), bool)
     for a, b in zip(polygon, np.roll(polygon, -1, 0)):
@@ -147,10 +145,14 @@ def part_distance(p):
         with np.errstate(divide="ignore", invalid="ignore"):
             x = a[0] + (q[:, 1] - a[1]) / along[1] * along[0]
         inside ^= crosses & (q[:, 0] < x)
-    over = np.maximum(np.abs(z - PART_HEIGHT / 2) - PART_HEIGHT / 2, 0)
+    over = np.maximum(np.abs(z - height / 2) - height / 2, 0)
     walls = np.hypot(near, over)
-    caps = np.hypot(np.minimum(np.abs(z), np.abs(z - PART_HEIGHT)), np.where(inside, 0, near))
+    caps = np.hypot(np.minimum(np.abs(z), np.abs(z - height)), np.where(inside, 0, near))
     return np.minimum(walls, caps)
+
+
+def part_distance(p):
+    return extruded_distance(outline(), PART_HEIGHT, p)
 
 
 def random_on(mesh, count, rng):
@@ -172,11 +174,27 @@ def machined_part(at_random=False, count=100000):
     area = 24.6  # of all faces
     spacing = math.sqrt(area / count)
     if at_random:
-        mesh = with_normals(part_mesh(1e9), True)
+        mesh = with_normals(extruded(outline(), PART_HEIGHT), True)
         q, n = random_on(mesh, count, np.random.default_rng(4))
         return StandIn("part, at random", polydata(q, n), part_distance, spacing, mesh)
-    mesh = with_normals(part_mesh(3.0 * spacing), False)
+    mesh = with_normals(extruded(outline(), PART_HEIGHT, 3.0 * spacing), False)
     return StandIn("part, vertices", vertices(mesh), part_distance, spacing, mesh)
+
+
+def ribbed_plate(thickness=1.0, count=50000, ribs=4):
+    """A plate and its ribs, so many spacings thick, by random points with their faces' normals: no point of their
+    rims has neighbours on its face but in a row."""
+    area = 2.0 + 0.32 * ribs  # of the faces that are not rims
+    spacing = math.sqrt(area / count)
+    thick, high = thickness * spacing, 0.15
+    polygon = [(0, 0), (1, 0), (1, thick)]
+    for x in np.linspace(1, 0, ribs + 2)[1:-1]:
+        polygon += [(x + thick, thick), (x + thick, high), (x, high), (x, thick)]
+    polygon = np.array(polygon + [(0, thick)])
+    mesh = with_normals(extruded(polygon, 1.0), True)
+    q, n = random_on(mesh, count, np.random.default_rng(5))
+    return StandIn("ribbed plate, %g spacings" % thickness, polydata(q, n),
+                   lambda p: extruded_distance(polygon, 1.0, p), spacing, mesh)
 
 
 # Drapery -------------------------------------------------------------------------------------
@@ -395,6 +413,8 @@ ALL = {
     "thick_slices": thick_slices,
     "part_vertices": machined_part,
     "part_random": lambda: machined_part(True),
+    "ribbed_plate": ribbed_plate,
+    "ribbed_plate_2": lambda: ribbed_plate(2.0),
     "shell_01": lambda: thin_shell(0.1),
     "shell_03": lambda: thin_shell(0.3),
     "shell_1": lambda: thin_shell(1.0),
