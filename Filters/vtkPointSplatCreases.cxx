@@ -173,6 +173,10 @@ bool vtkPointSplatCreases::FitFaces(
   this->Faces.Fitted.resize(std::size_t(6) * number, 0.0f);
   this->Faces.Sound.resize(number, 0);
   std::vector<unsigned char> rows(number - first, 0), strips(number - first, 0);
+  auto isNew = [&](Slot s) {
+    const Slot own = this->Faces.Numbers[s];
+    return own != vtkPointSplatNeighbors::None && own >= first;
+  };
   auto fit = [&](const Neighborhood& around, int) {
     const Slot own = this->Faces.Numbers[around.Center];
     vtkPointSplatFace face;
@@ -188,10 +192,7 @@ bool vtkPointSplatCreases::FitFaces(
     }
     return true;
   };
-  if (!this->Neighbors.Visit(self, from, to, NumberOfNeighbors, fit, [&](Slot s) {
-        const Slot own = this->Faces.Numbers[s];
-        return own != vtkPointSplatNeighbors::None && own >= first;
-      }))
+  if (!this->Neighbors.Visit(self, from, to, NumberOfNeighbors, fit, isNew))
   {
     return false;
   }
@@ -202,10 +203,8 @@ bool vtkPointSplatCreases::FitFaces(
       !crease.FindMeeting(around, n, vtkPointSplatSheet::GetSpacing(around), this->Faces);
     return true;
   };
-  if (!this->Neighbors.Visit(self, to, to, NumberOfNeighbors, strip, [&](Slot s) {
-        const Slot own = this->Faces.Numbers[s];
-        return own != vtkPointSplatNeighbors::None && own >= first && rows[own - first];
-      }))
+  if (!this->Neighbors.Visit(self, to, to, NumberOfNeighbors, strip,
+        [&](Slot s) { return isNew(s) && rows[this->Faces.Numbers[s] - first]; }))
   {
     return false;
   }

@@ -39,7 +39,7 @@ constexpr double PointPixels = 1.8;
 
 // Of the squared tolerance, what measured errors may have together. The rest is for outlines, and for views that
 // the camera turns to before errors are measured again: with half of it one of a body with thin legs had 1.03 of the
-// tolerance. With this share those of Testing/Benchmark/splatbench.py --choices have 0.57 at most, and nine scans had 0.74.
+// tolerance. With this share those of Testing/Benchmark/splatbench.py --choices have 0.57 at most, and nine meshes had 0.74.
 constexpr double MeasuredShare = 4.0 / 9.0;
 // However small the error, splats are no more than so many times as far apart as where it was not measured:
 // what is wrong between them is little, but large enough to be seen.

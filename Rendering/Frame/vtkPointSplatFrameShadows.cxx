@@ -7,7 +7,6 @@
 #include "vtkAlgorithmOutput.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
-#include "vtkBoundingBox.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkExecutive.h"
@@ -200,18 +199,17 @@ double vtkPointSplatFrameShadows::AddLights(vtkRenderer* renderer, Gathered& all
     this->Warned = true;
     lights.resize(vtkPointSplatLights::MostCasting);
   }
-  vtkBoundingBox box;
+  std::vector<glm::dvec3> corners;
   for (const vtkPointSplatShadowCloud& cloud : all.Scene.Clouds)
   {
-    std::vector<glm::dvec3> corners;
-    vtkPointSplatShadows::AddCorners(cloud.MCWC, cloud.Cloud->GetBounds().data(), corners);
-    for (const glm::dvec3& corner : corners)
-    {
-      box.AddPoint(corner.x, corner.y, corner.z);
-    }
+    vtkPointSplatShadows::AddCorners(cloud, corners);
   }
   glm::dvec3 centre(0.0);
-  box.GetCenter(&centre.x);
+  if (!corners.empty())
+  {
+    const auto [low, high] = vtkPointSplatShadows::BoxOf(corners);
+    centre = 0.5 * (low + high);
+  }
   double error = 0.0; // those of several lights are independent
   for (vtkLight* light : lights)
   {

@@ -20,18 +20,6 @@ struct BuiltProgram
   GLuint Name;
 };
 
-std::mutex& BuiltMutex()
-{
-  static std::mutex mutex;
-  return mutex;
-}
-
-std::vector<BuiltProgram>& BuiltPrograms()
-{
-  static std::vector<BuiltProgram> programs;
-  return programs;
-}
-
 void Expand(const std::string& name, std::set<std::string>& done, std::ostream& out)
 {
   if (!done.insert(name).second)
@@ -146,8 +134,9 @@ bool vtkPointSplatProgram::Build(
     key += stage.second + "\n";
   }
   key += feedback ? feedback : "";
-  const std::lock_guard<std::mutex> lock(BuiltMutex());
-  std::vector<BuiltProgram>& all = BuiltPrograms();
+  static std::mutex mutex;
+  static std::vector<BuiltProgram> all;
+  const std::lock_guard<std::mutex> lock(mutex);
   all.erase(std::remove_if(all.begin(), all.end(),
               [](const BuiltProgram& built) { return !built.Context.IsAlive(); }),
     all.end());

@@ -22,7 +22,7 @@
 // What bends along with the surface has no cracks at silhouettes and needs fewer splats. Where bend and
 // perspective move no pixel by more than 1/32 (Flat in vtkPointSplatRecord.glsl) tiles take less than
 // the adjoint does: a quadratic form and a linear depth, without a division at each pixel. With 1/10 in the place of
-// 1/32 frames of four scans took as long (0.93 to 1.07 times), so that it is not worth a kind of its own. Quads meet
+// 1/32 frames of four models took as long (0.93 to 1.07 times), so that it is not worth a kind of its own. Quads meet
 // all splats as caps.
 //
 // A body alone has no plane: its disk is across the ray from the eye, so that it is seen from all

@@ -142,10 +142,7 @@ std::vector<vtkPointSplatShadowMaps::Plan> vtkPointSplatShadowMaps::MakePlans(
   std::vector<glm::dvec3> corners;
   for (const vtkPointSplatShadowCloud& cloud : this->Scene.Clouds)
   {
-    if (cloud.Cloud->GetNumberOfSplats() > 0)
-    {
-      vtkPointSplatShadows::AddCorners(cloud.MCWC, cloud.Cloud->GetBounds().data(), corners);
-    }
+    vtkPointSplatShadows::AddCorners(cloud, corners);
   }
   for (const vtkPointSplatShadowMesh& mesh : this->Scene.Meshes)
   {

@@ -92,8 +92,8 @@ bool vtkPointSplatShadowSettings::operator==(const vtkPointSplatShadowSettings& 
 }
 
 //------------------------------------------------------------------------------
-double vtkPointSplatShadows::PixelSizeFor(const vtkPointSplatShadowLight& light, int samples,
-  const std::vector<glm::dvec3>& corners, double radius)
+std::pair<glm::dvec3, glm::dvec3> vtkPointSplatShadows::BoxOf(
+  const std::vector<glm::dvec3>& corners)
 {
   glm::dvec3 low = corners[0];
   glm::dvec3 high = corners[0];
@@ -102,10 +102,28 @@ double vtkPointSplatShadows::PixelSizeFor(const vtkPointSplatShadowLight& light,
     low = glm::min(low, corner);
     high = glm::max(high, corner);
   }
+  return { low, high };
+}
+
+//------------------------------------------------------------------------------
+double vtkPointSplatShadows::PixelSizeFor(const vtkPointSplatShadowLight& light, int samples,
+  const std::vector<glm::dvec3>& corners, double radius)
+{
+  const auto [low, high] = vtkPointSplatShadows::BoxOf(corners);
   // Half the points' extent is how far they may be behind what casts a shadow on them.
   const double penumbra = light.GetTangent(0.5 * (low + high)) * glm::distance(low, high);
   const double apart = penumbra / std::sqrt(static_cast<double>(std::max(samples, 1)));
   return std::min(std::max(OutlinePixel * apart, FinestPixel * radius), CoarsestPixel * radius);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatShadows::AddCorners(
+  const vtkPointSplatShadowCloud& cloud, std::vector<glm::dvec3>& corners)
+{
+  if (cloud.Cloud->GetNumberOfSplats() > 0)
+  {
+    vtkPointSplatShadows::AddCorners(cloud.MCWC, cloud.Cloud->GetBounds().data(), corners);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -495,9 +513,9 @@ bool vtkPointSplatShadows::Cast(const vtkPointSplatShadowLight& light,
   std::vector<glm::dvec3> corners; // of what receives
   for (const vtkPointSplatShadowCloud& cloud : scene.Clouds)
   {
-    if (cloud.Cloud->GetNumberOfSplats() > 0 && cloud.Receives)
+    if (cloud.Receives)
     {
-      vtkPointSplatShadows::AddCorners(cloud.MCWC, cloud.Cloud->GetBounds().data(), corners);
+      vtkPointSplatShadows::AddCorners(cloud, corners);
     }
   }
   const double radius = vtkPointSplatShadows::RadiusOf(scene);

@@ -35,6 +35,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 /**
@@ -99,13 +100,16 @@ public:
 
   ///@{
   /**
-   * How large a pixel of an automatic map should be among points in a box; a box's corners; the
-   * radius of median splats of the coarsest cloud; d~, and pixels that it measures at least.
+   * How large a pixel of an automatic map should be among points in a box; a box's corners, those of a cloud's, if it
+   * has splats, and the box about some, its least corner first; the radius of median splats of the coarsest cloud; d~, and pixels that it measures at least.
    */
   static double PixelSizeFor(const vtkPointSplatShadowLight& light, int samples,
     const std::vector<glm::dvec3>& corners, double radius);
   static void AddCorners(
     const glm::dmat4& MCWC, const double bounds[6], std::vector<glm::dvec3>& corners);
+  static void AddCorners(
+    const vtkPointSplatShadowCloud& cloud, std::vector<glm::dvec3>& corners);
+  static std::pair<glm::dvec3, glm::dvec3> BoxOf(const std::vector<glm::dvec3>& corners);
   static double RadiusOf(const vtkPointSplatShadowScene& scene);
   static glm::dvec2 LayerDistanceFor(const vtkPointSplatShadowSettings& settings, double radius);
   ///@}

@@ -31,7 +31,7 @@ HOPELESS = 4.0  # settings that take so many times as long as the best picture: 
 DEGREES = 17
 SAMPLES = 16
 PEEL = "SetTransparencyToPeeling"
-ALL = ("SetTargetError", 0.0)
+ALL_SAMPLES = ("SetTargetError", 0.0)
 ONE_STEP = ("SetMaximumNumberOfFillSteps", 1)
 
 # The first is the best picture.
@@ -60,9 +60,9 @@ def shadows(samples, *calls):
 
 
 SHADED = [
-    *(splats(f"{n} samples", "shadows", *shadows(n, (TWO_PASS,), ALL))
+    *(splats(f"{n} samples", "shadows", *shadows(n, (TWO_PASS,), ALL_SAMPLES))
       for n in (SAMPLES, 9, 4, 2, 1)),
-    *(splats(f"image space, {n} samples", "shadows", *shadows(n, (IMAGE,), ALL))
+    *(splats(f"image space, {n} samples", "shadows", *shadows(n, (IMAGE,), ALL_SAMPLES))
       for n in (SAMPLES, 9, 1)),
 ]
 QUADS_ONLY = [splats(setting.name, "opaque", *setting.calls, (QUADS,)) for setting in OPAQUE[1:]]
