@@ -91,7 +91,6 @@ vtkPointSplatCloud::Key vtkPointSplatCloud::SplatKey(const std::vector<Block>& b
 void vtkPointSplatCloud::Update(const vtkPointSplatCloudInput& input)
 {
   std::vector<Block> blocks = vtkPointSplatCloud::Gather(input.Data);
-  this->KeepOnly(input, blocks);
   blocks = vtkPointSplatCloud::VisibleOf(input, std::move(blocks));
   this->Composite = vtkCompositeDataSet::SafeDownCast(input.Data) != nullptr;
   this->Whole = input.Whole;
@@ -230,6 +229,7 @@ bool vtkPointSplatCloud::BuildSplats(
   }
   this->Splats.clear();
   this->ClipLines.clear();
+  this->Mixed.clear();
   this->ForgetRange();
   this->Count = this->Points = this->Skipped = this->Unused = 0;
   this->Circular = true;
@@ -238,23 +238,24 @@ bool vtkPointSplatCloud::BuildSplats(
   this->MayFill = input.FillGaps;
   this->MayFillMeshes = input.FillMeshGaps;
   this->Projected = false;
-  std::vector<vtkPointSplatPacking> packings;
-  bool given = !blocks.empty();
-  for (const Block& block : blocks)
+  std::vector<vtkPointSplatPacking> packings = this->CollectBlocks(input, blocks);
+  if (std::any_of(packings.begin(), packings.end(),
+        [](const vtkPointSplatPacking& packing) { return packing.Aborted; }))
   {
-    packings.push_back(this->CollectBlock(input, block));
-    if (packings.back().Aborted)
-    {
-      blocks.clear();
-      this->Measure();
-      return false;
-    }
-    given = given && packings.back().HasGivenRadii;
-    this->Projected = this->Projected || packings.back().Projected;
-    this->Circular = this->Circular && !packings.back().Axis1;
-    this->Sized = this->Sized && (packings.back().Radius || packings.back().Axis1);
-    this->Points += block.Data->GetNumberOfPoints();
-    this->AddRange(packings.back().Points);
+    blocks.clear();
+    this->Measure();
+    return false;
+  }
+  bool given = !blocks.empty();
+  for (size_t b = 0; b < blocks.size(); ++b)
+  {
+    const vtkPointSplatPacking& packing = packings[b];
+    given = given && packing.HasGivenRadii;
+    this->Projected = this->Projected || packing.Projected;
+    this->Circular = this->Circular && !packing.Axis1;
+    this->Sized = this->Sized && (packing.Radius || packing.Axis1);
+    this->Points += blocks[b].Data->GetNumberOfPoints();
+    this->AddRange(packing.Points);
   }
   this->SetOriginToMiddle();
   this->LeaveOutFar(packings);
@@ -372,8 +373,9 @@ bool vtkPointSplatCloud::BuildValues(const vtkPointSplatCloudInput& input)
       : all[b].Coordinates;
     const float* from = places->GetPointer(0);
     vtkSMPTools::For(block.First, block.First + block.Count, [&](vtkIdType begin, vtkIdType end) {
-      for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
+      for (vtkIdType number = begin; number < end; ++number)
       {
+        const size_t i = this->SplatOf(number);
         const float* at = from + 2 * static_cast<size_t>(this->NumberOf(block, i));
         const float value =
           static_cast<float>(std::clamp((double(at[0]) - low) * scale, 0.0, 1.0));
@@ -418,8 +420,9 @@ void vtkPointSplatCloud::BuildFactors(vtkObject* owner)
       ? block.Fill->Extend(factors)
       : vtkSmartPointer<vtkDataArray>(factors);
     vtkSMPTools::For(block.First, block.First + block.Count, [&](vtkIdType begin, vtkIdType end) {
-      for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
+      for (vtkIdType number = begin; number < end; ++number)
       {
+        const size_t i = this->SplatOf(number);
         const vtkIdType id = this->NumberOf(block, i);
         for (int k = 0; k < count; ++k)
         {

@@ -4,12 +4,14 @@
 // buffers of each OpenGL context that drew them.
 //
 // 1. The arrays of each block (a leaf of a composite data set, or the input itself) are packed;
-//    what is missing is estimated. Points that cannot be drawn are left out and counted.
+//    what is missing is estimated, of blocks that are pieces of one cloud together
+//    (vtkPointSplatPieces.h). Points that cannot be drawn are left out and counted.
 // 2. Each block's splats are put into Morton order, once: tiles, blocks and caches live on
 //    neighbours that lie together.
 // 3. Colours, factors of lights and groups are made for them, in the same order.
 // 4. Of large clouds that stay as they are levels are made, of splats that stand for those below
-//    them (vtkPointSplatLevels.h); then splats are in the order of these.
+//    them (vtkPointSplatLevels.h); then splats are in the order of these, in which those of several blocks may be
+//    mixed.
 // 5. Where triangles are to be drawn in the place of splats, they are found (vtkPointSplatTriangles.h).
 // 6. Where nothing but positions and normals changed, splats are moved along, if sizes can follow
 //    (vtkPointSplatMotion.h).
@@ -312,11 +314,14 @@ private:
   bool IsMadeFrom(const vtkPointSplatCloudInput& input, const Key& key) const;
   /// False where the estimation of what is missing was aborted: then there are no splats.
   bool BuildSplats(const vtkPointSplatCloudInput& input, std::vector<Block>& blocks);
-  /// The arrays of a block; those of blocks with looks are kept, so that hidden ones come back at once.
-  vtkPointSplatPacking CollectBlock(const vtkPointSplatCloudInput& input, const Block& block);
-  /// Forgets what was kept of blocks that are not among these.
-  void KeepOnly(const vtkPointSplatCloudInput& input, const std::vector<Block>& blocks);
-  static Key KeptKey(const vtkPointSplatCloudInput& input, const Block& block);
+  /**
+   * The arrays of the visible blocks, what is missing estimated, of pieces of one cloud together
+   * with their hidden ones. Where blocks have looks they are kept, so that hidden ones come back at once.
+   * One may be aborted; then so is all.
+   */
+  std::vector<vtkPointSplatPacking> CollectBlocks(
+    const vtkPointSplatCloudInput& input, const std::vector<Block>& visible);
+  static Key KeptKey(const vtkPointSplatCloudInput& input, const std::vector<Block>& pieces);
   vtkIdType BuildBlock(const vtkPointSplatCloudInput& input, Block& block,
     const vtkPointSplatPacking& packing);
   void BuildClipLines(const Block& block, const vtkPointSplatPacking& packing);
@@ -353,6 +358,13 @@ private:
   bool CanHaveLevels();
   /// Whether there are levels that were not there before.
   bool TakeLevels(bool wait);
+  /// Where a splat is; i: from a block's First on.
+  size_t SplatOf(vtkIdType i) const
+  {
+    return this->Mixed.empty() ? static_cast<size_t>(i) : this->Mixed[static_cast<size_t>(i)];
+  }
+  /// Brings the blocks' splats together again, without levels.
+  void Unmix();
   static Key StayingKey(const std::vector<Block>& blocks);
   /// The same of the input's visible blocks, and their key.
   bool Follow(
@@ -385,6 +397,8 @@ private:
   std::vector<uint32_t> Coordinates;
   std::vector<uint32_t> Tangents;
   std::vector<Block> Blocks;
+  std::vector<uint32_t> Mixed; // where the blocks' splats are that were next to one another; empty: they are
+  bool Mixes = false; // the levels that are made: they stand for splats of several blocks
   vtkIdType Count = 0;
   vtkIdType Points = 0;
   vtkPointSet* Whole = nullptr; // as the input has them
@@ -406,7 +420,9 @@ private:
   std::array<double, 3> High{ { 0.0, 0.0, 0.0 } };
   std::array<double, 3> Origin{ { 0.0, 0.0, 0.0 } };
   std::array<double, 6> Bounds{ { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 } };
-  std::map<Key, vtkPointSplatPacking> Kept;
+  std::vector<std::vector<size_t>> Pieces; // of the input's clouds, by the blocks' numbers
+  Key PiecesMadeFrom;
+  std::map<Key, std::vector<vtkPointSplatPacking>> Kept; // by the pieces of a cloud
   vtkPointSplatGroups Groups;
   vtkPointSplatBlocks SplatBlocks;
   vtkPointSplatMotion Motion;

@@ -28,14 +28,15 @@ std::vector<uint32_t> vtkPointSplatCloud::MakeIds(IdKind kind) const
     const bool cells = kind == CellIds && data->GetNumberOfCells() > 0;
     const std::vector<vtkIdType> cellOf =
       cells ? vtkPointSplatPacking::CellsOfPoints(data) : std::vector<vtkIdType>();
-    for (vtkIdType i = block.First; i < block.First + block.Count; ++i)
+    for (vtkIdType k = block.First; k < block.First + block.Count; ++k)
     {
-      const vtkIdType own = this->GetPointId(i);
+      const size_t i = this->SplatOf(k);
+      const vtkIdType own = this->GetPointId(static_cast<vtkIdType>(i));
       const vtkIdType point = this->Whole ? (*this->WholeIds)[static_cast<size_t>(own)] : own;
       const vtkIdType id = kind == CompositeIds ? block.FlatIndex
         : cells                                 ? cellOf[static_cast<size_t>(point)]
                                                 : point;
-      ids[static_cast<size_t>(i)] = id < 0 ? 0xffffffffu : static_cast<uint32_t>(id);
+      ids[i] = id < 0 ? 0xffffffffu : static_cast<uint32_t>(id);
     }
   }
   return ids;

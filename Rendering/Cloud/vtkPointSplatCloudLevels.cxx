@@ -4,6 +4,11 @@
 // Of the cloud: its levels.
 #include "vtkPointSplatCloud.h"
 
+#include "vtkPointSplatPieces.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cstddef>
 #include <limits>
 
 namespace
@@ -82,6 +87,17 @@ bool vtkPointSplatCloud::BeginLevels()
   {
     ends.push_back(static_cast<uint32_t>(block.First + block.Count));
   }
+  // Points that move are found block by block, and blocks that lie side by side are sharper where they meet.
+  this->Mixes = !this->Motion.HasBegun() &&
+    vtkPointSplatPieces::AreMixed(this->Splats, this->GetWordsPerSplat(), ends, this->GetSpacing());
+  for (size_t b = ends.size() - 1; this->Mixes && b > 0; --b)
+  {
+    if (vtkPointSplatPieces::MayMix(this->Blocks[b - 1].Data) &&
+      vtkPointSplatPieces::MayMix(this->Blocks[b].Data))
+    {
+      ends.erase(ends.begin() + static_cast<std::ptrdiff_t>(b) - 1);
+    }
+  }
   // As they rest.
   const double stretch = this->Motion.HasBegun() ? this->Stretch : 1.0;
   this->Levels.Begin(this->GetRestingSplats(), this->GetWordsPerSplat(), std::move(ends),
@@ -107,10 +123,18 @@ bool vtkPointSplatCloud::TakeLevels(bool wait)
     return false;
   }
   const bool moves = this->Motion.HasBegun();
+  if (moves && this->Mixes)
+  {
+    // They were begun when points did not move yet.
+    this->Levels.Clear();
+    this->LevelsTriedFor = 0;
+    return false;
+  }
   vtkPointSplatMotion::Splats splats = moves
     ? this->Motion.Take()
     : vtkPointSplatMotion::Splats{ std::move(this->Splats), std::move(this->ClipLines) };
-  const bool taken = this->Levels.Take(splats.Words, splats.Lines, this->GetWordsPerSplat());
+  const std::vector<uint32_t> order =
+    this->Levels.Take(splats.Words, splats.Lines, this->GetWordsPerSplat());
   if (moves)
   {
     this->BeginMotion(std::move(splats));
@@ -120,11 +144,42 @@ bool vtkPointSplatCloud::TakeLevels(bool wait)
     this->Splats = std::move(splats.Words);
     this->ClipLines = std::move(splats.Lines);
   }
-  if (taken)
+  if (!order.empty())
   {
+    this->Mixed.resize(this->Mixes ? order.size() : 0);
+    for (size_t i = 0; i < this->Mixed.size(); ++i)
+    {
+      this->Mixed[order[i]] = static_cast<uint32_t>(i);
+    }
     this->SplatTime.Modified();
     this->OrderTime.Modified();
     this->LevelsTriedFor = this->OrderTime.GetMTime();
   }
-  return taken;
+  return !order.empty();
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatCloud::Unmix()
+{
+  if (this->Mixed.empty())
+  {
+    return;
+  }
+  auto arrange = [this](std::vector<uint32_t>& data, size_t size) {
+    std::vector<uint32_t> arranged(data.empty() ? 0 : size * this->Mixed.size());
+    vtkSMPTools::For(0, static_cast<vtkIdType>(arranged.size() / size), [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        std::copy_n(data.data() + size * this->SplatOf(i), size,
+          arranged.data() + size * static_cast<size_t>(i));
+      }
+    });
+    data = std::move(arranged);
+  };
+  arrange(this->Splats, this->GetWordsPerSplat());
+  arrange(this->ClipLines, 4);
+  this->Mixed.clear();
+  this->Levels.Clear();
+  this->SplatTime.Modified();
+  this->OrderTime.Modified();
 }

@@ -8,6 +8,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPointSplatCoordinates.h"
+#include "vtkPointSplatPieces.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -17,9 +18,9 @@
 
 //------------------------------------------------------------------------------
 vtkPointSplatCloud::Key vtkPointSplatCloud::KeptKey(
-  const vtkPointSplatCloudInput& input, const Block& block)
+  const vtkPointSplatCloudInput& input, const std::vector<Block>& pieces)
 {
-  Key key = vtkPointSplatCloud::SplatKey({ block });
+  Key key = vtkPointSplatCloud::SplatKey(pieces);
   key.emplace_back(nullptr, input.NeedSizes);
   key.emplace_back(nullptr, input.ProjectNoise);
   key.emplace_back(nullptr, input.FillGaps + (input.FillGaps && input.FillMeshGaps));
@@ -27,42 +28,74 @@ vtkPointSplatCloud::Key vtkPointSplatCloud::KeptKey(
 }
 
 //------------------------------------------------------------------------------
-vtkPointSplatPacking vtkPointSplatCloud::CollectBlock(
-  const vtkPointSplatCloudInput& input, const Block& block)
+std::vector<vtkPointSplatPacking> vtkPointSplatCloud::CollectBlocks(
+  const vtkPointSplatCloudInput& input, const std::vector<Block>& visible)
 {
-  const Key key = input.Looks.empty() ? Key() : vtkPointSplatCloud::KeptKey(input, block);
-  const auto found = this->Kept.find(key);
-  if (found != this->Kept.end())
-  {
-    return found->second;
-  }
-  vtkPointSplatPacking packing = vtkPointSplatPacking::Collect(
-    input.Owner, block.Data, { input.NeedSizes, input.ProjectNoise, input.FillGaps, input.FillMeshGaps });
-  if (!input.Looks.empty() && !packing.Aborted)
-  {
-    this->Kept[key] = packing;
-  }
-  return packing;
-}
-
-//------------------------------------------------------------------------------
-void vtkPointSplatCloud::KeepOnly(
-  const vtkPointSplatCloudInput& input, const std::vector<Block>& blocks)
-{
-  if (input.Looks.empty() || this->Kept.empty())
-  {
-    this->Kept.clear();
-    return;
-  }
-  std::set<Key> there;
+  const std::vector<Block> blocks = vtkPointSplatCloud::Gather(input.Data);
+  std::vector<vtkPointSet*> data;
   for (const Block& block : blocks)
   {
-    there.insert(vtkPointSplatCloud::KeptKey(input, block));
+    data.push_back(block.Data);
   }
-  for (auto it = this->Kept.begin(); it != this->Kept.end();)
+  std::set<unsigned int> seen;
+  for (const Block& block : visible)
   {
-    it = there.count(it->first) ? std::next(it) : this->Kept.erase(it);
+    seen.insert(block.FlatIndex);
   }
+  const vtkPointSplatPacking::Wanted wanted{ input.NeedSizes, input.ProjectNoise, input.FillGaps,
+    input.FillMeshGaps };
+  std::map<Key, std::vector<vtkPointSplatPacking>> kept;
+  std::vector<vtkPointSplatPacking> all(blocks.size());
+  const Key pieceKey = vtkPointSplatCloud::KeptKey(input, blocks);
+  if (pieceKey != this->PiecesMadeFrom)
+  {
+    this->Pieces = vtkPointSplatPieces::Find(data, wanted);
+    this->PiecesMadeFrom = pieceKey;
+  }
+  for (const std::vector<size_t>& cloud : this->Pieces)
+  {
+    std::vector<Block> pieces;
+    std::vector<vtkPointSet*> own;
+    for (size_t b : cloud)
+    {
+      pieces.push_back(blocks[b]);
+      own.push_back(data[b]);
+    }
+    const Key key = input.Looks.empty() ? Key() : vtkPointSplatCloud::KeptKey(input, pieces);
+    const auto found = this->Kept.find(key);
+    std::vector<vtkPointSplatPacking> packings;
+    if (found != this->Kept.end())
+    {
+      packings = found->second;
+    }
+    else if (std::any_of(pieces.begin(), pieces.end(),
+               [&seen](const Block& block) { return seen.count(block.FlatIndex) > 0; }))
+    {
+      packings = vtkPointSplatPieces::Collect(input.Owner, own, wanted);
+    }
+    for (size_t k = 0; k < packings.size(); ++k)
+    {
+      all[cloud[k]] = packings[k];
+    }
+    if (!packings.empty() && packings.front().Aborted)
+    {
+      return packings;
+    }
+    if (!packings.empty() && !input.Looks.empty())
+    {
+      kept[key] = std::move(packings);
+    }
+  }
+  this->Kept = std::move(kept);
+  std::vector<vtkPointSplatPacking> ofVisible;
+  for (size_t b = 0; b < blocks.size(); ++b)
+  {
+    if (seen.count(blocks[b].FlatIndex) > 0)
+    {
+      ofVisible.push_back(std::move(all[b]));
+    }
+  }
+  return ofVisible;
 }
 
 //------------------------------------------------------------------------------
@@ -121,8 +154,9 @@ void vtkPointSplatCloud::BuildScalarColours(
     const unsigned char* from = array->GetPointer(0);
     const vtkIdType tuples = array->GetNumberOfTuples();
     vtkSMPTools::For(block.First, block.First + block.Count, [&](vtkIdType begin, vtkIdType end) {
-      for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
+      for (vtkIdType number = begin; number < end; ++number)
       {
+        const size_t i = this->SplatOf(number);
         const vtkIdType point = splats[words * i + 7];
         const vtkIdType id = ofPoints ? this->NumberOf(block, i)
           : colours.OfCells           ? cells[static_cast<size_t>(point)]
@@ -161,8 +195,9 @@ void vtkPointSplatCloud::BuildLooks(
     const bool keeps = scalars[b] && !look.Colour;
     const uint32_t plain = byte(colour[0]) | byte(colour[1]) << 8 | byte(colour[2]) << 16;
     vtkSMPTools::For(block.First, block.First + block.Count, [&](vtkIdType begin, vtkIdType end) {
-      for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
+      for (vtkIdType number = begin; number < end; ++number)
       {
+        const size_t i = this->SplatOf(number);
         const uint32_t was = keeps ? this->Colours[i] : plain | 0xff000000u;
         this->Colours[i] = (was & 0xffffffu) | byte((was >> 24) / 255.0 * opacity) << 24;
       }
@@ -207,36 +242,43 @@ void vtkPointSplatCloud::UpdateCoordinates(const vtkPointSplatCloudInput& input)
     {
       this->MoveAll();
     }
-    const size_t first = static_cast<size_t>(this->Blocks[b].First);
     const Block& block = this->Blocks[b];
     const size_t perSplat = this->GetWordsPerSplat();
-    vtkPointSplatCoordinates::Splats splats{ this->Splats.data() + perSplat * first, perSplat,
-      block.Count, this->Circular };
-    std::vector<uint32_t> numbered; // the same, with fill points' own numbers
-    if (block.Fill && (arrays[b][0] || arrays[b][1]))
+    // One after the other, with fill points' own numbers.
+    std::vector<uint32_t> numbered(
+      arrays[b][0] || arrays[b][1] ? perSplat * static_cast<size_t>(block.Count) : 0);
+    for (size_t at = 0; at < numbered.size(); at += perSplat)
     {
-      numbered.assign(
-        splats.Data, splats.Data + perSplat * static_cast<size_t>(block.Count));
-      for (size_t i = 0; i < static_cast<size_t>(block.Count); ++i)
-      {
-        numbered[perSplat * i + 7] = static_cast<uint32_t>(this->NumberOf(block, first + i));
-      }
-      splats.Data = numbered.data();
+      const size_t i = this->SplatOf(block.First + static_cast<vtkIdType>(at / perSplat));
+      std::copy_n(this->Splats.data() + perSplat * i, perSplat, numbered.data() + at);
+      numbered[at + 7] = static_cast<uint32_t>(this->NumberOf(block, i));
     }
+    const vtkPointSplatCoordinates::Splats splats{ numbered.data(), perSplat, block.Count,
+      this->Circular };
     const auto extended = [&block](vtkDataArray* array) {
       return block.Fill ? block.Fill->Extend(array) : vtkSmartPointer<vtkDataArray>(array);
+    };
+    std::vector<uint32_t> made;
+    const auto put = [&](std::vector<uint32_t>& all, size_t size) {
+      for (size_t at = 0; at < made.size(); at += size)
+      {
+        const size_t i = this->SplatOf(block.First + static_cast<vtkIdType>(at / size));
+        std::copy_n(made.data() + at, size, all.data() + size * i);
+      }
     };
     if (arrays[b][0])
     {
       this->Coordinates.resize(words * count, vtkPointSplatCoordinates::None);
-      vtkPointSplatCoordinates::Make(
-        splats, extended(arrays[b][0]), this->Coordinates.data() + words * first);
+      made.assign(words * static_cast<size_t>(block.Count), vtkPointSplatCoordinates::None);
+      vtkPointSplatCoordinates::Make(splats, extended(arrays[b][0]), made.data());
+      put(this->Coordinates, words);
     }
     if (arrays[b][1])
     {
       this->Tangents.resize(count, 0u);
-      vtkPointSplatCoordinates::MakeTangents(
-        splats, extended(arrays[b][1]), this->Tangents.data() + first);
+      made.assign(static_cast<size_t>(block.Count), 0u);
+      vtkPointSplatCoordinates::MakeTangents(splats, extended(arrays[b][1]), made.data());
+      put(this->Tangents, 1);
     }
   }
 }

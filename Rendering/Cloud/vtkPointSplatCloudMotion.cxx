@@ -111,6 +111,7 @@ bool vtkPointSplatCloud::Follow(
   }
   if (!this->Motion.HasBegun())
   {
+    this->Unmix();
     this->RestingRadius = this->MedianRadius;
     this->LargestRestingRadius = this->MaximumRadius;
     this->RestingBounds = this->GetLocalBounds();

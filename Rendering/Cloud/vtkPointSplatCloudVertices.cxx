@@ -51,12 +51,13 @@ void vtkPointSplatCloud::MakeVertices(vtkPolyData* vertices) const
   {
     // Folded splats are several of one point.
     std::vector<vtkIdType> splatOf(static_cast<size_t>(block.Data->GetNumberOfPoints()), -1);
-    for (vtkIdType i = block.First; i < block.First + block.Count; ++i)
+    for (vtkIdType k = block.First; k < block.First + block.Count; ++k)
     {
-      const vtkIdType number = this->NumberOf(block, static_cast<size_t>(i));
+      const size_t i = this->SplatOf(k);
+      const vtkIdType number = this->NumberOf(block, i);
       if (number < block.Data->GetNumberOfPoints()) // no fill point
       {
-        splatOf[static_cast<size_t>(number)] = i;
+        splatOf[static_cast<size_t>(number)] = static_cast<vtkIdType>(i);
       }
     }
     vtkDataArray* own = block.Data->GetPointData()->GetNormals();

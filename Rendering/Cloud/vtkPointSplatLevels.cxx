@@ -154,16 +154,16 @@ bool vtkPointSplatLevels::IsReady() const
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatLevels::Take(
+std::vector<uint32_t> vtkPointSplatLevels::Take(
   std::vector<uint32_t>& splats, std::vector<uint32_t>& lines, size_t words)
 {
   const bool good = this->Work.get() && this->Hierarchy.GetNumberOfLevels() > 1;
   if (!good)
   {
     this->Clear();
-    return false;
+    return {};
   }
-  const std::vector<uint32_t>& order = this->Hierarchy.GetOrder();
+  std::vector<uint32_t> order = this->Hierarchy.GetOrder();
   this->Points = order.size();
   const int levels = this->Hierarchy.GetNumberOfLevels();
   this->Starts.assign(1, 0);
@@ -206,7 +206,7 @@ bool vtkPointSplatLevels::Take(
   }
   this->Rims = std::vector<bool>();
   this->Hierarchy = vtkPointSplatHierarchy();
-  return true;
+  return order;
 }
 
 //------------------------------------------------------------------------------

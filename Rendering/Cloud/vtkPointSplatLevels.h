@@ -7,7 +7,7 @@
 // 2. When it is there, the cloud's splats are put into its order, and those of all levels appended:
 //    level 1, level 2, ... Their ids are those of one of the points that they stand for. They have
 //    no clip lines: where they are drawn, these would be less than a pixel long. None stands for
-//    points of two blocks of the input, and each block's splats stay where they were among all.
+//    points of two parts of the cloud, and each part's splats stay where they were among all.
 //    What stands for one splat, such as a scan's outlier, is that one.
 // 3. What splats have beside their shape, colours, values and factors of lights, is appended as
 //    means over those below.
@@ -41,7 +41,7 @@ public:
   void Abort() { this->Stop = true; }
   /**
    * Begins to make levels of these splats, of some words each. ends: behind the last one of each
-   * block of the input, in ascending order. radius: of those that have none.
+   * part, in ascending order. radius: of those that have none.
    */
   void Begin(const std::vector<uint32_t>& splats, size_t words, std::vector<uint32_t> ends,
     float radius);
@@ -50,9 +50,10 @@ public:
   bool IsReady() const;
   /**
    * Takes the levels that are ready: orders splats and their clip lines, of four words, and appends
-   * the levels' to both. False: there are none, and nothing is changed.
+   * the levels' to both. Returns that order, by the splats' numbers before. Empty: there are no levels, and nothing is
+   * changed.
    */
-  bool Take(std::vector<uint32_t>& splats, std::vector<uint32_t>& lines, size_t words);
+  std::vector<uint32_t> Take(std::vector<uint32_t>& splats, std::vector<uint32_t>& lines, size_t words);
 
   /// Brings a block to where its splats, in the order that these were taken in, were moved. radius: of those that have none.
   void Refit(size_t block, const std::vector<uint32_t>& splats, size_t words, float radius);

@@ -3,8 +3,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One cloud as one block and as many: frames of both, in turn, by processor time.
 
-blocks.py [--points N] [--blocks N] [--size N] [--opacity A] [--frames N] [--bound X]
+blocks.py [--points N] [--blocks N] [--size N] [--opacity A] [--frames N] [--bound X] [--dealt]
 
+The blocks are rows of a torus' grid, with sizes; or, with --dealt, random points of a torus, dealt out at random, with normals alone.
 With a bound the exit code is 1 where the many blocks' median frame takes more than X times that of
 the one block.
 """
@@ -23,6 +24,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [HERE, os.path.join(HERE, "..", "Accuracy")]
 
 from bench.cloud import Cloud  # noqa: E402
+from bench.shapes import torus  # noqa: E402
 from drawing import Drawing  # noqa: E402
 from scenes import polydata, torus_scene  # noqa: E402
 
@@ -66,14 +68,21 @@ def main():
     parser.add_argument("--opacity", type=float, default=1.0)
     parser.add_argument("--frames", type=int, default=9)
     parser.add_argument("--bound", type=float)
+    parser.add_argument("--dealt", action="store_true")
     options = parser.parse_args()
 
     scene = torus_scene()
     scene.properties[0].SetOpacity(options.opacity)
-    whole = Cloud(scene, options.points).splats()[0]
     blocks = vtkMultiBlockDataSet()
-    for i, ids in enumerate(np.array_split(np.arange(whole.GetNumberOfPoints()), options.blocks)):
-        blocks.SetBlock(i, part_of(whole, ids))
+    if options.dealt:
+        points, normals = torus(options.points, np.random.default_rng(1))
+        whole = polydata(points, normals)
+        for i in range(options.blocks):
+            blocks.SetBlock(i, polydata(points[i::options.blocks], normals[i::options.blocks]))
+    else:
+        whole = Cloud(scene, options.points).splats()[0]
+        for i, ids in enumerate(np.array_split(np.arange(whole.GetNumberOfPoints()), options.blocks)):
+            blocks.SetBlock(i, part_of(whole, ids))
     drawings = [Drawing(scene, [mapper_of(data)], options.size) for data in (whole, blocks)]
     for drawing in drawings:
         for _ in range(3):  # levels are asked for when a frame is like the one before

@@ -178,7 +178,7 @@ bool TestSmallBlocks()
   good = Compare(many, "many blocks") && good;
   many.Win.Draw();
   const vtkIdType drawn = many.Mapper->GetNumberOfPointsProjected();
-  return Expect(drawn <= 1.5 * double(few),
+  return Expect(drawn <= 1.1 * double(few),
            "of many blocks are drawn: " + std::to_string(drawn) + ", of one: " +
              std::to_string(few)) &&
     good;
