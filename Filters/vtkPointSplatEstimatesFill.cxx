@@ -67,6 +67,11 @@ void vtkPointSplatEstimates::FindFill()
     }
     return;
   }
+  if (!this->Self->GetFillNoise() && this->IsRough() &&
+    vtkPointSplatEstimation::IsContradicted(this->Contradiction))
+  {
+    return;
+  }
   const std::vector<float> covers =
     this->Refine(*this->Stars, this->SlotNormals.data(), this->Disks->Curvatures.data());
   for (Slot s = 0; s < this->Neighbors.GetNumberOfSlots(); ++s)

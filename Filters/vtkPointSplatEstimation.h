@@ -245,6 +245,16 @@ public:
   vtkBooleanMacro(FillMeshGaps, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether FillGaps is also where points are noise (IsNoisy()); on by default. Off for what goes through
+   * vtkPointSplatProjection first: to fill what points that contradict one another seem to leave open takes long.
+   */
+  vtkSetMacro(FillNoise, bool);
+  vtkGetMacro(FillNoise, bool);
+  vtkBooleanMacro(FillNoise, bool);
+  ///@}
+
   /// The points of the input between which a fill point lies, the nearest one first, with weights whose sum is 1.
   struct FillPoint
   {
@@ -301,7 +311,8 @@ public:
    * another, as clothes, 0.17 to 0.44. Once vtkPointSplatProjection has moved them noise and scans have
    * at most 0.035, and layers 0.13 and more.
    */
-  bool IsContradicted() const { return this->Contradiction > 0.04; }
+  bool IsContradicted() const { return vtkPointSplatEstimation::IsContradicted(this->Contradiction); }
+  static bool IsContradicted(double contradiction) { return contradiction > 0.04; }
 
   /**
    * Whether the cloud is one for vtkPointSplatProjection: rough, and by contradictions rather than
@@ -330,6 +341,7 @@ private:
   double RadiusScale = 1;
   bool FillGaps = false;
   bool FillMeshGaps = true;
+  bool FillNoise = true;
   std::vector<FillPoint> FillPoints;
   vtkIdType NumberOfPointsAlone = 0;
   double Noise = 0; // that the last update found, and

@@ -379,6 +379,8 @@ void vtkPointSplatPacking::Estimate(
     filter->SetFillGaps(wanted.FillPoints && !sized);
     filter->SetFillMeshGaps(wanted.FillMeshes);
   }
+  // Noise is projected first.
+  estimation->SetFillNoise(!mayProject);
   estimation->SetInputData(bare);
   bool good = part.Run(estimation, 0.0, mayProject ? 0.4 : 1.0);
   if (good && mayProject && estimation->IsNoisy())
@@ -394,6 +396,11 @@ void vtkPointSplatPacking::Estimate(
     if (this->Projected)
     {
       estimation = projected;
+    }
+    else if (good && wanted.FillPoints)
+    {
+      estimation->FillNoiseOn();
+      good = part.Run(estimation, 0.6, 1.0);
     }
   }
   this->Aborted = !good;

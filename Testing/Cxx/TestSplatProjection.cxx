@@ -516,6 +516,17 @@ void OfRelief()
   Shake(sphere, 0.2, 0, random);
   estimate(sphere);
   Expect(estimation->IsNoisy(), "noise is no relief");
+
+  // What is projected first is not filled before.
+  const auto countFilled = [&](bool fillsNoise) {
+    estimation->SetFillNoise(fillsNoise);
+    estimate(sphere);
+    return estimation->GetOutput()->GetNumberOfPoints() - static_cast<vtkIdType>(sphere.Points.size());
+  };
+  estimation->FillGapsOn();
+  Expect(countFilled(true) > 0, "noise has fill points");
+  Expect(countFilled(false) == 0, "noise has fill points, though it should not");
+  estimation->FillGapsOff();
   estimate(Sphere(random));
   Expect(!estimation->IsRough() && estimation->GetContradiction() == 0, "a sphere is smooth");
 }
