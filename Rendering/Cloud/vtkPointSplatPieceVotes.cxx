@@ -3,10 +3,13 @@
 #include "vtkPointSplatPieceVotes.h"
 
 #include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
 #include "vtkMath.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPointSplatPacking.h"
 #include "vtkPoints.h"
 #include "vtkSMPTools.h"
 
@@ -26,6 +29,44 @@ constexpr double LeastShare = 0.15;
 constexpr double SheetCosine = 0.7;
 constexpr double SheetSlope = 0.3;
 constexpr double WideGap = 2.44; // radians: 140 degrees
+
+/// What takes part: within the span of the middle nine tenths of all points' coordinates, and as much again on both sides.
+void FindRange(const std::vector<vtkPointSet*>& blocks, std::array<double, 3>& low,
+  std::array<double, 3>& high)
+{
+  std::array<std::vector<double>, 3> samples;
+  for (vtkPointSet* block : blocks)
+  {
+    const vtkIdType n = block->GetNumberOfPoints();
+    const vtkIdType step = n / MostVoters + 1;
+    for (vtkIdType i = 0; i < n; i += step)
+    {
+      double p[3];
+      block->GetPoint(i, p);
+      for (size_t k = 0; k < 3; ++k)
+      {
+        if (std::abs(p[k]) <= vtkPointSplatPacking::LargestLength)
+        {
+          samples[k].push_back(p[k]);
+        }
+      }
+    }
+  }
+  double span = 0.0;
+  for (size_t k = 0; k < 3; ++k)
+  {
+    std::sort(samples[k].begin(), samples[k].end());
+    const size_t few = samples[k].size() / 20;
+    low[k] = samples[k].empty() ? 0.0 : samples[k][few];
+    high[k] = samples[k].empty() ? 0.0 : samples[k][samples[k].size() - 1 - few];
+    span = std::max(span, high[k] - low[k]);
+  }
+  for (size_t k = 0; k < 3; ++k)
+  {
+    low[k] -= span;
+    high[k] += span;
+  }
+}
 
 /// The widest angle without any.
 double GapOf(std::vector<double> angles)
@@ -60,14 +101,58 @@ struct vtkPointSplatPieceVotes::Votes
 };
 
 //------------------------------------------------------------------------------
-vtkPointSplatPieceVotes::vtkPointSplatPieceVotes(
-  vtkSmartPointer<vtkPolyData> all, std::vector<vtkIdType> ends)
-  : All(std::move(all))
-  , Ends(std::move(ends))
-  , Normals(this->All->GetPointData()->GetNormals())
+vtkPointSplatPieceVotes::vtkPointSplatPieceVotes(const std::vector<vtkPointSet*>& blocks)
 {
-  this->Locator->SetDataSet(this->All);
-  this->Locator->BuildLocator();
+  std::array<double, 3> low;
+  std::array<double, 3> high;
+  FindRange(blocks, low, high);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  this->All->SetPoints(points);
+  this->Normals->SetNumberOfComponents(3);
+  for (vtkPointSet* block : blocks)
+  {
+    this->Take(block, low, high);
+    this->Ends.push_back(points->GetNumberOfPoints());
+  }
+  if (points->GetNumberOfPoints() > 0)
+  {
+    this->Locator->SetDataSet(this->All);
+    this->Locator->BuildLocator();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatPieceVotes::Take(
+  vtkPointSet* block, const std::array<double, 3>& low, const std::array<double, 3>& high)
+{
+  vtkDataArray* normals = block->GetPointData()->GetNormals();
+  const vtkSmartPointer<vtkUnsignedCharArray> ghosts = vtkPointSplatPacking::GhostsOf(block);
+  for (vtkIdType i = 0; i < block->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    block->GetPoint(i, p);
+    bool good = !ghosts || (ghosts->GetValue(i) & vtkDataSetAttributes::HIDDENPOINT) == 0;
+    for (size_t k = 0; k < 3; ++k)
+    {
+      good = good && p[k] >= low[k] && p[k] <= high[k]; // NaN compares false
+    }
+    double n[3] = { 0.0, 0.0, 0.0 };
+    if (normals && good)
+    {
+      normals->GetTuple(i, n);
+      const double length = vtkMath::Normalize(n);
+      good = length > 0.0 && std::isfinite(length);
+    }
+    if (good)
+    {
+      this->All->GetPoints()->InsertNextPoint(p);
+      if (normals)
+      {
+        this->Normals->InsertNextTuple(n);
+      }
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -107,11 +192,8 @@ void vtkPointSplatPieceVotes::Ask(size_t block, Votes& votes) const
   {
     double p[3];
     this->All->GetPoint(point, p);
-    if (std::isfinite(p[0] + p[1] + p[2]))
-    {
-      this->Locator->FindClosestNPoints(NearestPoints, p, nearest);
-      this->Vote(block, this->Look(point, nearest), votes);
-    }
+    this->Locator->FindClosestNPoints(NearestPoints, p, nearest);
+    this->Vote(block, this->Look(point, nearest), votes);
   }
 }
 
@@ -207,10 +289,9 @@ std::vector<vtkPointSplatPieceVotes::View> vtkPointSplatPieceVotes::Look(vtkIdTy
 //------------------------------------------------------------------------------
 void vtkPointSplatPieceVotes::GetNormal(vtkIdType point, vtkIdList* nearest, double n[3]) const
 {
-  if (this->Normals)
+  if (this->Normals->GetNumberOfTuples() > 0)
   {
     this->Normals->GetTuple(point, n);
-    vtkMath::Normalize(n);
     return;
   }
   double origin[3];
@@ -223,10 +304,9 @@ void vtkPointSplatPieceVotes::GetNormal(vtkIdType point, vtkIdList* nearest, dou
 double vtkPointSplatPieceVotes::GetFacing(const double n[3], vtkIdType other) const
 {
   double m[3] = { n[0], n[1], n[2] };
-  if (this->Normals)
+  if (this->Normals->GetNumberOfTuples() > 0)
   {
     this->Normals->GetTuple(other, m);
-    vtkMath::Normalize(m);
   }
   return vtkMath::Dot(n, m);
 }

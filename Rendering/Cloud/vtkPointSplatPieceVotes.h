@@ -14,31 +14,35 @@
 // Of blocks that points are dealt out to nine of ten votes are for pieces, however noisy they are; of those that a cloud was cut in along
 // planes, a third of the votes at the cut, and none is against. Of bodies that touch, cross or lie a spacing apart one in
 // thirty is for pieces.
+//
+// Points that are hidden, or not finite, with a normal that is none, take no part, nor do those that lie farther off than the
+// middle nine tenths of all span: among so few cells the locator has they would be found slowly.
 #ifndef vtkPointSplatPieceVotes_h
 #define vtkPointSplatPieceVotes_h
 
+#include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 #include "vtkStaticPointLocator.h"
 
 #include "vtkPointSplattingABI.h"
 
+#include <array>
 #include <cstddef>
 #include <set>
 #include <utility>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkDataArray;
 class vtkIdList;
+class vtkPointSet;
 VTK_ABI_NAMESPACE_END
 
 class vtkPointSplatPieceVotes
 {
 public:
-  /// All blocks' points, with normals or without; ends: behind each block's last one.
-  vtkPointSplatPieceVotes(vtkSmartPointer<vtkPolyData> all, std::vector<vtkIdType> ends);
+  /// All have normals, or none has.
+  explicit vtkPointSplatPieceVotes(const std::vector<vtkPointSet*>& blocks);
 
   /// Pairs of blocks that are pieces of one cloud.
   std::vector<std::pair<size_t, size_t>> Count() const;
@@ -55,6 +59,8 @@ private:
     size_t Block;
   };
 
+  /// Takes those of a block's points that may take part, from low to high.
+  void Take(vtkPointSet* block, const std::array<double, 3>& low, const std::array<double, 3>& high);
   void Ask(size_t block, Votes& votes) const;
   /// around: those of its own block first.
   static void Vote(size_t block, const std::vector<View>& around, Votes& votes);
@@ -66,9 +72,9 @@ private:
   void GetNormal(vtkIdType point, vtkIdList* nearest, double n[3]) const;
   double GetFacing(const double n[3], vtkIdType other) const;
 
-  vtkSmartPointer<vtkPolyData> All;
-  std::vector<vtkIdType> Ends;
-  vtkDataArray* Normals; // of all, or none
+  vtkNew<vtkPolyData> All;
+  std::vector<vtkIdType> Ends; // behind each block's last point
+  vtkNew<vtkDoubleArray> Normals; // empty: none
   vtkNew<vtkStaticPointLocator> Locator;
 };
 

@@ -64,9 +64,32 @@ bool IsPiece(vtkPointSet* data, bool sizes)
     !HasDuplicates(data);
 }
 
+/// Of the points whose coordinates can be used.
+vtkBoundingBox BoxOf(vtkPointSet* data)
+{
+  const auto isUsable = [](double x) { return std::abs(x) <= vtkPointSplatPacking::LargestLength; };
+  double bounds[6];
+  data->GetBounds(bounds);
+  if (std::all_of(bounds, bounds + 6, isUsable))
+  {
+    return vtkBoundingBox(bounds);
+  }
+  vtkBoundingBox box;
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    data->GetPoint(i, p);
+    if (std::all_of(p, p + 3, isUsable))
+    {
+      box.AddPoint(p);
+    }
+  }
+  return box;
+}
+
 vtkBoundingBox WidenedBoxOf(vtkPointSet* data)
 {
-  vtkBoundingBox box(data->GetBounds());
+  vtkBoundingBox box = BoxOf(data);
   double size[3] = { 0.0, 0.0, 0.0 };
   if (box.IsValid())
   {
@@ -279,7 +302,10 @@ std::vector<std::vector<size_t>> vtkPointSplatPieces::Find(
     if (IsPiece(blocks[i], wanted.Sizes))
     {
       boxes[i] = WidenedBoxOf(blocks[i]);
-      byLeft.push_back(i);
+      if (boxes[i].IsValid())
+      {
+        byLeft.push_back(i);
+      }
     }
   }
   std::sort(byLeft.begin(), byLeft.end(), [&boxes](size_t a, size_t b) {
@@ -307,13 +333,11 @@ std::vector<std::vector<size_t>> vtkPointSplatPieces::Find(
     if (met.size() > 1)
     {
       std::vector<vtkPointSet*> own;
-      std::vector<vtkIdType> ends;
       for (size_t i : met)
       {
         own.push_back(blocks[i]);
-        ends.push_back(blocks[i]->GetNumberOfPoints() + (ends.empty() ? 0 : ends.back()));
       }
-      for (const auto& pair : vtkPointSplatPieceVotes(Append(own, ends.back()), ends).Count())
+      for (const auto& pair : vtkPointSplatPieceVotes(own).Count())
       {
         pieces.Join(pair.first, pair.second);
       }

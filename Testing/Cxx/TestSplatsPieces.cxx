@@ -312,6 +312,59 @@ void KeepApart(Checks& checks)
     0.5, "hidden points are counted");
 }
 
+void BadPoints(Checks& checks)
+{
+  // One of each twenty points is bad in each way, in all pieces; and some lie far off.
+  vtkSmartPointer<vtkPolyData> torus = RandomTorus(20000);
+  View good(Pieces(torus, 40, AtRandom(40)).Blocks);
+  const Picture expected = good.Win.Draw();
+  const double bad[] = { NAN, INFINITY, -INFINITY, 1e36, 3e38, 1e9 };
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  vtkDataArray* own = torus->GetPointData()->GetNormals();
+  for (vtkIdType i = 0; i < torus->GetNumberOfPoints(); ++i)
+  {
+    points->InsertNextPoint(torus->GetPoint(i));
+    normals->InsertNextTuple(i, own);
+    if (i % 20 == 0)
+    {
+      const double x = bad[i / 20 % 6];
+      points->InsertNextPoint(x, i % 40 ? x : 0.0, 0.0);
+      normals->InsertNextTuple(i, own);
+      points->InsertNextPoint(torus->GetPoint(i));
+      normals->InsertNextTuple3(0.0, i % 40 ? 0.0 : NAN, 0.0);
+    }
+  }
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(points);
+  cloud->GetPointData()->SetNormals(normals);
+  vtkObject::GlobalWarningDisplayOff();
+  View spoilt(Pieces(cloud, 40, AtRandom(40)).Blocks, good.Win.Renderer->GetActiveCamera());
+  spoilt.Win.Renderer->ResetCameraClippingRange(-2, 2, -2, 2, -2, 2);
+  checks.AtLeast(Psnr(spoilt.Win.Draw(), expected), 40.0, "bad points in pieces");
+  // Nothing but bad points, one point, and many at one place.
+  for (int kind = 0; kind < 3; ++kind)
+  {
+    vtkNew<vtkMultiBlockDataSet> blocks;
+    for (unsigned int b = 0; b < 3; ++b)
+    {
+      vtkSmartPointer<vtkPolyData> block = RandomTorus(kind == 1 ? 1 : 100);
+      for (vtkIdType i = 0; kind != 1 && i < block->GetNumberOfPoints(); ++i)
+      {
+        const double x = kind == 0 ? NAN : 0.5;
+        block->GetPoints()->SetPoint(i, x, x, x);
+      }
+      blocks->SetBlock(b, block);
+    }
+    View few(blocks);
+    few.Win.Draw();
+    checks.AtMost(double(few.Splats->GetNumberOfSplats()), 300.0, "splats of next to nothing");
+  }
+  vtkObject::GlobalWarningDisplayOn();
+}
+
 void MixLevels(Checks& checks)
 {
   constexpr int count = 1 << 20;
@@ -413,6 +466,7 @@ int TestSplatsPieces(int, char*[])
   CompareWithWhole(checks);
   HidePieces(checks);
   KeepApart(checks);
+  BadPoints(checks);
   MixLevels(checks);
   MoveMixed(checks);
   return checks.Result();
