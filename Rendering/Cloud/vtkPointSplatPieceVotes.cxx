@@ -20,7 +20,7 @@
 namespace
 {
 constexpr vtkIdType Voters = 100000; // of all blocks; of each block at least, and at most:
-constexpr vtkIdType FewestVoters = 100;
+constexpr vtkIdType FewestVoters = 20;
 constexpr vtkIdType MostVoters = 1000;
 constexpr int NearestPoints = 16;
 constexpr size_t FewOwn = 3;
@@ -91,7 +91,7 @@ struct vtkPointSplatPieceVotes::Votes
   int For = 0;
   int Against = 0;
   int Undecided = 0;
-  std::set<size_t> Named; // blocks, by those for
+  std::vector<size_t> Named; // blocks, by those for
 
   bool IsPiece() const { return this->For > LeastShare * (this->For + this->Against); }
   bool MayBePiece() const
@@ -195,6 +195,8 @@ void vtkPointSplatPieceVotes::Ask(size_t block, Votes& votes) const
     this->Locator->FindClosestNPoints(NearestPoints, p, nearest);
     this->Vote(block, this->Look(point, nearest), votes);
   }
+  std::sort(votes.Named.begin(), votes.Named.end());
+  votes.Named.erase(std::unique(votes.Named.begin(), votes.Named.end()), votes.Named.end());
 }
 
 //------------------------------------------------------------------------------
@@ -230,7 +232,7 @@ void vtkPointSplatPieceVotes::Vote(size_t block, const std::vector<View>& around
   if (among || GapOf(beside) <= WideGap || goesOn)
   {
     ++votes.For;
-    std::transform(others, around.end(), std::inserter(votes.Named, votes.Named.end()),
+    std::transform(others, around.end(), std::back_inserter(votes.Named),
       [](const View& view) { return view.Block; });
   }
   else

@@ -8,8 +8,8 @@
 //    of its plane, or twice what its own block's are, where these are noise. It votes for a piece where others lie on its sheet all
 //    around; where its own block leaves a side open, to which others on its sheet go on; and where hardly any point is of its own
 //    block and others are on its sheet. It votes against where most others are not on its sheet, as where bodies touch.
-// 3. Blocks with a share of votes for pieces of LeastShare at least are pieces, of one cloud with those that their votes name, if
-//    these are pieces or most of their own votes are not against that, as of the many points around a few.
+// 3. Blocks with a share of votes for pieces of LeastShare at least are pieces, of one cloud with the blocks that those
+//    who voted for that have beside them, if these are pieces or most of their own votes are not against that, as of the many points around a few.
 //
 // Of blocks that points are dealt out to nine of ten votes are for pieces, however noisy they are; of those that a cloud was cut in along
 // planes, a third of the votes at the cut, and none is against. Of bodies that touch, cross or lie a spacing apart one in
@@ -29,7 +29,6 @@
 
 #include <array>
 #include <cstddef>
-#include <set>
 #include <utility>
 #include <vector>
 

@@ -18,6 +18,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <iterator>
+#include <list>
 #include <numeric>
 #include <utility>
 
@@ -315,16 +317,23 @@ std::vector<std::vector<size_t>> vtkPointSplatPieces::Find(
   auto hasNormals = [&blocks](size_t i) {
     return blocks[i]->GetPointData()->GetNormals() != nullptr;
   };
-  for (size_t k = 0; k < byLeft.size(); ++k)
+  // Sets that still go on to the right, each by one of its blocks and the box about all.
+  std::list<std::pair<size_t, vtkBoundingBox>> open;
+  for (size_t i : byLeft)
   {
-    const size_t i = byLeft[k];
-    for (size_t m = k + 1; m < byLeft.size() && boxes[byLeft[m]].GetBound(0) <= boxes[i].GetBound(1); ++m)
+    vtkBoundingBox box = boxes[i];
+    for (auto it = open.begin(); it != open.end();)
     {
-      if (hasNormals(i) == hasNormals(byLeft[m]) && boxes[i].Intersects(boxes[byLeft[m]]))
+      const bool past = it->second.GetBound(1) < boxes[i].GetBound(0);
+      const bool meets = !past && hasNormals(i) == hasNormals(it->first) && it->second.Intersects(boxes[i]);
+      if (meets)
       {
-        meeting.Join(i, byLeft[m]);
+        meeting.Join(i, it->first);
+        box.AddBox(it->second);
       }
+      it = past || meets ? open.erase(it) : std::next(it);
     }
+    open.emplace_back(i, box);
   }
   std::vector<std::vector<size_t>> clouds;
   for (const std::vector<size_t>& met : meeting.GetSets())
