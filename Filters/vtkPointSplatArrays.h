@@ -43,6 +43,8 @@ inline constexpr const char* Clip = "SplatClip";
 /// average of its faces', has a part of its splat on each of them: as in a mesh, the shading turns
 /// from face to face.
 inline constexpr const char* Fold = "SplatFold";
+/// What splats are made from, beside points and normals.
+inline constexpr const char* Geometry[] = { Radius, PlaneNormal, Curvature, Axis1, Axis2, Clip, Fold };
 /// 1 vtkIdType, where vtkPointSplatEstimation made fill points: the point of its input that a point is, or that a
 /// fill point, which lies between some, is nearest to.
 inline constexpr const char* Source = "SplatSource";

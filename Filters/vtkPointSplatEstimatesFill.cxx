@@ -67,8 +67,8 @@ void vtkPointSplatEstimates::FindFill()
     }
     return;
   }
-  if (!this->Self->GetFillNoise() && this->IsRough() &&
-    vtkPointSplatEstimation::IsContradicted(this->Contradiction))
+  if (!this->Self->GetFillNoise() &&
+    vtkPointSplatEstimation::IsNoisy(this->Noise, this->Contradiction))
   {
     return;
   }

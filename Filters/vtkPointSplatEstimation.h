@@ -318,7 +318,12 @@ public:
    * Whether the cloud is one for vtkPointSplatProjection: rough, and by contradictions rather than
    * relief. If it is contradicted after that, too, it is layers, and no noise.
    */
-  bool IsNoisy() const { return this->IsRough() && this->IsContradicted(); }
+  bool IsNoisy() const { return vtkPointSplatEstimation::IsNoisy(this->Noise, this->Contradiction); }
+  static bool IsNoisy(double noise, double contradiction)
+  {
+    return vtkPointSplatEstimation::IsRough(noise) &&
+      vtkPointSplatEstimation::IsContradicted(contradiction);
+  }
 
 protected:
   vtkPointSplatEstimation();

@@ -32,6 +32,15 @@ inline std::vector<vtkCellArray*> GetLists(vtkPointSet* data)
 }
 
 /**
+ * Whether there are cells that say how large splats are.
+ */
+inline bool HasFaces(vtkPointSet* data)
+{
+  vtkPolyData* mesh = vtkPolyData::SafeDownCast(data);
+  return mesh && (mesh->GetNumberOfPolys() > 0 || mesh->GetNumberOfStrips() > 0);
+}
+
+/**
  * Whether each cell lies within its list, so that it can be asked for its points' ids. Those may
  * be of points that are not there.
  */

@@ -61,17 +61,14 @@ vtkPointSplatCloud::Key vtkPointSplatCloud::SplatKey(const std::vector<Block>& b
     vtkPoints* points = block.Data->GetPoints();
     key.emplace_back(points->GetData(), std::max(points->GetMTime(), points->GetData()->GetMTime()));
     vtkPointData* arrays = block.Data->GetPointData();
-    for (vtkDataArray* array : { arrays->GetNormals(),
-           arrays->GetArray(vtkPointSplatArrays::Radius),
-           arrays->GetArray(vtkPointSplatArrays::PlaneNormal),
-           arrays->GetArray(vtkPointSplatArrays::Curvature),
-           arrays->GetArray(vtkPointSplatArrays::Axis1),
-           arrays->GetArray(vtkPointSplatArrays::Axis2),
-           arrays->GetArray(vtkPointSplatArrays::Clip),
-           arrays->GetArray(vtkPointSplatArrays::Fold),
-           arrays->GetArray(vtkDataSetAttributes::GhostArrayName()) })
-    {
+    const auto add = [&key](vtkDataArray* array) {
       key.emplace_back(array, array ? array->GetMTime() : 0);
+    };
+    add(arrays->GetNormals());
+    add(arrays->GetArray(vtkDataSetAttributes::GhostArrayName()));
+    for (const char* name : vtkPointSplatArrays::Geometry)
+    {
+      add(arrays->GetArray(name));
     }
     // Triangles say how large splats are, and all cells which points are shown.
     for (vtkCellArray* cells : vtkPointSplatCells::GetLists(block.Data))

@@ -4,10 +4,9 @@
 // Of the cloud: its levels.
 #include "vtkPointSplatCloud.h"
 
+#include "vtkPointSplatOrdered.h"
 #include "vtkPointSplatPieces.h"
-#include "vtkSMPTools.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
 
@@ -165,19 +164,12 @@ void vtkPointSplatCloud::Unmix()
   {
     return;
   }
-  auto arrange = [this](std::vector<uint32_t>& data, size_t size) {
-    std::vector<uint32_t> arranged(data.empty() ? 0 : size * this->Mixed.size());
-    vtkSMPTools::For(0, static_cast<vtkIdType>(arranged.size() / size), [&](vtkIdType begin, vtkIdType end) {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        std::copy_n(data.data() + size * this->SplatOf(i), size,
-          arranged.data() + size * static_cast<size_t>(i));
-      }
-    });
-    data = std::move(arranged);
-  };
-  arrange(this->Splats, this->GetWordsPerSplat());
-  arrange(this->ClipLines, 4);
+  const size_t count = this->Mixed.size();
+  this->Splats = vtkPointSplatOrdered(this->Splats, this->GetWordsPerSplat(), this->Mixed, count);
+  if (!this->ClipLines.empty())
+  {
+    this->ClipLines = vtkPointSplatOrdered(this->ClipLines, 4, this->Mixed, count);
+  }
   this->Mixed.clear();
   this->Levels.Clear();
   this->SplatTime.Modified();

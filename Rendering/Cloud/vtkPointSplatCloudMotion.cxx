@@ -26,12 +26,6 @@ bool IsNormals(vtkDataArray* array, vtkIdType points)
 {
   return array && array->GetNumberOfComponents() == 3 && array->GetNumberOfTuples() == points;
 }
-
-/// Whether these cells say how large splats are.
-bool HasFaces(vtkPolyData* mesh)
-{
-  return mesh && (mesh->GetNumberOfPolys() > 0 || mesh->GetNumberOfStrips() > 0);
-}
 }
 
 //------------------------------------------------------------------------------
@@ -48,10 +42,10 @@ vtkPointSplatCloud::Key vtkPointSplatCloud::StayingKey(const std::vector<Block>&
     key.emplace_back(nullptr, arrays->GetArray(vtkPointSplatArrays::Radius) != nullptr);
     vtkDataArray* ghosts = arrays->GetArray(vtkDataSetAttributes::GhostArrayName());
     key.emplace_back(ghosts, ghosts ? ghosts->GetMTime() : 0);
-    vtkPolyData* mesh = vtkPolyData::SafeDownCast(block.Data);
+    const bool faces = vtkPointSplatCells::HasFaces(block.Data);
     for (vtkCellArray* cells : vtkPointSplatCells::GetLists(block.Data))
     {
-      if (HasFaces(mesh) && cells && cells->GetNumberOfCells() > 0)
+      if (faces && cells && cells->GetNumberOfCells() > 0)
       {
         key.emplace_back(cells, cells->GetMTime());
       }

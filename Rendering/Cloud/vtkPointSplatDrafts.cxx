@@ -25,6 +25,8 @@
 
 namespace
 {
+using vtkPointSplatArrays::Geometry;
+
 // Two thirds of a second until the first picture, on one core.
 constexpr vtkIdType FirstPoints = vtkIdType(1) << 17;
 // All drafts together take a seventh of the cloud's own time, at most.
@@ -32,11 +34,6 @@ constexpr vtkIdType Growth = 8;
 // Fewer are there within three seconds: those whose sizes must be estimated, and others.
 constexpr vtkIdType LeastPoints = vtkIdType(1) << 20;
 constexpr vtkIdType LeastSizedPoints = vtkIdType(1) << 23;
-
-// What splats are made from, beside points and normals.
-constexpr const char* Geometry[] = { vtkPointSplatArrays::Radius, vtkPointSplatArrays::PlaneNormal,
-  vtkPointSplatArrays::Curvature, vtkPointSplatArrays::Axis1, vtkPointSplatArrays::Axis2,
-  vtkPointSplatArrays::Clip, vtkPointSplatArrays::Fold };
 
 bool IsSized(vtkPointSet* data)
 {

@@ -13,6 +13,7 @@
 #include "vtkPointSplatArrays.h"
 #include "vtkPointSplatCodes.h"
 #include "vtkPointSplatGrouping.h"
+#include "vtkPointSplatOrdered.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
@@ -259,11 +260,5 @@ std::vector<uint32_t> vtkPointSplatGroups::Ordered(
   {
     return data;
   }
-  std::vector<uint32_t> ordered(data.size());
-  for (size_t i = 0; i < this->Order.size(); ++i)
-  {
-    std::copy_n(data.begin() + static_cast<std::ptrdiff_t>(words * this->Order[i]), words,
-      ordered.begin() + static_cast<std::ptrdiff_t>(words * i));
-  }
-  return ordered;
+  return vtkPointSplatOrdered(data, words, this->Order, data.size() / words);
 }

@@ -4,6 +4,7 @@
 
 #include "vtkMath.h"
 #include "vtkPointSplatCodes.h"
+#include "vtkPointSplatOrdered.h"
 #include "vtkPointSplatRims.h"
 #include "vtkSMPTools.h"
 
@@ -171,20 +172,10 @@ std::vector<uint32_t> vtkPointSplatLevels::Take(
   {
     this->Starts.push_back(this->Starts.back() + this->Hierarchy.GetNumberOfSplats(level));
   }
-  auto arrange = [&order](std::vector<uint32_t>& data, size_t size, size_t count) {
-    std::vector<uint32_t> arranged(size * count, 0u);
-    vtkSMPTools::For(0, static_cast<vtkIdType>(order.size()), [&](vtkIdType begin, vtkIdType end) {
-      for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
-      {
-        std::copy_n(data.data() + size * order[i], size, arranged.data() + size * i);
-      }
-    });
-    data = std::move(arranged);
-  };
-  arrange(splats, words, this->Starts.back());
+  splats = vtkPointSplatOrdered(splats, words, order, this->Starts.back());
   if (!lines.empty())
   {
-    arrange(lines, 4, this->Starts.back());
+    lines = vtkPointSplatOrdered(lines, 4, order, this->Starts.back());
   }
   this->Firsts.reserve(this->Starts.back() - this->Points);
   for (int level = 1; level < levels; ++level)

@@ -10,6 +10,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPointSplatArrays.h"
+#include "vtkPointSplatCells.h"
 #include "vtkPointSplatPieceVotes.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -25,10 +26,9 @@
 
 namespace
 {
-constexpr const char* Sized[] = { vtkPointSplatArrays::Radius, vtkPointSplatArrays::PlaneNormal,
-  vtkPointSplatArrays::Curvature, vtkPointSplatArrays::Axis1, vtkPointSplatArrays::Axis2,
-  vtkPointSplatArrays::Clip, vtkPointSplatArrays::Fold, vtkPointSplatArrays::Group,
-  vtkPointSplatArrays::Sensor, vtkPointSplatArrays::Scan };
+// What a block of points alone does not have, beside sizes.
+constexpr const char* Known[] = { vtkPointSplatArrays::Group, vtkPointSplatArrays::Sensor,
+  vtkPointSplatArrays::Scan };
 
 constexpr double CellSpacings = 2.0;
 
@@ -45,12 +45,6 @@ bool HasDuplicates(vtkPointSet* data)
   return false;
 }
 
-bool HasFaces(vtkPointSet* data)
-{
-  vtkPolyData* mesh = vtkPolyData::SafeDownCast(data);
-  return mesh && (mesh->GetNumberOfPolys() > 0 || mesh->GetNumberOfStrips() > 0);
-}
-
 /// Whether nothing is known of the block but points, and perhaps normals.
 bool IsPiece(vtkPointSet* data, bool sizes)
 {
@@ -59,10 +53,11 @@ bool IsPiece(vtkPointSet* data, bool sizes)
   const bool good = normals ? normals->GetNumberOfComponents() == 3 &&
       normals->GetNumberOfTuples() == data->GetNumberOfPoints()
                             : !data->GetCellData()->GetNormals();
-  return (sizes || !normals) && good && !HasFaces(data) &&
+  const auto has = [arrays](const char* name) { return arrays->HasArray(name) != 0; };
+  return (sizes || !normals) && good && !vtkPointSplatCells::HasFaces(data) &&
     !data->GetFieldData()->HasArray(vtkPointSplatArrays::Sensor) &&
-    std::none_of(std::begin(Sized), std::end(Sized),
-      [arrays](const char* name) { return arrays->HasArray(name); }) &&
+    std::none_of(std::begin(vtkPointSplatArrays::Geometry), std::end(vtkPointSplatArrays::Geometry), has) &&
+    std::none_of(std::begin(Known), std::end(Known), has) &&
     !HasDuplicates(data);
 }
 
@@ -244,7 +239,7 @@ private:
 //------------------------------------------------------------------------------
 bool vtkPointSplatPieces::MayMix(vtkPointSet* block)
 {
-  return !HasFaces(block) && !block->GetPointData()->HasArray(vtkPointSplatArrays::Group);
+  return !vtkPointSplatCells::HasFaces(block) && !block->GetPointData()->HasArray(vtkPointSplatArrays::Group);
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkCommand.h"
 #include "vtkEGLHeadlessRenderWindow.h"
 #include "vtkFloatArray.h"
 #include "vtkMinimalStandardRandomSequence.h"
@@ -226,6 +227,30 @@ inline vtkSmartPointer<vtkPolyData> RandomSphere(int count)
     std::copy(n, n + 3, p);
   });
 }
+
+/// The same data set, its points scaled about the origin and moved along x.
+inline vtkSmartPointer<vtkPolyData> Moved(vtkSmartPointer<vtkPolyData> data, double scale, double x)
+{
+  vtkNew<vtkPoints> points;
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    const double* p = data->GetPoint(i);
+    points->InsertNextPoint(scale * p[0] + x, scale * p[1], scale * p[2]);
+  }
+  data->SetPoints(points);
+  return data;
+}
+
+/// Counts an algorithm's progress that is not its end.
+struct ProgressCounter : vtkCommand
+{
+  static ProgressCounter* New() { return new ProgressCounter; }
+  void Execute(vtkObject*, unsigned long, void* amount) override
+  {
+    this->Partial += *static_cast<double*>(amount) < 1.0;
+  }
+  int Partial = 0;
+};
 
 /**
  * About z, of major radius 1.

@@ -4,7 +4,6 @@
 // picture that VTK's own mapper makes of their meshes, and what is picked.
 #include "SplatScene.h"
 
-#include "vtkCommand.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkHardwareSelector.h"
 #include "vtkMultiBlockDataSet.h"
@@ -246,16 +245,7 @@ void ReuseEstimates(Checks& checks)
   splats.Win.Draw();
   splats.Blocks->SetBlockVisibility(Left, true);
   splats.Win.Draw();
-  struct Counter : vtkCommand
-  {
-    static Counter* New() { return new Counter; }
-    void Execute(vtkObject*, unsigned long, void* amount) override
-    {
-      this->Partial += *static_cast<double*>(amount) < 1.0;
-    }
-    int Partial = 0;
-  };
-  vtkNew<Counter> counter;
+  vtkNew<ProgressCounter> counter;
   splats.Blocks->AddObserver(vtkCommand::ProgressEvent, counter);
   splats.Blocks->SetBlockVisibility(Near, false);
   splats.Win.Draw();

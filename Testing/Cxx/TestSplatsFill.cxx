@@ -247,15 +247,7 @@ void TestWhere(Checks& checks)
   // As blocks, of which one has other points than the rest, and no values.
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, cloud);
-  const vtkSmartPointer<vtkPolyData> others = RandomSphere(10);
-  vtkNew<vtkPoints> elsewhere; // what meets the cloud would be a piece of it
-  for (vtkIdType i = 0; i < others->GetNumberOfPoints(); ++i)
-  {
-    const double* p = others->GetPoint(i);
-    elsewhere->InsertNextPoint(p[0] + 10.0, p[1], p[2]);
-  }
-  others->SetPoints(elsewhere);
-  blocks->SetBlock(1, others);
+  blocks->SetBlock(1, Moved(RandomSphere(10), 1.0, 10.0)); // what meets the cloud would be a piece of it
   Window both;
   vtkNew<Mapper> composite;
   composite->SetInputDataObject(blocks);

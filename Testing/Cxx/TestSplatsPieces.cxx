@@ -7,12 +7,9 @@
 #include "PickedPoints.h"
 #include "RimmedDisc.h"
 
-#include "vtkCommand.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointSplatEstimation.h"
-
-#include <map>
 
 namespace
 {
@@ -162,16 +159,6 @@ void CompareWithWhole(Checks& checks)
   }
 }
 
-struct Counter : vtkCommand
-{
-  static Counter* New() { return new Counter; }
-  void Execute(vtkObject*, unsigned long, void* amount) override
-  {
-    this->Partial += *static_cast<double*>(amount) < 1.0;
-  }
-  int Partial = 0;
-};
-
 void HidePieces(Checks& checks)
 {
   vtkSmartPointer<vtkPolyData> whole = RandomTorus(20000);
@@ -182,7 +169,7 @@ void HidePieces(Checks& checks)
   pieces.Win.Draw();
   pieces.Splats->SetBlockVisibility(1u, true);
   pieces.Win.Draw();
-  vtkNew<Counter> counter;
+  vtkNew<ProgressCounter> counter;
   pieces.Splats->AddObserver(vtkCommand::ProgressEvent, counter);
   pieces.Splats->SetBlockVisibility(1u, false);
   const Picture right = pieces.Win.Draw();
@@ -215,14 +202,7 @@ void KeepApart(Checks& checks)
 {
   // A sphere beside a dense one, of another radius: each is as if alone.
   vtkSmartPointer<vtkPolyData> sparse = RandomSphere(1500);
-  vtkSmartPointer<vtkPolyData> dense = RandomTorus(20000);
-  vtkNew<vtkPoints> shifted;
-  for (vtkIdType i = 0; i < dense->GetNumberOfPoints(); ++i)
-  {
-    const double* p = dense->GetPoint(i);
-    shifted->InsertNextPoint(p[0] + 2.8, p[1], p[2]);
-  }
-  dense->SetPoints(shifted);
+  vtkSmartPointer<vtkPolyData> dense = Moved(RandomTorus(20000), 1.0, 2.8);
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, sparse);
   blocks->SetBlock(1, dense);
@@ -235,25 +215,15 @@ void KeepApart(Checks& checks)
   checks.AtLeast(Psnr(together.Win.Draw(), apart.Win.Draw()), Same, "bodies apart");
 
   // Shells that are half a spacing apart, boxes that share a face, spheres that cross: as with each body's own sizes.
-  const auto moved = [](vtkSmartPointer<vtkPolyData> data, double scale, double x) {
-    vtkNew<vtkPoints> points;
-    for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
-    {
-      const double* p = data->GetPoint(i);
-      points->InsertNextPoint(scale * p[0] + x, scale * p[1], scale * p[2]);
-    }
-    data->SetPoints(points);
-    return data;
-  };
   struct Bodies
   {
     const char* Name;
     vtkSmartPointer<vtkPolyData> One;
     vtkSmartPointer<vtkPolyData> Other;
   };
-  for (const Bodies& c : { Bodies{ "shells", RandomSphere(5000), moved(RandomSphere(5000), 0.975, 0.0) },
-         Bodies{ "boxes", RandomBox(5000), moved(RandomBox(5000), 1.0, 2.0) },
-         Bodies{ "crossing", RandomSphere(5000), moved(RandomSphere(8000), 0.8, 0.9) } })
+  for (const Bodies& c : { Bodies{ "shells", RandomSphere(5000), Moved(RandomSphere(5000), 0.975, 0.0) },
+         Bodies{ "boxes", RandomBox(5000), Moved(RandomBox(5000), 1.0, 2.0) },
+         Bodies{ "crossing", RandomSphere(5000), Moved(RandomSphere(8000), 0.8, 0.9) } })
   {
     vtkNew<vtkMultiBlockDataSet> bare;
     vtkNew<vtkMultiBlockDataSet> sized;
@@ -438,14 +408,7 @@ void MoveMixed(Checks& checks)
   {
     for (unsigned int b = 0; b < 3; ++b)
     {
-      auto block = vtkPolyData::SafeDownCast(pieces.Blocks->GetBlock(b));
-      vtkNew<vtkPoints> moved;
-      for (vtkIdType i = 0; i < block->GetNumberOfPoints(); ++i)
-      {
-        const double* p = block->GetPoint(i);
-        moved->InsertNextPoint(p[0] + 0.05, p[1], p[2]);
-      }
-      block->SetPoints(moved);
+      Moved(vtkPolyData::SafeDownCast(pieces.Blocks->GetBlock(b)), 1.0, 0.05);
     }
     scene.Win.Draw();
   }
