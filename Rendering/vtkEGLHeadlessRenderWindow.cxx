@@ -27,7 +27,7 @@ vtkStandardNewMacro(vtkEGLHeadlessRenderWindow);
 namespace
 {
 const char* const NoContext =
-  "No OpenGL context of version 3.2 or newer can be made by EGL (surfaceless, device and "
+  "No OpenGL context of version 3.2 or newer can be made by EGL (devices, surfaceless and "
   "pbuffer were tried). Install an EGL driver (Debian: libegl1 and libgl1-mesa-dri), or use "
   "vtkRenderWindow with an X server.";
 }
@@ -149,38 +149,62 @@ struct vtkEGLHeadlessRenderWindow::vtkInternals
     return true;
   }
 
-  bool OpenAny()
+  /// In EGL's order, which has graphics cards before what draws on the processor.
+  static std::vector<EGLDeviceEXT> Devices()
+  {
+    auto queryDevices =
+      reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
+    EGLint count = 0;
+    if (!queryDevices || !queryDevices(0, nullptr, &count) || count < 1)
+    {
+      return {};
+    }
+    std::vector<EGLDeviceEXT> devices(static_cast<size_t>(count));
+    queryDevices(count, devices.data(), &count);
+    devices.resize(static_cast<size_t>(std::max(count, 0)));
+    return devices;
+  }
+
+  static bool IsCard(EGLDeviceEXT device)
+  {
+    auto queryString = reinterpret_cast<PFNEGLQUERYDEVICESTRINGEXTPROC>(
+      eglGetProcAddress("eglQueryDeviceStringEXT"));
+    const char* extensions = queryString ? queryString(device, EGL_EXTENSIONS) : nullptr;
+    return extensions &&
+      std::string(extensions).find("EGL_MESA_device_software") == std::string::npos;
+  }
+
+  bool OpenAny(int wanted)
   {
     const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     const std::string extensions = client ? client : "";
     auto getDisplay = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
       eglGetProcAddress("eglGetPlatformDisplayEXT"));
-    auto queryDevices =
-      reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
-    if (getDisplay && extensions.find("EGL_MESA_platform_surfaceless") != std::string::npos &&
-      this->Open(getDisplay(EGL_PLATFORM_SURFACELESS_MESA,
-                   reinterpret_cast<void*>(EGL_DEFAULT_DISPLAY), nullptr),
-        "surfaceless"))
+    if (getDisplay && extensions.find("EGL_EXT_platform_device") != std::string::npos)
     {
-      return true;
-    }
-    if (getDisplay && queryDevices &&
-      extensions.find("EGL_EXT_platform_device") != std::string::npos)
-    {
-      EGLint count = 0;
-      queryDevices(0, nullptr, &count);
-      std::vector<EGLDeviceEXT> devices(static_cast<size_t>(count));
-      queryDevices(count, devices.data(), &count);
-      for (EGLint i = 0; i < count; ++i)
+      const std::vector<EGLDeviceEXT> devices = Devices();
+      const auto open = [&](size_t i) {
+        return this->Open(getDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr),
+          "device " + std::to_string(i));
+      };
+      const size_t own = static_cast<size_t>(std::max(wanted, 0));
+      if (own < devices.size() && open(own))
       {
-        if (this->Open(getDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr),
-              "device " + std::to_string(i)))
+        return true;
+      }
+      for (size_t i = 0; i < devices.size(); ++i)
+      {
+        if (i != own && IsCard(devices[i]) && open(i))
         {
           return true;
         }
       }
     }
-    return this->Open(eglGetDisplay(EGL_DEFAULT_DISPLAY), "pbuffer");
+    return (getDisplay && extensions.find("EGL_MESA_platform_surfaceless") != std::string::npos &&
+             this->Open(getDisplay(EGL_PLATFORM_SURFACELESS_MESA,
+                          reinterpret_cast<void*>(EGL_DEFAULT_DISPLAY), nullptr),
+               "surfaceless")) ||
+      this->Open(eglGetDisplay(EGL_DEFAULT_DISPLAY), "pbuffer");
   }
 
   // The display is not terminated: EGL hands the same one to every window of
@@ -216,14 +240,16 @@ struct vtkEGLHeadlessRenderWindow::vtkInternals
     return eglMakeCurrent(this->Display, this->Surface, this->Surface, this->Context);
   }
   void* GetContext() const { return this->Context; }
+  static int GetNumberOfDevices() { return static_cast<int>(Devices().size()); }
 #else
-  bool OpenAny() { return false; }
+  bool OpenAny(int) { return false; }
   void Close() {}
   bool IsOpen() const { return false; }
   bool IsCurrent() const { return false; }
   void ReleaseCurrent() {}
   bool MakeCurrent() { return false; }
   void* GetContext() const { return nullptr; }
+  static int GetNumberOfDevices() { return 0; }
 #endif
 };
 
@@ -255,6 +281,12 @@ vtkEGLHeadlessRenderWindow::~vtkEGLHeadlessRenderWindow()
 const char* vtkEGLHeadlessRenderWindow::GetPlatform()
 {
   return this->Internals->Platform.c_str();
+}
+
+//------------------------------------------------------------------------------
+int vtkEGLHeadlessRenderWindow::GetNumberOfDevices()
+{
+  return this->Internals->GetNumberOfDevices();
 }
 
 //------------------------------------------------------------------------------
@@ -332,7 +364,7 @@ void vtkEGLHeadlessRenderWindow::Initialize()
 void vtkEGLHeadlessRenderWindow::CreateAWindow()
 {
   vtkPointSplatCurrentGLX::Release();
-  if (!this->Internals->OpenAny())
+  if (!this->Internals->OpenAny(this->DeviceIndex))
   {
     this->Internals->Failed = true;
     vtkErrorMacro(<< NoContext);

@@ -12,11 +12,13 @@
  * selection, render passes, several windows side by side.
  *
  * How the context is found, the first that works being used:
- * 1. the surfaceless platform (EGL_MESA_platform_surfaceless),
- * 2. each device of the device platform (EGL_EXT_platform_device), in the
- *    order in which EGL lists them,
- * 3. the default display with a pbuffer of one pixel.
- * In each, core profiles from 4.6 down to 3.2 are tried. GetPlatform() tells
+ * 1. of the device platform (EGL_EXT_platform_device) the device that SetDeviceIndex() names, of
+ *    GetNumberOfDevices() ones in EGL's order, which has graphics cards first; 0 unless told,
+ * 2. each other of its devices that is a graphics card, in that order,
+ * 3. the surfaceless platform (EGL_MESA_platform_surfaceless),
+ * 4. the default display with a pbuffer of one pixel.
+ * Devices come first, since the surfaceless platform is Mesa's: beside another driver it would draw
+ * on the processor. In each, core profiles from 4.6 down to 3.2 are tried. GetPlatform() tells
  * what was found. Where there is no EGL, or no context, one error is given and
  * the window stays uninitialised: Render() then draws nothing, and pictures that
  * are read are black.
@@ -66,7 +68,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * How the context was made: "surfaceless", "device 0", "pbuffer", ..., or an
+   * How the context was made: "device 0", "surfaceless", "pbuffer", or an
    * empty string before the first Render() and where no context was to be had.
    */
   const char* GetPlatform();
@@ -110,6 +112,7 @@ public:
   const char* ReportCapabilities() override;
   void WaitForCompletion() override;
   int IsDirect() override { return 1; }
+  int GetNumberOfDevices() override;
   vtkOpenGLState* GetState() override;
   vtkTypeBool GetEventPending() override { return 0; }
   ///@}

@@ -350,7 +350,8 @@ private:
   /// Those of the entered context, which are made at need.
   static Buffers& Find(ContextBuffers& all);
   Buffers& Fill(ContextBuffers& all, bool grouped);
-  void UploadSome(const std::vector<uint32_t>& data, size_t words, const Buffers& buffers, vtkPointSplatBuffer& to);
+  static void UploadSome(const std::vector<uint32_t>& data, size_t words, const Buffers& buffers,
+    vtkPointSplatBuffer& to);
   /// Widens Low and High by points' finite coordinates; the middle is the origin then.
   void AddRange(vtkDataArray* points);
   void ForgetRange();
@@ -457,7 +458,6 @@ private:
   ContextBuffers PerContext;
   ContextBuffers GroupedPerContext;
   ContextBuffers RunsPerContext;
-  std::vector<uint32_t> Some; // of what is uploaded for runs, so that memory stays
 };
 
 #endif

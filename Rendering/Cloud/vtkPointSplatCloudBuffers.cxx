@@ -160,7 +160,15 @@ void vtkPointSplatCloud::UploadSome(const std::vector<uint32_t>& data, size_t wo
   }
   const vtkPointSplatRuns::Run& last = buffers.Resident.back();
   const size_t size = std::min(words * (size_t(last.First) + last.Count), MostWords);
-  this->Some.resize(size);
+  const GLsizeiptr bytes = static_cast<GLsizeiptr>(sizeof(uint32_t) * size);
+  to.Reserve(bytes);
+  // All threads put them where the driver fetches them: a copy by one would take most of a frame.
+  auto some = static_cast<uint32_t*>(to.Map(bytes, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT));
+  if (!some)
+  {
+    to.Fill(0, bytes, 0u); // out of memory: splats of no size
+    return;
+  }
   vtkSMPTools::For(0, static_cast<vtkIdType>(buffers.Resident.size()), 256, [&](vtkIdType begin, vtkIdType end) {
     for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
     {
@@ -170,10 +178,10 @@ void vtkPointSplatCloud::UploadSome(const std::vector<uint32_t>& data, size_t wo
       const size_t count = std::min({ words * buffers.Resident[i].Count,
         data.size() - std::min(from, data.size()), size - std::min(at, size) });
       std::copy_n(data.begin() + static_cast<std::ptrdiff_t>(std::min(from, data.size())), count,
-        this->Some.begin() + static_cast<std::ptrdiff_t>(std::min(at, size)));
+        some + std::min(at, size));
     }
   });
-  to.Upload(this->Some);
+  to.Unmap();
 }
 
 //------------------------------------------------------------------------------

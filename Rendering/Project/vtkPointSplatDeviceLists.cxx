@@ -8,20 +8,35 @@ namespace
 {
 constexpr vtkIdType GroupSize = 64;  // as in vtkPointSplatBinCS.glsl
 constexpr vtkIdType ScanSize = 256;  // as in vtkPointSplatScanCS.glsl
-constexpr vtkIdType SortSize = 128;  // as in vtkPointSplatSortListsCS.glsl
+constexpr GLuint PartSize = 8 * 256; // likewise
+constexpr vtkIdType SortSize = 32;   // as in vtkPointSplatSortListsCS.glsl
+// Work groups that sort: more than a device runs at once.
+constexpr vtkIdType SortGroups = 4096;
+}
+
+//------------------------------------------------------------------------------
+std::array<vtkPointSplatDeviceLists::Stage, 6> vtkPointSplatDeviceLists::GetStages()
+{
+  return { { { &this->CountProgram, "vtkPointSplatBinCS", "" },
+    { &this->PartsProgram, "vtkPointSplatScanCS", "#define PARTS\n" },
+    { &this->SumsProgram, "vtkPointSplatScanCS", "#define SUMS\n" },
+    { &this->ScanProgram, "vtkPointSplatScanCS", "" },
+    { &this->FillProgram, "vtkPointSplatBinCS", "#define FILL\n" },
+    { &this->SortProgram, "vtkPointSplatSortListsCS", "" } } };
 }
 
 //------------------------------------------------------------------------------
 bool vtkPointSplatDeviceLists::Build()
 {
-  const bool built =
-    this->CountProgram.Build({ { GL_COMPUTE_SHADER, "vtkPointSplatBinCS" } }) &&
-    this->ScanProgram.Build({ { GL_COMPUTE_SHADER, "vtkPointSplatScanCS" } }) &&
-    this->FillProgram.Build({ { GL_COMPUTE_SHADER, "vtkPointSplatBinCS" } }, "#define FILL\n") &&
-    this->SortProgram.Build({ { GL_COMPUTE_SHADER, "vtkPointSplatSortListsCS" } });
-  this->Error = this->CountProgram.GetLog() + this->ScanProgram.GetLog() +
-    this->FillProgram.GetLog() + this->SortProgram.GetLog();
-  return built;
+  this->Error.clear();
+  for (const Stage& stage : this->GetStages())
+  {
+    if (!stage.Program->Build({ { GL_COMPUTE_SHADER, stage.File } }, stage.Defines))
+    {
+      this->Error += stage.Program->GetLog();
+    }
+  }
+  return this->Error.empty();
 }
 
 //------------------------------------------------------------------------------
@@ -56,13 +71,10 @@ bool vtkPointSplatDeviceLists::Count(const vtkPointSplatBuffer& boxes, size_t sp
   this->Counts.Reserve(bytes);
   this->Counts.Fill(0, bytes, 0u);
   this->Starts.Reserve(bytes + 4);
+  this->Sortables.Reserve(bytes + 4);
+  this->Sortables.Fill(0, 4, 0u);
   this->Run(this->CountProgram, boxes);
-
-  this->ScanProgram.Use();
-  this->ScanProgram.Set("ListCount", this->ListCount);
-  this->Counts.BindStorage(0);
-  this->Starts.BindStorage(1);
-  vtkPointSplatProgram::Dispatch(1, ScanSize);
+  this->SumUp();
 
   GLuint entries = 0;
   glBindBuffer(GL_COPY_READ_BUFFER, this->Starts.Get());
@@ -70,6 +82,25 @@ bool vtkPointSplatDeviceLists::Count(const vtkPointSplatBuffer& boxes, size_t sp
   glBindBuffer(GL_COPY_READ_BUFFER, 0);
   this->Entries = entries;
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatDeviceLists::SumUp()
+{
+  const GLuint parts = (this->ListCount + PartSize - 1) / PartSize;
+  this->Sums.Reserve(4 * static_cast<GLsizeiptr>(parts));
+  this->Counts.BindStorage(0);
+  this->Starts.BindStorage(1);
+  this->Sums.BindStorage(2);
+  this->Sortables.BindStorage(3);
+  for (vtkPointSplatProgram* program : { &this->PartsProgram, &this->SumsProgram, &this->ScanProgram })
+  {
+    program->Use();
+    program->Set("ListCount", this->ListCount);
+    program->Set("PartCount", parts);
+    const vtkIdType groups = program == &this->SumsProgram ? 1 : static_cast<vtkIdType>(parts);
+    vtkPointSplatProgram::Dispatch(ScanSize * groups, ScanSize);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -83,19 +114,20 @@ void vtkPointSplatDeviceLists::Fill(
   this->SortProgram.Use();
   vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
   units.Bind(this->SortProgram, "Starts", GL_TEXTURE_BUFFER, this->Starts.GetTexture());
-  this->SortProgram.Set("ListCount", this->ListCount);
+  units.Bind(this->SortProgram, "Sortables", GL_TEXTURE_BUFFER, this->Sortables.GetTexture());
   lists.BindStorage(0);
-  vtkPointSplatProgram::Dispatch(SortSize * static_cast<vtkIdType>(this->ListCount), SortSize);
+  vtkPointSplatProgram::Dispatch(SortSize * SortGroups, SortSize);
 }
 
 //------------------------------------------------------------------------------
 void vtkPointSplatDeviceLists::Release()
 {
-  for (vtkPointSplatProgram* program : { &this->CountProgram, &this->ScanProgram, &this->FillProgram,
-         &this->SortProgram })
+  for (const Stage& stage : this->GetStages())
   {
-    program->Release();
+    stage.Program->Release();
   }
-  this->Counts.Release();
-  this->Starts.Release();
+  for (vtkPointSplatBuffer* buffer : { &this->Counts, &this->Starts, &this->Sums, &this->Sortables })
+  {
+    buffer->Release();
+  }
 }

@@ -4,9 +4,9 @@
 //
 // 1. Each splat is counted in the lists of the tiles that its box touches, one a kind; wide ones in
 //    those of blocks of 16 x 16 tiles (vtkPointSplatBinCS.glsl).
-// 2. The counts are summed up (vtkPointSplatScanCS.glsl); how many entries there are comes back to
-//    the processor, which makes room for them.
-// 3. Each splat is put into its lists, in any order, and each list is sorted
+// 2. The counts are summed up, in parts (vtkPointSplatScanCS.glsl); how many entries there are comes
+//    back to the processor, which makes room for them.
+// 3. Each splat is put into its lists, in any order, and each list of more than one entry is sorted
 //    (vtkPointSplatSortListsCS.glsl), so that lists are the same in each run.
 #ifndef vtkPointSplatDeviceLists_h
 #define vtkPointSplatDeviceLists_h
@@ -15,6 +15,7 @@
 #include "vtkPointSplatProgram.h"
 #include "vtkPointSplatTileLists.h"
 
+#include <array>
 #include <string>
 
 class vtkPointSplatDeviceLists
@@ -30,20 +31,36 @@ public:
 
   /// A texture (R32UI): where each kind of each tile, and then each block, begins, and the end.
   GLuint GetStarts() const { return this->Starts.GetTexture(); }
-  vtkIdType GetMemorySize() const { return this->Counts.GetSize() + this->Starts.GetSize(); }
+  vtkIdType GetMemorySize() const
+  {
+    return this->Counts.GetSize() + this->Starts.GetSize() + this->Sums.GetSize() +
+      this->Sortables.GetSize();
+  }
   const std::string& GetError() const { return this->Error; }
   void Release();
 
 private:
+  struct Stage
+  {
+    vtkPointSplatProgram* Program;
+    const char* File;
+    const char* Defines;
+  };
+  std::array<Stage, 6> GetStages();
   bool Build();
   void Run(vtkPointSplatProgram& program, const vtkPointSplatBuffer& boxes);
+  void SumUp();
 
   vtkPointSplatProgram CountProgram;
+  vtkPointSplatProgram PartsProgram;
+  vtkPointSplatProgram SumsProgram;
   vtkPointSplatProgram ScanProgram;
   vtkPointSplatProgram FillProgram;
   vtkPointSplatProgram SortProgram;
   vtkPointSplatBuffer Counts{ GL_R32UI };
   vtkPointSplatBuffer Starts{ GL_R32UI };
+  vtkPointSplatBuffer Sums;
+  vtkPointSplatBuffer Sortables{ GL_R32UI }; // how many, and which lists have something to sort
   vtkPointSplatTileGrid Grid;
   int Kinds = 3; // that have a list in each tile
   size_t Splats = 0;

@@ -2,19 +2,19 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Sorts each list, nearest bucket first, by a work group (bitonic sorting, with all comparisons in
-// one direction, so that what is missing to a power of two counts as last). Short lists are sorted
-// in shared memory.
-// Reads: Starts. Reads and writes: Lists.
+// Sorts the lists that have something to sort, nearest bucket first, by as many work groups as fill
+// the device, each list by one of them (bitonic sorting, with all comparisons in one direction, so
+// that what is missing to a power of two counts as last). Short lists are sorted in shared memory.
+// Reads: Starts, Sortables. Reads and writes: Lists.
 
-layout(local_size_x = 128) in;
+// Common lists have a few dozen entries: more invocations would have nothing to compare.
+layout(local_size_x = 32) in;
 
-const uint Shared = 2048u;
+const uint Shared = 1024u;
 
-uniform usamplerBuffer Starts; // R32UI
+uniform usamplerBuffer Starts;    // R32UI
+uniform usamplerBuffer Sortables; // R32UI: how many, and which
 layout(std430, binding = 0) coherent buffer Lists { uint lists[]; };
-
-uniform uint ListCount;
 
 shared uint entries[Shared];
 
@@ -40,54 +40,53 @@ void order(bool inShared, uint base, uint i, uint j, uint count)
   }
 }
 
-void main()
+void sortList(uint base, uint count)
 {
-  uint list = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-  if (list >= ListCount)
-  {
-    return;
-  }
-  uint base = texelFetch(Starts, int(list)).r;
-  uint count = texelFetch(Starts, int(list) + 1).r - base;
   bool inShared = count <= Shared;
-  uint size = 2u;
-  while (size < count)
-  {
-    size *= 2u;
-  }
-  if (count < 2u)
-  {
-    return;
-  }
+  int steps = findMSB(count - 1u) + 1; // of blocks, until one is as large as the list
+  uint size = 1u << uint(steps);
   uint own = gl_LocalInvocationIndex;
   if (inShared)
   {
-    for (uint i = own; i < size; i += 128u)
+    for (uint i = own; i < size; i += 32u)
     {
       entries[i] = i < count ? lists[base + i] : 0xffffffffu;
     }
   }
-  for (uint block = 2u; block <= size; block *= 2u)
+  for (int block = 0; block < steps; ++block)
   {
-    for (uint span = block; span >= 2u; span /= 2u)
+    for (int middle = block; middle >= 0; --middle)
     {
       barrier();
       memoryBarrierBuffer();
-      uint middle = span / 2u;
-      for (uint t = own; t < size / 2u; t += 128u)
+      uint within = (1u << uint(middle)) - 1u;
+      // The first of a block's steps compares what lies alike from both of its ends.
+      uint mirror = middle == block ? 2u * within + 1u : 1u << uint(middle);
+      for (uint t = own; t < size / 2u; t += 32u)
       {
-        uint first = t / middle * span + t % middle;
-        uint second = span == block ? t / middle * span + span - 1u - t % middle : first + middle;
-        order(inShared, base, first, second, count);
+        uint first = 2u * (t & ~within) + (t & within);
+        order(inShared, base, first, first ^ mirror, count);
       }
     }
   }
   barrier();
   if (inShared)
   {
-    for (uint i = own; i < count; i += 128u)
+    for (uint i = own; i < count; i += 32u)
     {
       lists[base + i] = entries[i];
     }
+  }
+  barrier(); // before the next list takes the shared entries' place
+}
+
+void main()
+{
+  int count = int(texelFetch(Sortables, 0).r);
+  for (int i = int(gl_WorkGroupID.x); i < count; i += int(gl_NumWorkGroups.x))
+  {
+    int list = int(texelFetch(Sortables, i + 1).r);
+    uint base = texelFetch(Starts, list).r;
+    sortList(base, texelFetch(Starts, list + 1).r - base);
   }
 }

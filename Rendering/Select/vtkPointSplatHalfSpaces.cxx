@@ -18,7 +18,7 @@ constexpr double PixelMargin = 4.0;
 vtkPointSplatHalfSpaces::HalfSpace vtkPointSplatHalfSpaces::Make(
   const glm::dvec4& normal, double offset)
 {
-  return { normal, offset, glm::abs(normal), std::abs(offset) };
+  return { normal, offset, glm::abs(normal), std::abs(offset), 0.0 };
 }
 
 //------------------------------------------------------------------------------
@@ -28,7 +28,7 @@ vtkPointSplatHalfSpaces::HalfSpace vtkPointSplatHalfSpaces::Side(
 {
   const glm::dvec4 x(row);
   const glm::dvec4 w(rowW);
-  return { sign * (x - at * w), 0.0, glm::abs(x) + std::abs(at) * glm::abs(w), 0.0 };
+  return { sign * (x - at * w), 0.0, glm::abs(x) + std::abs(at) * glm::abs(w), 0.0, 0.0 };
 }
 
 //------------------------------------------------------------------------------
@@ -64,7 +64,21 @@ vtkPointSplatHalfSpaces::vtkPointSplatHalfSpaces(
     half.Normal = fromVC * half.Normal;
     half.ErrorNormal = RelativeError * (errorFromVC * half.ErrorNormal);
     half.ErrorOffset *= RelativeError;
+    half.Steepness = glm::length(glm::dvec3(half.Normal));
   }
+  // What holds for the whole cloud need not be asked of each of its boxes.
+  const std::array<double, 6>& bounds = item.Cloud->GetBounds();
+  this->All.erase(std::remove_if(this->All.begin(), this->All.end(),
+                    [&bounds](const HalfSpace& half) {
+                      double least = half.Normal.w + half.Offset;
+                      for (int k = 0; k < 3; ++k)
+                      {
+                        const size_t end = 2 * static_cast<size_t>(k) + (half.Normal[k] > 0.0 ? 0 : 1);
+                        least += half.Normal[k] * bounds[end];
+                      }
+                      return least >= 0.0;
+                    }),
+    this->All.end());
 }
 
 //------------------------------------------------------------------------------
@@ -80,8 +94,7 @@ bool vtkPointSplatHalfSpaces::IsOutside(
     most += half.Normal[k] * (half.Normal[k] > 0.0 ? b : a);
     error += half.ErrorNormal[k] * std::max(std::abs(a), std::abs(b));
   }
-  most += this->Reach * std::max<double>(box.Radius, this->UsualRadius) *
-    glm::length(glm::dvec3(half.Normal));
+  most += this->Reach * std::max<double>(box.Radius, this->UsualRadius) * half.Steepness;
   return most < -error;
 }
 

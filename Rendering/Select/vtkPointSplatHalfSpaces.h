@@ -29,12 +29,13 @@ private:
     double Offset;
     glm::dvec4 ErrorNormal; // what the shaders' error is proportional to
     double ErrorOffset;
+    double Steepness; // the length of the normal
   };
   static HalfSpace Make(const glm::dvec4& normal, double offset = 0.0);
   static HalfSpace Side(const glm::vec4& row, const glm::vec4& rowW, double at, double sign);
   bool IsOutside(const HalfSpace& half, const vtkPointSplatBlocks::Box& box) const;
 
-  std::vector<HalfSpace> All;
+  std::vector<HalfSpace> All; // but for those before which the whole cloud lies
   double Reach; // of radii
   double UsualRadius;
 };

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatLevelSelection.h"
 
+#include "vtkSMPTools.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -18,6 +20,9 @@ constexpr double OutlineShare = 0.5;
 // A block's largest splat, of what its mean may be: among smaller ones there may be large ones whose
 // levels have lost their clip lines, as at a few large triangles of a fine mesh.
 constexpr double LargestShare = 2.0;
+// Branches of the tree that threads visit: as many as keep them all busy, some at a time.
+constexpr size_t EnoughBranches = 256;
+constexpr vtkIdType BranchesAtOnce = 4;
 }
 
 //------------------------------------------------------------------------------
@@ -127,7 +132,7 @@ vtkPointSplatLevelSelection::Decision vtkPointSplatLevelSelection::Decide(const 
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatLevelSelection::Visit(const Block& block, vtkPointSplatRuns& chosen)
+void vtkPointSplatLevelSelection::Visit(const Block& block, Chosen& chosen) const
 {
   const std::vector<Block>& blocks = this->Item.Cloud->GetLevels().GetBlocks();
   constexpr uint32_t most = 1u << vtkPointSplatBlocks::PieceShift;
@@ -142,7 +147,7 @@ void vtkPointSplatLevelSelection::Visit(const Block& block, vtkPointSplatRuns& c
       }
       return;
     case Decision::TakeTriangles:
-      this->Patches.Take(
+      chosen.Patches.push_back(
         this->Item.Cloud->GetTriangles().GetPatch(static_cast<size_t>(&block - blocks.data())));
       return;
     case Decision::TakeSplats:
@@ -152,6 +157,34 @@ void vtkPointSplatLevelSelection::Visit(const Block& block, vtkPointSplatRuns& c
       }
       chosen.LargestRadius = std::max<double>(chosen.LargestRadius, block.Radius);
   }
+}
+
+//------------------------------------------------------------------------------
+std::vector<uint32_t> vtkPointSplatLevelSelection::FindBranches() const
+{
+  const vtkPointSplatLevels& levels = this->Item.Cloud->GetLevels();
+  std::vector<uint32_t> branches(levels.GetNumberOfRoots());
+  std::iota(branches.begin(), branches.end(), 0u);
+  for (bool divides = true; divides && branches.size() < EnoughBranches;)
+  {
+    divides = false;
+    std::vector<uint32_t> next;
+    for (const uint32_t number : branches)
+    {
+      const Block& block = levels.GetBlocks()[number];
+      if (this->Decide(block) != Decision::Divide)
+      {
+        next.push_back(number);
+        continue;
+      }
+      divides = true;
+      next.resize(next.size() + block.ChildCount);
+      std::iota(
+        next.end() - static_cast<std::ptrdiff_t>(block.ChildCount), next.end(), block.FirstChild);
+    }
+    branches = std::move(next);
+  }
+  return branches;
 }
 
 //------------------------------------------------------------------------------
@@ -186,9 +219,23 @@ std::shared_ptr<const vtkPointSplatRuns> vtkPointSplatLevelSelection::Choose()
   {
     this->MoveVisited();
   }
-  for (size_t root = 0; root < levels.GetNumberOfRoots(); ++root)
+  const std::vector<uint32_t> branches = this->FindBranches();
+  std::vector<Chosen> parts(branches.size());
+  vtkSMPTools::For(
+    0, static_cast<vtkIdType>(branches.size()), BranchesAtOnce, [&](vtkIdType begin, vtkIdType end) {
+      for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
+      {
+        this->Visit(levels.GetBlocks()[branches[i]], parts[i]);
+      }
+    });
+  for (const Chosen& part : parts)
   {
-    this->Visit(levels.GetBlocks()[root], *chosen);
+    chosen->Runs.insert(chosen->Runs.end(), part.Runs.begin(), part.Runs.end());
+    chosen->LargestRadius = std::max(chosen->LargestRadius, part.LargestRadius);
+    for (const uint32_t patch : part.Patches)
+    {
+      this->Patches.Take(patch);
+    }
   }
   this->Patches.AddTo(*chosen);
   return chosen;

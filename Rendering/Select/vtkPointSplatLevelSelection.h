@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
-// One item's walk down the tree of its cloud's levels, for one view: vtkPointSplatSelection.h.
+// One item's walk down the tree of its cloud's levels, for one view: vtkPointSplatSelection.h. Threads
+// visit branches of the tree, and what they choose is put together in the tree's order.
 #ifndef vtkPointSplatLevelSelection_h
 #define vtkPointSplatLevelSelection_h
 
@@ -8,6 +9,7 @@
 #include "vtkPointSplatPatches.h"
 
 #include <memory>
+#include <vector>
 
 class vtkPointSplatLevelSelection
 {
@@ -26,7 +28,16 @@ private:
     TakeSplats
   };
   Decision Decide(const Block& block) const;
-  void Visit(const Block& block, vtkPointSplatRuns& chosen);
+  /// What is chosen of a branch.
+  struct Chosen
+  {
+    std::vector<vtkPointSplatRuns::Run> Runs;
+    std::vector<uint32_t> Patches; // whose triangles are drawn
+    double LargestRadius = 0.0;
+  };
+  void Visit(const Block& block, Chosen& chosen) const;
+  /// Blocks of which no two are in one branch, and which are all that is to be visited.
+  std::vector<uint32_t> FindBranches() const;
   /// Where points move, brings the blocks that Visit() will come to to where they are now, and no others.
   void MoveVisited();
   bool IsOutside(const Block& block) const;

@@ -97,6 +97,14 @@ int TestEGLHeadlessRenderWindow(int argc, char* argv[])
   window->Render();
   ok &= Check(CountRed(window) == red, "the same picture after Finalize()");
 
+#if !PointSplatting_VTK_HAS_EGL_WINDOW
+  ok &= Check(window->GetNumberOfDevices() > 0, "EGL lists a device");
+  window->Finalize();
+  window->SetDeviceIndex(window->GetNumberOfDevices());
+  window->Render();
+  ok &= Check(CountRed(window) == red, "the same picture where there is no such device");
+#endif
+
   const int same = vtkRegressionTestImage(window);
   return ok && same == vtkRegressionTester::PASSED ? EXIT_SUCCESS : EXIT_FAILURE;
 }

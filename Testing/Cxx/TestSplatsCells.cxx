@@ -228,7 +228,8 @@ void TestWhichCell(Checks& checks)
     return std::array<int, 3>{ p[0], p[1], p[2] };
   };
   auto expect = [&](const std::array<int, 3>& found, int r, int g, int b, const std::string& what) {
-    checks.Expect(found == std::array<int, 3>{ r, g, b },
+    // 229.5 is rounded either way by drivers.
+    checks.AtMost(std::max({ std::abs(found[0] - r), std::abs(found[1] - g), std::abs(found[2] - b) }), 1,
       what + ": " + std::to_string(found[0]) + " " + std::to_string(found[1]) + " " +
         std::to_string(found[2]));
   };

@@ -95,7 +95,9 @@ void TestSame(Checks& checks, const std::string& name, Scene& scene)
   // There are 12 in 10000 at most, and 6 in 100 that differ by 1.
   checks.AtMost(other, drawn / 500, name + ": pixels that differ");
   checks.AtMost(slight, drawn / 10, name + ": pixels that differ at all");
-  checks.Expect(scene.Draw(vtkPointSplatMapper::AUTOMATIC_LISTS).Pixels == processor.Pixels,
+  // Mesa's llvmpipe draws on the processor, which then makes the lists, too; a graphics card makes its own.
+  const bool card = std::string(scene.Win.Win->ReportCapabilities()).find("llvmpipe") == std::string::npos;
+  checks.Expect(scene.Draw(vtkPointSplatMapper::AUTOMATIC_LISTS).Pixels == (card ? device : processor).Pixels,
     name + ": the automatic picture differs");
 }
 
