@@ -32,6 +32,9 @@ constexpr float EvenSpread = 1.05f;
 constexpr float TubeBend = 0.7f;
 /// How far beside the axis of a tube disks reach at least, of the distance to what is nearest.
 constexpr float NearestShare = 0.6f;
+/// How many times as steeply as normals positions may turn. Where half of the points exceed it these are off the surface:
+/// it is 1 to 1.6 of scans and isosurfaces, 7 to 18 where points are off it by a thirtieth of their distance, as TestSplatFill's.
+constexpr float MostSteps = 4;
 constexpr float HoleFactor = 1.3f;
 constexpr float GapFactor = 3.0f;
 /// At a regular sampling's border the spacing is larger than farther inside: of HoleLimit counts this.
@@ -50,6 +53,7 @@ constexpr float BodyRadius = 0.5f;
 vtkPointSplatDisks::vtkPointSplatDisks(Slot slots, bool elliptical)
   : Distance(slots, 0.0f)
   , Turn(slots, 0.0f)
+  , Facing(slots, 0.0f)
   , Farthest(slots, 0.0f)
   , Length(slots, 0.0f)
   , Gap(slots, 0.0f)
@@ -99,9 +103,10 @@ void vtkPointSplatDisks::Set(const vtkPointSplatNeighbors::Neighborhood& around,
 }
 
 void vtkPointSplatDisks::SetStar(
-  const vtkPointSplatNeighbors::Neighborhood& around, const vtkPointSplatDisk& disk, float grain)
+  const vtkPointSplatNeighbors::Neighborhood& around, const vtkPointSplatDisk& disk,
+  const float* normals, float grain)
 {
-  float turn2 = 0, squared = 0;
+  float turn2 = 0, facing2 = 0, squared = 0;
   const float most = this->HoleLimit * disk.Spacing;
   disk.VisitTriangles([&](int a, int b, float reach) {
     for (const int i : { a, b })
@@ -113,9 +118,13 @@ void vtkPointSplatDisks::SetStar(
       const float place[3] = { around.X[i], around.Y[i], around.Z[i] };
       squared = std::max(squared, around.SquaredDistance[i]);
       turn2 = std::max(turn2, vtkPointSplatSheet::GetSquaredTurn(disk.Normal, place, grain));
+      facing2 = std::max(facing2,
+        vtkPointSplatSheet::GetSquaredTurn(
+          disk.Normal, normals + std::size_t(3) * around.Slots[i], place, grain));
     }
   });
   this->Turn[around.Center] = std::sqrt(turn2);
+  this->Facing[around.Center] = std::sqrt(facing2);
   this->Farthest[around.Center] = std::sqrt(squared);
 }
 
@@ -154,6 +163,23 @@ float vtkPointSplatDisks::GetLargest(float curvature, float radius)
 {
   return curvature > 0 ? std::max(LargestBend / curvature, LeastShare * radius)
                        : std::numeric_limits<float>::max();
+}
+
+void vtkPointSplatDisks::TrustNormals()
+{
+  std::vector<float> ratios = GetSamples(this->Turn.size(), [this](std::size_t s) {
+    return this->Facing[s] > 0 ? this->Turn[s] / this->Facing[s] : 0.0f;
+  });
+  if (ratios.size() < 100 || GetQuantile(ratios, 0.5) <= MostSteps)
+  {
+    return;
+  }
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Turn.size()), [this](vtkIdType begin, vtkIdType end) {
+    for (std::size_t s = static_cast<std::size_t>(begin); s < static_cast<std::size_t>(end); ++s)
+    {
+      this->Turn[s] = std::min(this->Turn[s], MostSteps * this->Facing[s]);
+    }
+  });
 }
 
 void vtkPointSplatDisks::FindHoleLimit()

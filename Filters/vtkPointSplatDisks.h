@@ -33,7 +33,10 @@ public:
   /// Takes over how the surface turns in a neighbourhood's star, and how far that reaches, but for
   /// triangles in holes. grain: see vtkPointSplatSheet::Grain; a length.
   void SetStar(const vtkPointSplatNeighbors::Neighborhood& around, const vtkPointSplatDisk& disk,
-    float grain);
+    const float* normals, float grain);
+  /// Where positions turn several times as steeply as normals do, as of points that are not quite on the surface, limits
+  /// turns by what normals say: else each step between neighbours were a bend, to be filled with points.
+  void TrustNormals();
   /// Takes over what a mesh's triangles say, of circular disks.
   void Set(Slot slot, const vtkPointSplatFans::Disk& disk);
   /// Takes over what was found at creases.
@@ -110,6 +113,7 @@ public:
 
   vtkPointSplatLargeArray<float> Distance; // how far apart points are (vtkPointSplatDisk)
   vtkPointSplatLargeArray<float> Turn;     // by how much the surface turns to a neighbour, over its distance, at most
+  vtkPointSplatLargeArray<float> Facing;   // the same by the neighbours' normals
   vtkPointSplatLargeArray<float> Farthest; // the distance of the farthest neighbour in the star
   vtkPointSplatLargeArray<float> Length;  // of the longer axis; 0 for a point alone
   vtkPointSplatLargeArray<float> Gap;     // what it must at least be to close the gaps around

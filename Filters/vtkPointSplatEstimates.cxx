@@ -366,7 +366,7 @@ void vtkPointSplatEstimates::FindStar(const Neighborhood& around, const vtkPoint
 {
   if (this->Self->GetFillGaps() && !this->Elliptical)
   {
-    this->Disks->SetStar(around, disk, vtkPointSplatSheet::Grain * this->Median);
+    this->Disks->SetStar(around, disk, this->Directions, vtkPointSplatSheet::Grain * this->Median);
   }
 }
 

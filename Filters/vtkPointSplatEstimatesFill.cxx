@@ -31,6 +31,7 @@ bool vtkPointSplatEstimates::FindStars()
   const Slot slots = this->Neighbors.GetNumberOfSlots();
   this->Stars = std::make_unique<vtkPointSplatStars>(
     slots, [this](Slot s, double x[3]) { this->Neighbors.GetPosition(s, x); });
+  this->Disks->TrustNormals();
   vtkSMPTools::For(0, slots, [this](vtkIdType begin, vtkIdType end) {
     for (Slot s = static_cast<Slot>(begin); s < static_cast<Slot>(end); ++s)
     {

@@ -61,6 +61,14 @@ float vtkPointSplatSheet::GetSquaredTurn(
   return turn * turn;
 }
 
+float vtkPointSplatSheet::GetSquaredTurn(
+  const float n[3], const float m[3], const float place[3], float grain)
+{
+  const float cosine = n[0] * m[0] + n[1] * m[1] + n[2] * m[2];
+  const float squared = place[0] * place[0] + place[1] * place[1] + place[2] * place[2];
+  return std::max(2 - 2 * cosine, 0.0f) / std::max(squared, grain * grain);
+}
+
 int vtkPointSplatSheet::CountNear(
   const vtkPointSplatNeighbors::Neighborhood& around, float spacing)
 {

@@ -34,6 +34,9 @@ public:
   /// By how much the surface turns from a point with the normal n to one that lies there, over their distance: twice
   /// the sine of the angle at which it leaves the tangent plane; squared. Nearer than grain counts as so far.
   static float GetSquaredTurn(const float n[3], const float place[3], float grain);
+  /// The same, by the normal of that neighbour.
+  static float GetSquaredTurn(
+    const float n[3], const float m[3], const float place[3], float grain);
   /// Of the distance that most points are apart: nearer ones, as those of a pole, are as good as one.
   static constexpr float Grain = 1.0f / 256;
 

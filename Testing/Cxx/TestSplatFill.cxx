@@ -142,6 +142,24 @@ void TestEven()
   Expect(ellipses.CountFill() == 0, "ellipses have no fill points");
 }
 
+/// Points that are not quite on a surface whose normals are: their steps are no bends.
+void TestSlightNoise()
+{
+  constexpr int count = 20000;
+  const double spacing = std::sqrt(4 * vtkMath::Pi() / count);
+  vtkNew<vtkMinimalStandardRandomSequence> random;
+  for (const double noise : { 0.05, 0.1, 0.2 })
+  {
+    Filled ball(MakeRandom(count, [&](double u, double v, double x[3], double n[3]) {
+      PlaceOnBall(u, v, x, n);
+      const double off = noise * spacing * (2 * random->GetNextValue() - 1);
+      std::transform(n, n + 3, x, [off](double c) { return (1 + off) * c; });
+    }));
+    AtMost(double(ball.CountFill()), 0.05 * count,
+      "fill points of a ball whose points are off it by " + std::to_string(noise));
+  }
+}
+
 /// Fill points lie on the surface with its normals, disks do not leave it, and together they cover it.
 void TestDisc(Filled& filled, double most, const std::string& what)
 {
@@ -486,6 +504,7 @@ void TestSameAgain()
 int TestSplatFill(int, char*[])
 {
   TestEven();
+  TestSlightNoise();
   Filled cloud(MakeDisc());
   TestDisc(cloud, 0.05, "a cloud");
   vtkSmartPointer<vtkPolyData> mesh = RimmedDisc(Rim).MakeMesh(RimmedDisc::Coarse);
