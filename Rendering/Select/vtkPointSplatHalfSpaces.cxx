@@ -68,13 +68,15 @@ vtkPointSplatHalfSpaces::vtkPointSplatHalfSpaces(
   }
   // What holds for the whole cloud need not be asked of each of its boxes.
   const std::array<double, 6>& bounds = item.Cloud->GetBounds();
+  const std::array<double, 3>& origin = item.Cloud->GetOrigin();
   this->All.erase(std::remove_if(this->All.begin(), this->All.end(),
-                    [&bounds](const HalfSpace& half) {
+                    [&](const HalfSpace& half) {
                       double least = half.Normal.w + half.Offset;
                       for (int k = 0; k < 3; ++k)
                       {
-                        const size_t end = 2 * static_cast<size_t>(k) + (half.Normal[k] > 0.0 ? 0 : 1);
-                        least += half.Normal[k] * bounds[end];
+                        const size_t axis = static_cast<size_t>(k);
+                        const size_t end = 2 * axis + (half.Normal[k] > 0.0 ? 0 : 1);
+                        least += half.Normal[k] * (bounds[end] - origin[axis]);
                       }
                       return least >= 0.0;
                     }),
