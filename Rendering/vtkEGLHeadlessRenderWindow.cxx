@@ -187,8 +187,9 @@ struct vtkEGLHeadlessRenderWindow::vtkInternals
         return this->Open(getDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr),
           "device " + std::to_string(i));
       };
+      // The first one is nobody's wish: where it is no card, the surfaceless platform draws as well.
       const size_t own = static_cast<size_t>(std::max(wanted, 0));
-      if (own < devices.size() && open(own))
+      if (own < devices.size() && (own > 0 || IsCard(devices[own])) && open(own))
       {
         return true;
       }

@@ -13,11 +13,12 @@
  *
  * How the context is found, the first that works being used:
  * 1. of the device platform (EGL_EXT_platform_device) the device that SetDeviceIndex() names, of
- *    GetNumberOfDevices() ones in EGL's order, which has graphics cards first; 0 unless told,
+ *    GetNumberOfDevices() ones in EGL's order, which has graphics cards first; that is 0 unless told,
+ *    which is taken if it is a graphics card,
  * 2. each other of its devices that is a graphics card, in that order,
  * 3. the surfaceless platform (EGL_MESA_platform_surfaceless),
  * 4. the default display with a pbuffer of one pixel.
- * Devices come first, since the surfaceless platform is Mesa's: beside another driver it would draw
+ * Cards come first, since the surfaceless platform is Mesa's: beside another driver it would draw
  * on the processor. In each, core profiles from 4.6 down to 3.2 are tried. GetPlatform() tells
  * what was found. Where there is no EGL, or no context, one error is given and
  * the window stays uninitialised: Render() then draws nothing, and pictures that
