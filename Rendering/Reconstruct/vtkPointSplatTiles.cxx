@@ -362,7 +362,7 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::SampleOutlines(const vtkPointSpla
   const int first = outlines.GetCount();
   const bool device = variant.Lanes > 1;
   if (!outlines.Find(layers,
-        { part.Window, device ? glm::ivec2(4) : variant.TileSize, this->Grid.Tiles,
+        { part.Window, variant.TileSize, this->Grid.Tiles,
           this->Items.GetTexture(), device ? 0 : this->Summaries.GetTexture() }))
   {
     this->Error = outlines.GetError();

@@ -23,6 +23,13 @@ constexpr double LargestShare = 2.0;
 // Branches of the tree that threads visit: as many as keep them all busy, some at a time.
 constexpr size_t EnoughBranches = 256;
 constexpr vtkIdType BranchesAtOnce = 4;
+
+/// Appends the numbers of a block's children.
+void AddChildren(const vtkPointSplatLevels::Block& block, std::vector<uint32_t>& numbers)
+{
+  numbers.resize(numbers.size() + block.ChildCount);
+  std::iota(numbers.end() - static_cast<std::ptrdiff_t>(block.ChildCount), numbers.end(), block.FirstChild);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -178,9 +185,7 @@ std::vector<uint32_t> vtkPointSplatLevelSelection::FindBranches() const
         continue;
       }
       divides = true;
-      next.resize(next.size() + block.ChildCount);
-      std::iota(
-        next.end() - static_cast<std::ptrdiff_t>(block.ChildCount), next.end(), block.FirstChild);
+      AddChildren(block, next);
     }
     branches = std::move(next);
   }
@@ -202,8 +207,7 @@ void vtkPointSplatLevelSelection::MoveVisited()
       const Block& block = levels.GetBlocks()[number];
       if (this->Decide(block) == Decision::Divide)
       {
-        next.resize(next.size() + block.ChildCount);
-        std::iota(next.end() - static_cast<std::ptrdiff_t>(block.ChildCount), next.end(), block.FirstChild);
+        AddChildren(block, next);
       }
     }
     front = std::move(next);
