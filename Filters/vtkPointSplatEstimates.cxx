@@ -34,6 +34,8 @@ using Slot = vtkPointSplatNeighbors::Slot;
 constexpr float SixthPerThird = 1.5f;
 /// Of how many leaves of the search tree, at least, the usual spacing is found.
 constexpr Slot UsualLeaves = 512;
+/// So many points without a normal for one with say nothing of the others: degenerate triangles of isosurfaces leave some.
+constexpr double MostMissing = 0.1;
 }
 
 vtkPointSplatEstimates::vtkPointSplatEstimates(
@@ -189,23 +191,24 @@ bool vtkPointSplatEstimates::FindNormals()
   const Slot slots = this->Neighbors.GetNumberOfSlots();
   this->SlotNormals = vtkPointSplatLargeArray<float>(std::size_t(3) * slots);
   this->Known.resize(slots);
-  std::atomic<bool> missing{ false };
+  std::atomic<Slot> given{ 0 }, missing{ 0 };
   vtkSMPTools::For(0, slots, [&](vtkIdType begin, vtkIdType end) {
+    const float none[3] = { 0, 0, 0 };
+    Slot known = 0, unknown = 0;
     for (Slot s = static_cast<Slot>(begin); s < static_cast<Slot>(end); ++s)
     {
-      const float none[3] = { 0, 0, 0 };
       const vtkIdType id = this->Neighbors.GetId(s);
       const float* normal = id >= 0 ? this->GetNormal(id) : none;
       std::copy_n(normal, 3, this->SlotNormals.data() + std::size_t(3) * s);
       this->Known[s] = !IsZero(normal);
-      if (id >= 0 && !this->Known[s])
-      {
-        missing = true;
-      }
+      known += this->Known[s] ? 1 : 0;
+      unknown += id >= 0 && !this->Known[s] ? 1 : 0;
     }
+    given += known;
+    missing += unknown;
   });
-  this->Missing = missing;
-  if (this->Missing)
+  this->Guessed = missing > MostMissing * given;
+  if (missing > 0)
   {
     vtkPointSplatNormals fitted(this->Neighbors, this->SlotNormals.data(), this->Known);
     const bool consistent =
@@ -234,7 +237,7 @@ bool vtkPointSplatEstimates::FindNormals()
     }
   }
   // A mesh is one surface, whatever its normals say.
-  if (!this->Missing && this->Fans.IsEmpty())
+  if (!this->Guessed && this->Fans.IsEmpty())
   {
     const vtkPointSplatNoise::Shares found =
       vtkPointSplatNoise::Measure(this->Self, this->Neighbors, this->SlotNormals.data());
@@ -242,11 +245,6 @@ bool vtkPointSplatEstimates::FindNormals()
     this->Contradiction = found.Contradicted;
   }
   return true;
-}
-
-bool vtkPointSplatEstimates::IsRough() const
-{
-  return vtkPointSplatEstimation::IsRough(this->Noise);
 }
 
 /// The spacing of most points: the median of points all over the cloud.
@@ -325,7 +323,7 @@ bool vtkPointSplatEstimates::Measure(const Neighborhood& around, int round)
     }
     return true;
   }
-  if (round > 0 && disk.Sheet.IsFewAfar && this->Missing)
+  if (round > 0 && disk.Sheet.IsFewAfar && !this->Known[s])
   {
     // Estimated normals of a row agree with the next row's by chance: this may be where the surface goes on, as beside a
     // dense edge, but does not say how far one disk reaches.
@@ -438,7 +436,7 @@ bool vtkPointSplatEstimates::FindDisks()
   auto measure = [this](const Neighborhood& around, int round) {
     return this->Measure(around, round);
   };
-  if (!this->Neighbors.Visit(this->Self, this->Missing ? 0.5 : 0.1, 0.8, count, measure,
+  if (!this->Neighbors.Visit(this->Self, std::max(0.1, this->Self->GetProgress()), 0.8, count, measure,
         [this](Slot s) { return this->Searched[s].load(std::memory_order_relaxed); }))
   {
     return false;

@@ -16,6 +16,7 @@
 #include "vtkPointSplatBorders.h"
 #include "vtkPointSplatCreases.h"
 #include "vtkPointSplatDisks.h"
+#include "vtkPointSplatEstimation.h"
 #include "vtkPointSplatFans.h"
 #include "vtkPointSplatLargeArray.h"
 #include "vtkPointSplatNeighbors.h"
@@ -30,8 +31,6 @@ class vtkDataArray;
 class vtkPointSet;
 
 VTK_ABI_NAMESPACE_BEGIN
-
-class vtkPointSplatEstimation;
 
 class vtkPointSplatEstimates
 {
@@ -87,10 +86,11 @@ private:
   void WriteTubeLines();
   void ClipFill();
 
-  bool IsRough() const;
+  bool IsRough() const { return vtkPointSplatEstimation::IsRough(this->Noise); }
+  bool IsNoisy() const { return vtkPointSplatEstimation::IsNoisy(this->Noise, this->Contradiction); }
   /// Whether given normals tell where the surface bends. What is rough at regular points, as of an isosurface of a noisy
   /// volume, is the surface's own.
-  bool MayBend() const { return !this->Missing && (!this->IsRough() || this->Disks->Regular); }
+  bool MayBend() const { return !this->Guessed && (!this->IsNoisy() || this->Disks->Regular); }
   bool IsDrawn(vtkIdType id) const;
   float GetScaled(float length) const;
   static bool IsZero(const float n[3]) { return n[0] == 0 && n[1] == 0 && n[2] == 0; }
@@ -102,7 +102,7 @@ private:
   const vtkIdType NumberOfPoints;
   const bool Elliptical;
   bool Given = false;   // whether there are normals
-  bool Missing = false; // whether any is estimated
+  bool Guessed = false; // whether too many of them are estimated to tell of the surface's bends and noise
   const unsigned char* Ghosts = nullptr;
   std::vector<unsigned char> Used;
 

@@ -68,8 +68,7 @@ void vtkPointSplatEstimates::FindFill()
     }
     return;
   }
-  if (!this->Self->GetFillNoise() &&
-    vtkPointSplatEstimation::IsNoisy(this->Noise, this->Contradiction))
+  if (!this->Self->GetFillNoise() && this->IsNoisy())
   {
     return;
   }

@@ -101,7 +101,8 @@
  *    of the face whose normal is nearest, ends at the lines, and `SplatFold` has the others: drawn
  *    in all of them with the point's own normal it shades as a mesh does, from face to face over a
  *    triangle's width. Without given normals, or where IsRough(), creases are not looked for:
- *    estimated normals turn over the width of their neighbourhood, as on a fillet.
+ *    estimated normals turn over the width of their neighbourhood, as on a fillet. A few points without, up to one for ten
+ *    with, say nothing of the others.
  *    *Borders*: where the sampling is as regular as a mesh's vertices, the surface ends between the
  *    points that its outline and its holes go through, and lines through these clip their splats, and
  *    those beside that would reach over (vtkPointSplatBorders.h). A mesh ends at edges that one triangle alone has. Random samplings
@@ -115,7 +116,7 @@
  *    what is around a point and does not stand off the surface. There disks are as small as the densest part and
  *    the bend ask for, graded from point to point (vtkPointSplatStars.h), and fill points lie between those that are
  *    farther apart than that (vtkPointSplatRefinement.h), with normals between theirs. Without it disks are as large as
- *    gaps are. Even samplings have no fill points, random ones few; noise (IsRough()) of points at random does not count as bend,
+ *    gaps are. Even samplings have no fill points, random ones few; noise (IsNoisy()) of points at random does not count as bend,
  *    nor do steps that normals do not follow (vtkPointSplatDisks::TrustNormals()).
  * 7. *Bound.* No disk is larger than two and a half times those of its neighbours, which keeps
  *    outliers small. A point with no neighbour of its own sheet is a body alone, and so are points
@@ -287,18 +288,20 @@ public:
   /**
    * The share of points, of every 32nd, whose neighbours do not lie on one surface: by their given
    * normals they are off it by more than 0.15 of their mean distance, and their positions off any
-   * plane. 0 where normals were estimated, and for meshes.
+   * plane. Points of bodies that are smaller than what is looked at, a quarter of whose neighbours and more face
+   * away, are none of these. 0 where most normals were estimated, and for meshes.
    */
   vtkGetMacro(Noise, double);
 
   /**
    * The share of these points of which a neighbour lies above or below, by the normals of both,
-   * which agree: no surface goes through the two. 0 where Noise is.
+   * which agree, and nothing that faces the other way lies between, as the next body's near side would: no surface goes
+   * through the two. 0 where Noise is.
    */
   vtkGetMacro(Contradiction, double);
 
   /**
-   * Whether positions and normals are too rough for creases to be found in them: more than 0.3 of
+   * Whether positions and normals are rough, by relief or noise: more than 0.3 of
    * the points are off their neighbours' surface. Meshes' vertices, isosurfaces of measured volumes
    * and parts with normals averaged over their edges have at most 0.1, one of a volume of whole
    * numbers magnified four times 0.75.

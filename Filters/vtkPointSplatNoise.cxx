@@ -22,6 +22,9 @@ constexpr float Bandwidth = 0.5f;
 /// deviate by less than a tenth of their spacing are no noise, whatever the normals say.
 constexpr double LeastFlatness = 0.07;
 
+/// Of the neighbours of a point of a surface, its noise and all, about none face the other way.
+constexpr double MostAway = 0.25; // Testing/Cxx/TestSplatApart.cxx
+
 /// Whether the positions of neighbours are off any plane: normals that others than the surface's
 /// geometry gave, as of waves on a flat sea, contradict it on purpose.
 bool IsRough(const vtkPointSplatNeighbors::Neighborhood& around)
@@ -63,7 +66,39 @@ bool IsRough(const vtkPointSplatNeighbors::Neighborhood& around)
     values[2] > LeastFlatness * LeastFlatness * values[1]; // the greatest first
 }
 
-/// Whether a neighbour lies above or below the point, on a side that both normals agree on.
+/// Whether many of the neighbours face the other way: those of a body that is no larger than where they lie, as the
+/// specks of an isosurface of noise are, are off any plane, and nothing is off its surface.
+bool IsSmallBody(const vtkPointSplatNeighbors::Neighborhood& around, const float* normals)
+{
+  const float* own = normals + std::size_t(3) * around.Center;
+  int away = 0;
+  for (int i = 0; i < around.Count; ++i)
+  {
+    away += vtkMath::Dot(own, normals + std::size_t(3) * around.Slots[i]) < 0 ? 1 : 0;
+  }
+  return MostAway * around.Count < away;
+}
+
+/// Whether something that faces the other way lies between the point and what is that high above it, or below: as the
+/// near side of the next body does, beyond which its far side faces as the point does.
+bool IsSeparated(
+  const vtkPointSplatNeighbors::Neighborhood& around, const float* normals, float height)
+{
+  const float* own = normals + std::size_t(3) * around.Center;
+  for (int i = 0; i < around.Count; ++i)
+  {
+    const float d[3] = { around.X[i], around.Y[i], around.Z[i] };
+    const float way = vtkMath::Dot(d, own);
+    if (vtkMath::Dot(own, normals + std::size_t(3) * around.Slots[i]) < 0 && way * height > 0 &&
+      std::abs(way) < std::abs(height))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Whether a neighbour lies above or below the point, on a side that both normals agree on, with nothing between.
 bool HasContradiction(
   const vtkPointSplatNeighbors::Neighborhood& around, const float* normals)
 {
@@ -75,7 +110,8 @@ bool HasContradiction(
     const float cosine = vtkMath::Dot(own, other);
     // Along the sum of both normals, which is sqrt(2 + 2 cosine) long.
     const float height = vtkMath::Dot(d, own) + vtkMath::Dot(d, other);
-    if (cosine > 0.5f && height * height > (1 + cosine) * around.SquaredDistance[i])
+    if (cosine > 0.5f && height * height > (1 + cosine) * around.SquaredDistance[i] &&
+      !IsSeparated(around, normals, vtkMath::Dot(d, own)))
     {
       return true;
     }
@@ -102,7 +138,7 @@ vtkPointSplatNoise::Shares vtkPointSplatNoise::Measure(
     const bool found = surface.Project();
     Counts& own = counts.Local();
     ++own.All;
-    own.Noisy += found && surface.Noise > Noisy && IsRough(around) ? 1 : 0;
+    own.Noisy += found && surface.Noise > Noisy && IsRough(around) && !IsSmallBody(around, normals) ? 1 : 0;
     own.Contradicted += HasContradiction(around, normals) ? 1 : 0;
     return true;
   };

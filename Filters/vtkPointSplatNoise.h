@@ -24,11 +24,12 @@ inline constexpr float Noisy = 0.15f;
 /// Shares of a cloud's points.
 struct Shares
 {
-  /// Those whose neighbours do not lie on one surface by their normals, nor on a plane without these.
+  /// Those whose neighbours do not lie on one surface by their normals, nor on a plane without these; but those of small
+  /// bodies, of whose neighbours many face the other way.
   double Noisy = 0;
   /// Those that have a neighbour above or below them: the normals of both agree within 60 degrees,
-  /// and the line from one to the other is nearer to these than to the surface. No surface goes
-  /// through both. Relief, however rough, has none such: where points come nearer to one another, so do
+  /// and the line from one to the other is nearer to these than to the surface, with no neighbour between that faces the
+  /// other way. No surface goes through both. Relief, however rough, has none such: where points come nearer to one another, so do
   /// their heights.
   double Contradicted = 0;
 };

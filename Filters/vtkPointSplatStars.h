@@ -24,7 +24,10 @@
  *    is so small that it bounds this, are not uneven: there one large disk harms nothing. Of their triangles those count
  *    that such a disk covers by half: a corner's own disk is small, since all points that it was made from lie to one
  *    side, and the surface does not end there. What is a hole goes by
- *    the spacing of the corner whose nearest points are sparsest: a ring of dense points has no lid.
+ *    the spacing of the corner whose nearest points are sparsest: a ring of dense points has no lid. Nor does a triangle
+ *    count whose corners face both of its sides, where normals tell that: it leads from a body to the next one. No size is
+ *    more than the longest edge of its triangles, or if there are none than its spacing: a star may reach to another body in
+ *    the same plane, as from an animal's sole to the next.
  * 4. *Grading.* No size is larger than that of a site next to it in such a triangle and Slope of the way to that:
  *    a disk does not reach over a denser part to what lies beyond, which may be an edge.
  * 5. *Continued borders.* Where a triangle goes on past a border (vtkPointSplatBorders.h) to a point that is much
@@ -123,6 +126,7 @@ private:
   void Grade();
 
   static bool IsOverCrease(const Cloud& cloud, const Triangle& triangle);
+  bool HasTwoSides(const Cloud& cloud, const Triangle& triangle) const;
   bool IsOutside(const vtkPointSplatBorders& borders, const Triangle& triangle) const;
   bool IsOutside(const vtkPointSplatBorders& borders, const Triangle& triangle, int corner) const;
 };
