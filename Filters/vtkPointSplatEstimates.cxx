@@ -515,7 +515,7 @@ bool vtkPointSplatEstimates::FindBorders(const Twins& twins)
 {
   this->Borders = std::make_unique<vtkPointSplatBorders>(
     this->Neighbors, this->Directions, this->Usual, *this->Disks);
-  if (this->IsRough())
+  if (this->IsNoisy())
   {
     return true;
   }
