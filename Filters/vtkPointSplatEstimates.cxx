@@ -34,8 +34,6 @@ using Slot = vtkPointSplatNeighbors::Slot;
 constexpr float SixthPerThird = 1.5f;
 /// Of how many leaves of the search tree, at least, the usual spacing is found.
 constexpr Slot UsualLeaves = 512;
-/// So many points without a normal for one with say nothing of the others: degenerate triangles of isosurfaces leave some.
-constexpr double MostMissing = 0.1;
 }
 
 vtkPointSplatEstimates::vtkPointSplatEstimates(
@@ -207,7 +205,7 @@ bool vtkPointSplatEstimates::FindNormals()
     given += known;
     missing += unknown;
   });
-  this->Guessed = missing > MostMissing * given;
+  this->Guessed = missing > given;
   if (missing > 0)
   {
     vtkPointSplatNormals fitted(this->Neighbors, this->SlotNormals.data(), this->Known);

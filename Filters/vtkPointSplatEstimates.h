@@ -102,7 +102,7 @@ private:
   const vtkIdType NumberOfPoints;
   const bool Elliptical;
   bool Given = false;   // whether there are normals
-  bool Guessed = false; // whether too many of them are estimated to tell of the surface's bends and noise
+  bool Guessed = false; // whether most of them are estimated, and do not tell of the surface's bends and noise
   const unsigned char* Ghosts = nullptr;
   std::vector<unsigned char> Used;
 

@@ -101,8 +101,8 @@
  *    of the face whose normal is nearest, ends at the lines, and `SplatFold` has the others: drawn
  *    in all of them with the point's own normal it shades as a mesh does, from face to face over a
  *    triangle's width. Without given normals, or where IsRough(), creases are not looked for:
- *    estimated normals turn over the width of their neighbourhood, as on a fillet. A few points without, up to one for ten
- *    with, say nothing of the others.
+ *    estimated normals turn over the width of their neighbourhood, as on a fillet. Points without, as
+ *    degenerate triangles of an isosurface leave some, say nothing of the others while most have one.
  *    *Borders*: where the sampling is as regular as a mesh's vertices, the surface ends between the
  *    points that its outline and its holes go through, and lines through these clip their splats, and
  *    those beside that would reach over (vtkPointSplatBorders.h). A mesh ends at edges that one triangle alone has. Random samplings

@@ -19,6 +19,16 @@ def tube_radius(radius, _):
     return simple(torus(ring, tube), int(area * (radius / tube) ** 2))
 
 
+@sweep([0, 0.0003, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1], Stable([0.001, 0.3], 12, leaks=0.003))
+def missing_normals(share, _):
+    """share of points without a normal, on a tube of two spacings' radius"""
+    surface = torus(0.8, 0.1)
+    n = int(4 * math.pi ** 2 * 0.8 * 0.1 * (2 / 0.1) ** 2)
+    p, m = surface.draw(n, random())
+    m[random(10).permutation(n) < share * n] = 0
+    return Scene([surface], [cloud(p, m)])
+
+
 @sweep([1, 2, 3, 5, 10, 20, 50, 100, 300], Stable([50, 300], 18, leaks=0.03))
 def component_size(points, _):
     """points at random on each of twelve small spheres"""
