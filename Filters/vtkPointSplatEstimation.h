@@ -107,8 +107,8 @@
  *    points that its outline and its holes go through, and lines through these clip their splats, and
  *    those beside that would reach over (vtkPointSplatBorders.h). A mesh ends at edges that one triangle alone has. Random samplings
  *    end somewhere between their last points and the surface's border: there a line a little past the
- *    outermost of them clips all splats that reach over it. Where IsNoisy(), borders are not looked for. On tubes whose rings of points are farther
- *    apart than the tube is wide two lines clip disks beside the axis, which else would leave it.
+ *    outermost of them clips all splats that reach over it. Where IsNoisy(), borders are not looked for.
+ *    On tubes whose rings of points are farther apart than the tube is wide two lines clip disks beside the axis, which else would leave it.
  * 6. *Fill*, if FillGaps is on, Shape is Circular and the point is on no crease. Where points are much denser on one
  *    side than on the other, as of meshes whose triangles are few where faces are flat, where given normals turn by
  *    more than 34 degrees from one point to the next, as on tubes, rims and small bodies, and where the surface bends and

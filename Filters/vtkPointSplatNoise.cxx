@@ -109,9 +109,10 @@ bool HasContradiction(
     const float d[3] = { around.X[i], around.Y[i], around.Z[i] };
     const float cosine = vtkMath::Dot(own, other);
     // Along the sum of both normals, which is sqrt(2 + 2 cosine) long.
-    const float height = vtkMath::Dot(d, own) + vtkMath::Dot(d, other);
+    const float ownHeight = vtkMath::Dot(d, own);
+    const float height = ownHeight + vtkMath::Dot(d, other);
     if (cosine > 0.5f && height * height > (1 + cosine) * around.SquaredDistance[i] &&
-      !IsSeparated(around, normals, vtkMath::Dot(d, own)))
+      !IsSeparated(around, normals, ownHeight))
     {
       return true;
     }

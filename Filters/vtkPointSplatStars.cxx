@@ -6,6 +6,7 @@
 #include "vtkMath.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
+#include "vtkTriangle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -108,15 +109,12 @@ bool vtkPointSplatStars::IsOverCrease(const Cloud& cloud, const Triangle& triang
 /// tip and what is next to it. Normals that are not consistently oriented, which are across the triangle all the same, do not.
 bool vtkPointSplatStars::HasTwoSides(const Cloud& cloud, const Triangle& triangle) const
 {
-  double x[3][3], a[3], b[3], across[3];
+  double x[3][3], across[3];
   for (int k = 0; k < 3; ++k)
   {
     this->GetPosition(triangle[k], x[k]);
   }
-  vtkMath::Subtract(x[1], x[0], a);
-  vtkMath::Subtract(x[2], x[0], b);
-  vtkMath::Cross(a, b, across);
-  vtkMath::Normalize(across);
+  vtkTriangle::ComputeNormal(x[0], x[1], x[2], across);
   double highest = 0, lowest = 0, least = 1;
   for (const Site corner : triangle)
   {
@@ -310,13 +308,12 @@ bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
   }
   // Neighbours may be those of another body in the same plane, as the soles of an animal's feet are: what no triangle
   // reaches is not the site's to cover.
-  for (Site s = 0; s < this->Sizes.size(); ++s)
-  {
-    if (this->Uneven[s])
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Sizes.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (Site s = static_cast<Site>(begin); s < static_cast<Site>(end); ++s)
     {
-      this->Sizes[s] = std::min(this->Sizes[s], longest[s]);
+      this->Sizes[s] = this->Uneven[s] ? std::min(this->Sizes[s], longest[s]) : this->Sizes[s];
     }
-  }
+  });
   this->Grade();
   return true;
 }

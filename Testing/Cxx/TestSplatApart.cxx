@@ -3,16 +3,12 @@
 // That vtkPointSplatEstimation keeps bodies apart that lie in one plane, or close to one another, does not take
 // specks for noise, and that a few points without a normal change nothing about the others.
 #include "Expect.h"
+#include "Gathered.h"
 
-#include "vtkFloatArray.h"
 #include "vtkMath.h"
 #include "vtkMinimalStandardRandomSequence.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPointSplatArrays.h"
 #include "vtkPointSplatEstimation.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <array>
@@ -23,21 +19,14 @@ namespace
 {
 using Vector = std::array<double, 3>;
 
-/// A cloud in the making, and its estimation.
+/// A cloud, and its estimation.
 class Bodies
 {
 public:
-  Bodies()
-  {
-    this->Normals->SetNumberOfComponents(3);
-    this->Cloud->SetPoints(this->Points);
-    this->Cloud->GetPointData()->SetNormals(this->Normals);
-  }
   void Add(const Vector& x, Vector n)
   {
     vtkMath::Normalize(n.data());
-    this->Points->InsertNextPoint(x.data());
-    this->Normals->InsertNextTuple(n.data());
+    this->Points.Add(x.data(), n.data());
   }
   /// Six points about a centre, as an isosurface has about a voxel above its value, with normals as of a noisy field.
   void AddSpeck(const Vector& center, const std::array<double, 6>& reach,
@@ -54,24 +43,22 @@ public:
   }
   vtkPointSplatEstimation* Estimate()
   {
-    this->Filter->SetInputData(this->Cloud);
+    this->Filter->SetInputData(this->Points.Cloud);
     this->Filter->FillGapsOn();
     this->Filter->Modified();
     this->Filter->Update();
     return this->Filter;
   }
   vtkPolyData* Get() { return this->Filter->GetOutput(); }
-  vtkIdType GetNumberOfPoints() { return this->Points->GetNumberOfPoints(); }
-  void DropNormal(vtkIdType id) { this->Normals->SetTuple3(id, 0, 0, 0); }
+  vtkIdType GetNumberOfPoints() { return this->Points.Cloud->GetNumberOfPoints(); }
+  void DropNormal(vtkIdType id) { this->Points.Cloud->GetPointData()->GetNormals()->SetTuple3(id, 0, 0, 0); }
   double GetRadius(vtkIdType id)
   {
     return this->Get()->GetPointData()->GetArray(vtkPointSplatArrays::Radius)->GetComponent(id, 0);
   }
 
 private:
-  vtkNew<vtkPolyData> Cloud;
-  vtkNew<vtkPoints> Points;
-  vtkNew<vtkFloatArray> Normals;
+  Gathered Points;
   vtkNew<vtkPointSplatEstimation> Filter;
 };
 

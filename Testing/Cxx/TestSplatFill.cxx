@@ -3,6 +3,7 @@
 // That vtkPointSplatEstimation puts fill points where points are too uneven for disks about them, on the
 // surface, and none where points are even; and that other arrays go with them.
 #include "Expect.h"
+#include "Gathered.h"
 #include "RimmedDisc.h"
 
 #include "vtkCallbackCommand.h"
@@ -24,29 +25,6 @@
 namespace
 {
 constexpr double Rim = 0.1;
-
-/// A cloud in the making.
-class Gathered
-{
-public:
-  Gathered()
-  {
-    this->Normals->SetName("Normals");
-    this->Normals->SetNumberOfComponents(3);
-    this->Cloud->SetPoints(this->Points);
-    this->Cloud->GetPointData()->SetNormals(this->Normals);
-  }
-  void Add(const double x[3], const double n[3])
-  {
-    this->Points->InsertNextPoint(x);
-    this->Normals->InsertNextTuple(n);
-  }
-  const vtkSmartPointer<vtkPolyData> Cloud = vtkSmartPointer<vtkPolyData>::New();
-
-private:
-  vtkNew<vtkPoints> Points;
-  vtkNew<vtkFloatArray> Normals;
-};
 
 using Place = std::function<void(double u, double v, double x[3], double n[3])>;
 

@@ -11,19 +11,23 @@ from sweeps.registry import Stable, sweep
 from sweeps.surfaces import Surface, cloud, jittered, plane, random, sphere, torus
 
 
+def tube(radius):
+    """A tube, and as many points as make its radius so many spacings."""
+    ring, own = 0.8, 0.1
+    area = 4 * math.pi ** 2 * ring * own
+    return torus(ring, own), int(area * (radius / own) ** 2)
+
+
 @sweep([0.5, 0.7, 1, 1.4, 2, 3, 5, 10], Stable([2, 5], 14, leaks=0.01))
 def tube_radius(radius, _):
     """radius of a tube, in spacings"""
-    ring, tube = 0.8, 0.1
-    area = 4 * math.pi ** 2 * ring * tube
-    return simple(torus(ring, tube), int(area * (radius / tube) ** 2))
+    return simple(*tube(radius))
 
 
 @sweep([0, 0.0003, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1], Stable([0.001, 0.3], 12, leaks=0.003))
 def missing_normals(share, _):
     """share of points without a normal, on a tube of two spacings' radius"""
-    surface = torus(0.8, 0.1)
-    n = int(4 * math.pi ** 2 * 0.8 * 0.1 * (2 / 0.1) ** 2)
+    surface, n = tube(2)
     p, m = surface.draw(n, random())
     m[random(10).permutation(n) < share * n] = 0
     return Scene([surface], [cloud(p, m)])
