@@ -57,6 +57,7 @@
 #include "vtkPointSplatLevels.h"
 #include "vtkPointSplatMotion.h"
 #include "vtkPointSplatPacking.h"
+#include "vtkPointSplatStore.h"
 #include "vtkPointSplatTriangles.h"
 
 #include "vtkTimeStamp.h"
@@ -105,6 +106,9 @@ public:
     // Of which splats all this is, one after another, and where they are in it; null: of all.
     std::shared_ptr<const vtkPointSplatRuns> Runs;
     std::vector<vtkPointSplatRuns::Run> Resident;
+    vtkPointSplatBuffer RunTable; // of vtkPointSplatStore
+    std::array<vtkPointSplatStore, 6> Stores; // of all that some of which is in buffers: see GetArrays()
+    vtkTimeStamp StoreTime;
     vtkTimeStamp RunTime;
     vtkTimeStamp SplatTime;
     vtkTimeStamp ClipLineTime;
@@ -173,7 +177,8 @@ public:
   /**
    * Whether buffers rather hold only those splats that a frame shows: all, with the levels', are more than a buffer holds, or
    * only those are moved to where points are now. UploadRuns(): such buffers of the entered context, with ids of
-   * a kind, or of none. GetRunBuffers(): the same, whatever is in them.
+   * a kind, or of none; the program in use, and storage of the indices 1, 2 and 7, are others then.
+   * GetRunBuffers(): the same, whatever is in them.
    */
   bool AreStreamed() const;
   Buffers& UploadRuns(const std::shared_ptr<const vtkPointSplatRuns>& runs, const IdKind* ids);
@@ -352,6 +357,21 @@ private:
   Buffers& Fill(ContextBuffers& all, bool grouped);
   static void UploadSome(const std::vector<uint32_t>& data, size_t words, const Buffers& buffers,
     vtkPointSplatBuffer& to);
+  /// What splats have, some words each, and where it goes.
+  struct Array
+  {
+    const std::vector<uint32_t>& Data;
+    size_t Words;
+    vtkMTimeType Changed;
+    vtkPointSplatBuffer& To;
+    vtkPointSplatStore& Store;
+  };
+  std::array<Array, 6> GetArrays(Buffers& buffers);
+  /// Whether all of them are on the card, where they are brought if they stay as they are.
+  bool KeepOnDevice(Buffers& buffers);
+  /// Fills buffers from there with the splats of their runs.
+  void Gather(Buffers& buffers);
+  static constexpr size_t MostWords = size_t(1) << 29; // of a buffer that shaders read
   /// Widens Low and High by points' finite coordinates; the middle is the origin then.
   void AddRange(vtkDataArray* points);
   void ForgetRange();

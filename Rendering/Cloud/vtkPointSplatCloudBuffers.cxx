@@ -7,15 +7,9 @@
 #include "vtkPointSet.h"
 #include "vtkPointSplatCoordinates.h"
 #include "vtkPointSplatPacking.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cstddef>
-
-namespace
-{
-constexpr size_t MostWords = size_t(1) << 29;
-}
 
 //------------------------------------------------------------------------------
 std::vector<uint32_t> vtkPointSplatCloud::MakeIds(IdKind kind) const
@@ -113,75 +107,6 @@ vtkPointSplatCloud::Buffers& vtkPointSplatCloud::Fill(ContextBuffers& all, bool 
     fill(buffers.Tangents, buffers.TangentTime, this->CoordinateTime, this->Tangents, 1);
   }
   return buffers;
-}
-
-//------------------------------------------------------------------------------
-vtkPointSplatCloud::Buffers& vtkPointSplatCloud::UploadRuns(
-  const std::shared_ptr<const vtkPointSplatRuns>& runs, const IdKind* ids)
-{
-  Buffers& buffers = this->GetRunBuffers();
-  const bool anew = buffers.Runs != runs || this->GetMTime() > buffers.RunTime;
-  if (anew)
-  {
-    buffers.Runs = runs;
-    buffers.Resident = runs->Runs;
-    uint32_t first = 0;
-    for (vtkPointSplatRuns::Run& run : buffers.Resident)
-    {
-      run.First = first;
-      first += run.Count;
-    }
-    this->UploadSome(this->Splats, this->GetWordsPerSplat(), buffers, buffers.Splats);
-    this->UploadSome(this->ClipLines, 4, buffers, buffers.ClipLines);
-    this->UploadSome(this->Colours, 1, buffers, buffers.Colours);
-    this->UploadSome(this->Factors, 1, buffers, buffers.Factors);
-    this->UploadSome(this->Coordinates, vtkPointSplatCoordinates::Words, buffers, buffers.Coordinates);
-    this->UploadSome(this->Tangents, 1, buffers, buffers.Tangents);
-    buffers.ValueTable.Upload(this->ValueTable);
-    buffers.RunTime.Modified();
-  }
-  if (ids && (anew || buffers.IdTime < buffers.RunTime || buffers.IdsAre != *ids))
-  {
-    this->UploadSome(this->MakeIds(*ids), 1, buffers, buffers.Ids);
-    buffers.IdsAre = *ids;
-    buffers.IdTime.Modified();
-  }
-  return buffers;
-}
-
-//------------------------------------------------------------------------------
-void vtkPointSplatCloud::UploadSome(const std::vector<uint32_t>& data, size_t words,
-  const Buffers& buffers, vtkPointSplatBuffer& to)
-{
-  if (data.empty() || buffers.Resident.empty())
-  {
-    to.Upload(nullptr, 0);
-    return;
-  }
-  const vtkPointSplatRuns::Run& last = buffers.Resident.back();
-  const size_t size = std::min(words * (size_t(last.First) + last.Count), MostWords);
-  const GLsizeiptr bytes = static_cast<GLsizeiptr>(sizeof(uint32_t) * size);
-  to.Reserve(bytes);
-  // All threads put them where the driver fetches them: a copy by one would take most of a frame.
-  auto some = static_cast<uint32_t*>(to.Map(bytes, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT));
-  if (!some)
-  {
-    to.Fill(0, bytes, 0u); // out of memory: splats of no size
-    return;
-  }
-  vtkSMPTools::For(0, static_cast<vtkIdType>(buffers.Resident.size()), 256, [&](vtkIdType begin, vtkIdType end) {
-    for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
-    {
-      const size_t from = words * buffers.Runs->Runs[i].First;
-      const size_t at = words * buffers.Resident[i].First;
-      // Splats of levels have no ids.
-      const size_t count = std::min({ words * buffers.Resident[i].Count,
-        data.size() - std::min(from, data.size()), size - std::min(at, size) });
-      std::copy_n(data.begin() + static_cast<std::ptrdiff_t>(std::min(from, data.size())), count,
-        some + std::min(at, size));
-    }
-  });
-  to.Unmap();
 }
 
 //------------------------------------------------------------------------------

@@ -12,6 +12,8 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkWeakPointer.h"
 
+#include <cstddef>
+
 class vtkPointSplatContext
 {
 public:
@@ -25,6 +27,8 @@ public:
 
   /// Whether what is current draws on the processor, so that buffers are in main memory.
   static bool IsSoftware();
+  /// Bytes that the card of what is current has free, where its driver tells; 0 where it does not, or there is none.
+  static size_t GetFreeMemory();
 
   /// Whether it is there still: closed windows get another one when they open again.
   bool IsAlive() const;

@@ -11,6 +11,17 @@
 
 namespace
 {
+// How drivers tell what memory is free, in kilobytes. The loaders of some VTK do not know these names.
+struct MemoryQuery
+{
+  const char* Extension;
+  GLenum Parameter;
+};
+constexpr MemoryQuery MemoryQueries[] = {
+  { "GL_NVX_gpu_memory_info", 0x9049 }, // GPU_MEMORY_INFO_CURRENT_AVAILABLE_VIDMEM_NVX
+  { "GL_ATI_meminfo", 0x87FB },         // VBO_FREE_MEMORY_ATI: the first of four numbers
+};
+
 struct Orphan
 {
   vtkPointSplatContext Context;
@@ -90,6 +101,32 @@ bool vtkPointSplatContext::IsSoftware()
   return renderer && std::any_of(std::begin(names), std::end(names), [renderer](const char* name) {
     return std::strstr(renderer, name) != nullptr;
   });
+}
+
+//------------------------------------------------------------------------------
+size_t vtkPointSplatContext::GetFreeMemory()
+{
+  if (vtkPointSplatContext::IsSoftware())
+  {
+    return 0;
+  }
+  GLint count = 0;
+  glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+  for (GLint i = 0; i < count; ++i)
+  {
+    const auto* name =
+      reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)));
+    for (const MemoryQuery& query : MemoryQueries)
+    {
+      if (name && std::strcmp(name, query.Extension) == 0)
+      {
+        GLint kilobytes[4] = {};
+        glGetIntegerv(query.Parameter, kilobytes);
+        return size_t(1024) * static_cast<size_t>(std::max(kilobytes[0], 0));
+      }
+    }
+  }
+  return 0;
 }
 
 //------------------------------------------------------------------------------

@@ -65,13 +65,14 @@ bool vtkPointSplatRaster::DrawAll(const vtkPointSplatRequest& request,
     {
       continue;
     }
+    // A program of its own may fill them.
+    vtkPointSplatCloud::Buffers& buffers =
+      item.Upload(identifies && !shows ? &request.Ids : nullptr);
     vtkPointSplatProgram* program = this->Use(item, file, defines + (facets ? "#define FACETS\n" : ""));
     if (!program)
     {
       return false;
     }
-    vtkPointSplatCloud::Buffers& buffers =
-      item.Upload(identifies && !shows ? &request.Ids : nullptr);
     vtkPointSplatQuads::SetUniforms(*program, item, request.View, tagMask);
     program->Set(
       "Reach", sees ? vtkPointSplatReach::Disk : static_cast<float>(item.Kernel.Support));

@@ -135,6 +135,7 @@ bool vtkPointSplatTiles::Project(
     }
     vtkPointSplatCloud::Buffers& buffers =
       item.Upload(variant.Ids ? &request.Ids : nullptr);
+    program->Use(); // another one may have filled the buffers
     item.SetUniforms(*program, request.View);
     program->Set("RecordCount", static_cast<unsigned int>(count));
     item.SetBlockUniforms(*program);
