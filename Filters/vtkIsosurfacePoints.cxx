@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfacePoints.h"
 
+#include "vtkAOSDataArrayTemplate.h"
+#include "vtkArrayDispatch.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkContourValues.h"
@@ -148,17 +150,23 @@ bool NeedsDouble(vtkPointSet* samples)
     largest > LargestSingle;
 }
 
-/// An array that can be read through a pointer to its type.
-vtkSmartPointer<vtkDataArray> GetContiguous(vtkDataArray* array)
+/// Arrays of the types that volumes mostly have: extractions take minutes to compile for all types.
+using Arrays = vtkTypeList::Create<vtkAOSDataArrayTemplate<unsigned char>,
+  vtkAOSDataArrayTemplate<short>, vtkAOSDataArrayTemplate<unsigned short>,
+  vtkAOSDataArrayTemplate<int>, vtkAOSDataArrayTemplate<float>, vtkAOSDataArrayTemplate<double>>;
+using Dispatcher = vtkArrayDispatch::DispatchByArray<Arrays>;
+
+/// The array, or its values in one of doubles where it is none of these.
+vtkSmartPointer<vtkDataArray> GetReadable(vtkDataArray* array)
 {
-  vtkSmartPointer<vtkDataArray> contiguous = array;
-  if (!array->HasStandardMemoryLayout() || array->GetDataType() == VTK_BIT)
+  vtkSmartPointer<vtkDataArray> readable = array;
+  if (!Dispatcher::Execute(array, [](auto*) {}))
   {
-    contiguous = vtkSmartPointer<vtkDoubleArray>::New();
-    contiguous->DeepCopy(array);
-    contiguous->SetName(array->GetName());
+    readable = vtkSmartPointer<vtkDoubleArray>::New();
+    readable->DeepCopy(array);
+    readable->SetName(array->GetName());
   }
-  return contiguous;
+  return readable;
 }
 
 template <typename T>
@@ -290,7 +298,7 @@ int vtkIsosurfacePoints::RequestUpdateExtent(
   return 1;
 }
 
-/// The array to contour with contiguous values, or null after an error.
+/// The array to contour, readable, or null after an error.
 vtkSmartPointer<vtkDataArray> vtkIsosurfacePoints::GetScalars(
   vtkInformationVector** inputs, vtkDataSet* input)
 {
@@ -321,7 +329,7 @@ vtkSmartPointer<vtkDataArray> vtkIsosurfacePoints::GetScalars(
                                  << scalars->GetNumberOfComponents() << ".");
     return nullptr;
   }
-  return GetContiguous(scalars);
+  return GetReadable(scalars);
 }
 
 int vtkIsosurfacePoints::RequestData(
@@ -377,13 +385,10 @@ void vtkIsosurfacePoints::ExtractVolume(
   }
   auto make = [&](const std::vector<double>& isovalues) {
     std::unique_ptr<vtkIsosurfaceExtraction> extraction;
-    switch (scalars->GetDataType())
-    {
-      vtkTemplateMacro(extraction = MakeExtraction(grid,
-                         static_cast<const VTK_TT*>(scalars->GetVoidPointer(0)) +
-                           this->ArrayComponent,
-                         isovalues, this->PointSpacing, this->SplatSizes, this->FillGaps));
-    }
+    Dispatcher::Execute(scalars, [&](auto* array) {
+      extraction = MakeExtraction(grid, array->GetPointer(this->ArrayComponent), isovalues,
+        this->PointSpacing, this->SplatSizes, this->FillGaps);
+    });
     return extraction;
   };
   // As many isovalues in one sweep as a class can count.
@@ -410,7 +415,7 @@ void vtkIsosurfacePoints::ExtractScatter(
       return;
     }
     const vtkIsosurfaceScatterField::Skipped skipped =
-      field->SetSamples(GetContiguous(samples->GetPoints()->GetData()), scalars,
+      field->SetSamples(GetReadable(samples->GetPoints()->GetData()), scalars,
         this->ArrayComponent, GetGhosts(samples->GetPointData(), number));
     if (skipped.Points + skipped.Values + skipped.Hidden + skipped.Duplicates > 0)
     {

@@ -5,6 +5,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkMath.h"
+#include "vtkPointSplatInput.h"
 #include "vtkSMPTools.h"
 
 #include <array>
@@ -17,8 +18,6 @@ namespace
 using Slot = vtkPointSplatNeighbors::Slot;
 using Neighborhood = vtkPointSplatNeighbors::Neighborhood;
 
-/// Floats hold no more, and nothing real is farther out.
-constexpr double LargestCoordinate = 1e37;
 /// A sample hides another one behind it if their angle at it is this (cosine) less than right;
 /// not 0, so that a grid's diagonals are hidden however it is rounded.
 constexpr float HidingTolerance = 1e-3f;
@@ -136,30 +135,20 @@ bool Solve(double (&a)[N][N], double (&b)[N])
   return true;
 }
 
-template <typename T>
-void Read(const T* values, int stride, std::vector<double>& all)
+struct ReadWorker
 {
-  vtkSMPTools::For(0, static_cast<vtkIdType>(all.size()), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType id = begin; id < end; ++id)
-    {
-      all[id] = static_cast<double>(values[id * stride]);
-    }
-  });
-}
-
-template <typename T>
-void MarkFinite(const T* points, std::vector<unsigned char>& used)
-{
-  vtkSMPTools::For(0, static_cast<vtkIdType>(used.size()), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType id = begin; id < end; ++id)
-    {
-      // NaN compares false.
-      used[id] = std::abs(static_cast<double>(points[3 * id])) <= LargestCoordinate &&
-        std::abs(static_cast<double>(points[3 * id + 1])) <= LargestCoordinate &&
-        std::abs(static_cast<double>(points[3 * id + 2])) <= LargestCoordinate;
-    }
-  });
-}
+  template <typename Array>
+  void operator()(Array* scalars, int component, std::vector<double>& all) const
+  {
+    const auto range = vtk::DataArrayTupleRange(scalars);
+    vtkSMPTools::For(0, range.size(), [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        all[id] = static_cast<double>(range[id][component]);
+      }
+    });
+  }
+};
 }
 
 vtkIsosurfaceScatterField::Skipped vtkIsosurfaceScatterField::SetSamples(
@@ -169,15 +158,8 @@ vtkIsosurfaceScatterField::Skipped vtkIsosurfaceScatterField::SetSamples(
   const vtkIdType number = points->GetNumberOfTuples();
   std::vector<unsigned char> used(number);
   std::vector<double> values(number);
-  switch (points->GetDataType())
-  {
-    vtkTemplateMacro(MarkFinite(static_cast<const VTK_TT*>(points->GetVoidPointer(0)), used));
-  }
-  switch (scalars->GetDataType())
-  {
-    vtkTemplateMacro(Read(static_cast<const VTK_TT*>(scalars->GetVoidPointer(0)) + component,
-      scalars->GetNumberOfComponents(), values));
-  }
+  vtkPointSplatInput::MarkFinite(points, used);
+  vtkPointSplatInput::Dispatch<ReadWorker>(scalars, component, values);
   vtkIdType count = 0;
   for (vtkIdType id = 0; id < number; ++id)
   {

@@ -8,6 +8,7 @@
 #include "vtkMath.h"
 #include "vtkParticleSurfaceCubes.h"
 #include "vtkParticleSurfaceProbe.h"
+#include "vtkPointSplatInput.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -48,23 +49,6 @@ constexpr double EnoughNeighbors = 10;
 constexpr double LeastSum = 2 * vtkParticleSurfaceKernels::Isovalue;
 /// In so many steps a kernel shrinks to that.
 constexpr int ShrinkingSteps = 4;
-
-template <typename T>
-void MarkFinite(const T* points, std::vector<unsigned char>& used)
-{
-  vtkSMPTools::For(0, static_cast<vtkIdType>(used.size()), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType id = begin; id < end; ++id)
-    {
-      const double largest = std::max({ std::abs(static_cast<double>(points[3 * id])),
-        std::abs(static_cast<double>(points[3 * id + 1])),
-        std::abs(static_cast<double>(points[3 * id + 2])) });
-      // NaN may be lost in a maximum, but not in a sum.
-      const double sum = static_cast<double>(points[3 * id]) +
-        static_cast<double>(points[3 * id + 1]) + static_cast<double>(points[3 * id + 2]);
-      used[id] = std::isfinite(sum) && largest <= 1e37;
-    }
-  });
-}
 
 /// The value below which a part of them lies; 0 of none.
 double GetQuantile(std::vector<double>& values, double part)
@@ -110,11 +94,7 @@ bool vtkParticleSurfaceKernels::Sort(const Particles& particles)
 {
   const vtkIdType number = particles.Points->GetNumberOfTuples();
   std::vector<unsigned char> used(number);
-  switch (particles.Points->GetDataType())
-  {
-    vtkTemplateMacro(
-      MarkFinite(static_cast<const VTK_TT*>(particles.Points->GetVoidPointer(0)), used));
-  }
+  vtkPointSplatInput::MarkFinite(particles.Points, used);
   vtkIdType count = 0;
   for (vtkIdType id = 0; id < number; ++id)
   {

@@ -27,7 +27,7 @@ namespace vtkPointSplatInput
 /// Floats hold no more, and nothing real is farther out.
 inline constexpr double LargestCoordinate = 1e37;
 
-struct MarkUsableWorker
+struct MarkFiniteWorker
 {
   template <typename Array>
   void operator()(Array* points, std::vector<unsigned char>& used) const
@@ -80,6 +80,12 @@ void Dispatch(vtkDataArray* array, Args&&... args)
   }
 }
 
+/// Marks the points by 1 whose coordinates are finite, and the others by 0. used: a byte a point.
+inline void MarkFinite(vtkDataArray* points, std::vector<unsigned char>& used)
+{
+  Dispatch<MarkFiniteWorker>(points, used);
+}
+
 /// How many points take no part, and why.
 struct LeftOut
 {
@@ -105,7 +111,7 @@ inline const unsigned char* GetGhosts(vtkPointSet* input)
 inline LeftOut MarkUsable(vtkPointSet* input, std::vector<unsigned char>& used)
 {
   used.resize(input->GetNumberOfPoints());
-  Dispatch<MarkUsableWorker>(input->GetPoints()->GetData(), used);
+  MarkFinite(input->GetPoints()->GetData(), used);
   LeftOut left;
   left.NotFinite = std::count(used.begin(), used.end(), 0);
   const unsigned char* ghost = GetGhosts(input);

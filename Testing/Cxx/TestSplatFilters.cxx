@@ -408,6 +408,8 @@ int TestSplatFilters(int, char*[])
   LikeFlyingEdges(VTK_UNSIGNED_CHAR, 90.0);
   LikeFlyingEdges(VTK_SHORT, 10000.0);
   LikeFlyingEdges(VTK_UNSIGNED_INT, 1e6);
+  LikeFlyingEdges(VTK_SIGNED_CHAR, 40.0);
+  LikeFlyingEdges(VTK_LONG_LONG, 1e6);
   Spaced(0.05);
   Spaced(0.02);
   Special();
