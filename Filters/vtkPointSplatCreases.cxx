@@ -4,6 +4,7 @@
 
 #include "vtkFloatArray.h"
 #include "vtkMath.h"
+#include "vtkPointSplatMirrored.h"
 #include "vtkSMPThreadLocal.h"
 
 #include <algorithm>
@@ -32,118 +33,40 @@ constexpr int LeastSureCompany = 16;
 /// How far splats reach, of their disks' radius: the kernels' rim, and what joins a layer
 /// (vtkPointSplatMapper.h: SplatClip).
 constexpr float KernelReach = 2.5f;
-/// How far, in spacings, a point on an edge may be off a face that meets there.
-constexpr float OnLine = 0.15f;
 /// The cosine (20 degrees) between a line and the direction of the face behind it.
 constexpr float AcrossCosine = 0.94f;
 /// Faces whose normals agree so well (10 degrees) are one: others part by 20 at least.
 constexpr float OwnCosine = 0.985f;
+/// The next row's points are off the plane by no more than this part of their distance, ...
+constexpr float OffFace = 0.17f;
+/// ... and their directions' cosine to the row is no more than this (45 degrees).
+constexpr float AlongRow = 0.7f;
+/// How far neighbours must reach, of that row's distance, to have enough of it.
+constexpr float NextRowReach = 1.4f;
 
-/// The members of a point's face and what they look like in mirrors at its lines.
-struct Mirrored
+/// Whether a splat ends at two lines, one on either side of it.
+bool IsStrip(const vtkPointSplatCreases::Splat& splat)
 {
-  static constexpr int Capacity = vtkPointSplatNeighbors::MaximumNumberOfNeighbors;
+  return vtkMath::Dot(splat.Clip, splat.Clip + 3) < 0;
+}
 
-  struct Point
+/// The distance of the nearest neighbour on a row's face that is not along it; 0 if there is none.
+float GetNextRow(const Neighborhood& around, const float* normals, const vtkPointSplatCreases::Row& row)
+{
+  for (int i = 0; i < around.Count; ++i)
   {
-    float X[3], Normal[3];
-    float Squared;
-  };
-  Point Points[Capacity];
-  int Count = 0;
-
-  Slot Slots[Capacity];
-  float X[Capacity], Y[Capacity], Z[Capacity], Squared[Capacity];
-  float Normals[3 * (Capacity + 1)];
-
-  void Add(const float x[3], const float n[3])
-  {
-    const float squared = vtkMath::Dot(x, x);
-    if (this->Count < Capacity && squared > 0)
+    const float x[3] = { around.X[i], around.Y[i], around.Z[i] };
+    const float* m = normals + std::size_t(3) * around.Slots[i];
+    const float height = vtkMath::Dot(row.Normal, x), part = vtkMath::Dot(row.Along, x);
+    const float squared = around.SquaredDistance[i];
+    if (std::abs(vtkMath::Dot(row.Normal, m)) > OwnCosine &&
+      height * height < OffFace * OffFace * squared && part * part < AlongRow * AlongRow * squared)
     {
-      this->Points[this->Count++] = { { x[0], x[1], x[2] }, { n[0], n[1], n[2] }, squared };
+      return std::sqrt(squared);
     }
   }
-
-  void AddImage(const float x[3], const float n[3], const vtkPointSplatCrease& crease, int line)
-  {
-    const vtkPointSplatCrease::Line& at = crease.Lines[line];
-    const float far = vtkMath::Dot(at.Direction, x) - at.Distance;
-    const float part = vtkMath::Dot(at.Direction, n);
-    float y[3], m[3];
-    for (int c = 0; c < 3; ++c)
-    {
-      y[c] = x[c] - 2 * far * at.Direction[c];
-      m[c] = n[c] - 2 * part * at.Direction[c];
-    }
-    // What is behind a line, where a face goes on past a corner, has its image before it.
-    for (int k = 0; k < crease.Count; ++k)
-    {
-      if (vtkMath::Dot(crease.Lines[k].Direction, y) > crease.Lines[k].Distance)
-      {
-        this->Add(y, m);
-        return;
-      }
-    }
-  }
-
-  /// Adds the points on the lines whose normals are averages: they have a part on this face.
-  void AddMeeting(const Neighborhood& around, const vtkPointSplatFaces& faces, const float n[3],
-    const vtkPointSplatCrease& crease, float spacing)
-  {
-    for (int i = 0; i < around.Count; ++i)
-    {
-      const float x[3] = { around.X[i], around.Y[i], around.Z[i] };
-      if (faces.IsSound(around.Slots[i]) || std::abs(vtkMath::Dot(n, x)) > OnLine * spacing)
-      {
-        continue;
-      }
-      for (int l = 0; l < crease.Count; ++l)
-      {
-        if (vtkPointSplatCrease::IsOn(crease.Lines[l], x, spacing))
-        {
-          this->Add(x, n);
-          break;
-        }
-      }
-    }
-  }
-
-  Neighborhood Fill(const Neighborhood& around, const float* normals, const float n[3],
-    const vtkPointSplatFace& face, const vtkPointSplatCrease& crease)
-  {
-    const float zero[3] = { 0, 0, 0 };
-    for (int l = 0; l < crease.Count; ++l)
-    {
-      this->AddImage(zero, n, crease, l);
-    }
-    for (int k = 0; k < face.Members.Count; ++k)
-    {
-      const int i = face.Members.Members[k];
-      const float x[3] = { around.X[i], around.Y[i], around.Z[i] };
-      const float* m = normals + std::size_t(3) * around.Slots[i];
-      this->Add(x, m);
-      for (int l = 0; l < crease.Count; ++l)
-      {
-        this->AddImage(x, m, crease, l);
-      }
-    }
-    std::stable_sort(this->Points, this->Points + this->Count,
-      [](const Point& a, const Point& b) { return a.Squared < b.Squared; });
-    std::copy(n, n + 3, this->Normals);
-    for (int i = 0; i < this->Count; ++i)
-    {
-      const Point& point = this->Points[i];
-      this->Slots[i] = i + 1;
-      this->X[i] = point.X[0];
-      this->Y[i] = point.X[1];
-      this->Z[i] = point.X[2];
-      this->Squared[i] = point.Squared;
-      std::copy(point.Normal, point.Normal + 3, this->Normals + 3 * (i + 1));
-    }
-    return { 0, this->Count, this->Slots, this->X, this->Y, this->Z, this->Squared };
-  }
-};
+  return 0;
+}
 }
 
 vtkPointSplatCreases::vtkPointSplatCreases(const vtkPointSplatNeighbors& neighbors,
@@ -225,16 +148,27 @@ bool vtkPointSplatCreases::HasLine(const Splat& splat)
   return std::any_of(splat.Clip, splat.Clip + 6, [](float v) { return v != 0; });
 }
 
-bool vtkPointSplatCreases::FindSplat(
-  const Neighborhood& around, const float n[3], Splat& splat) const
+/// Where the face that has row's normal is a row, or has no points here, row.At is the centre, else None.
+bool vtkPointSplatCreases::FindSplat(const Neighborhood& around, Row& row, Splat& splat) const
 {
   vtkPointSplatFace face;
   vtkPointSplatCrease crease;
+  const float* n = row.Normal;
   const float spacing = vtkPointSplatSheet::GetSpacing(around);
   face.Fit(around, this->Faces.Normals, n, spacing);
   float plane[3] = { n[0], n[1], n[2] };
-  const bool strip = face.Row && n == this->Faces.Normals + std::size_t(3) * around.Center &&
-    this->Faces.IsSound(around.Center);
+  const bool twin = row.Id >= 0;
+  const bool strip = face.Row && !twin && this->Faces.IsSound(around.Center);
+  row.At = strip || (twin && (face.Row || face.Members.Count == 0)) ? around.Center
+                                                                    : vtkPointSplatNeighbors::None;
+  std::fill_n(row.Along, 3, 0.0f);
+  if (face.Row)
+  {
+    const int last = face.Members.Members[face.Members.Count - 1];
+    const float along[3] = { around.X[last], around.Y[last], around.Z[last] };
+    std::copy_n(along, 3, row.Along);
+    vtkMath::Normalize(row.Along);
+  }
   if (!face.Sound && !strip)
   {
     if (!crease.FindMeeting(around, n, spacing, this->Faces))
@@ -253,13 +187,60 @@ bool vtkPointSplatCreases::FindSplat(
       return false;
     }
   }
+  return this->DescribeSplat(around, plane, face, crease, splat);
+}
+
+bool vtkPointSplatCreases::FindWider(const Neighborhood& around, bool last, Found& found) const
+{
+  bool left = false;
+  for (std::size_t r = found.Rows.size();
+       r > 0 && found.Rows[r - 1].At / vtkPointSplatNeighbors::LeafSize ==
+         around.Center / vtkPointSplatNeighbors::LeafSize;
+       --r)
+  {
+    Row& row = found.Rows[r - 1];
+    if (row.At != around.Center || !row.Open)
+    {
+      continue;
+    }
+    // The nearest one on the face that is not in the row.
+    const float next = GetNextRow(around, this->Faces.Normals, row);
+    vtkPointSplatFace face;
+    vtkPointSplatCrease crease;
+    face.Fit(around, this->Faces.Normals, row.Normal, next);
+    Splat splat;
+    splat.At = row.At;
+    splat.Id = row.Id;
+    const float reach = NextRowReach * next;
+    if (next == 0 || (!last && around.SquaredDistance[around.Count - 1] < reach * reach) || !face.Sound ||
+       !this->DescribeSplat(around, row.Normal, face, crease, splat))
+    {
+      left = true;
+      continue;
+    }
+    if (row.HasSplat)
+    {
+      found.Splats[row.Splat] = splat;
+    }
+    else
+    {
+      found.Splats.push_back(splat);
+    }
+    row.Open = false;
+  }
+  return !left;
+}
+
+bool vtkPointSplatCreases::DescribeSplat(const Neighborhood& around, const float plane[3],
+  const vtkPointSplatFace& face, vtkPointSplatCrease& crease, Splat& splat) const
+{
   crease.Find(around, face, plane, this->Faces);
   if (crease.Count == 0)
   {
     return false;
   }
-  Mirrored mirrored;
-  mirrored.AddMeeting(around, this->Faces, plane, crease, spacing);
+  vtkPointSplatMirrored mirrored;
+  mirrored.AddMeeting(around, this->Faces, plane, crease, face.Members.Spacing);
   const Neighborhood whole = mirrored.Fill(around, this->Faces.Normals, plane, face, crease);
   vtkPointSplatDisk disk;
   disk.Estimate(whole, mirrored.Normals, this->Elliptical, this->Usual,
@@ -317,24 +298,32 @@ bool vtkPointSplatCreases::HasTwins(Slot s) const
 }
 
 /// Appends those of a slot and of its twins.
-void vtkPointSplatCreases::FindSplats(
-  const Neighborhood& around, std::vector<Splat>& splats) const
+void vtkPointSplatCreases::FindSplats(const Neighborhood& around, Found& found) const
 {
-  Splat splat;
-  splat.At = around.Center;
-  splat.Id = -1;
-  if (this->FindSplat(around, this->Faces.Normals + std::size_t(3) * around.Center, splat))
-  {
-    splats.push_back(splat);
-  }
+  auto find = [&](vtkIdType id, const float* n) {
+    Splat splat;
+    splat.At = around.Center;
+    splat.Id = id;
+    Row row;
+    row.Id = id;
+    std::copy_n(n, 3, row.Normal);
+    row.HasSplat = this->FindSplat(around, row, splat);
+    if (row.HasSplat)
+    {
+      row.Splat = found.Splats.size();
+      found.Splats.push_back(splat);
+    }
+    // A strip ends on both sides.
+    if (row.At != vtkPointSplatNeighbors::None && !(row.HasSplat && IsStrip(splat)))
+    {
+      found.Rows.push_back(row);
+    }
+  };
+  find(-1, this->Faces.Normals + std::size_t(3) * around.Center);
   for (auto twin = this->FindTwin(around.Center);
        twin != this->Twins.end() && twin->At == around.Center; ++twin)
   {
-    splat.Id = twin->Id;
-    if (this->FindSplat(around, twin->Normal, splat))
-    {
-      splats.push_back(splat);
-    }
+    find(twin->Id, twin->Normal);
   }
 }
 
@@ -362,17 +351,22 @@ bool vtkPointSplatCreases::Find(vtkAlgorithm* self, double from, double to,
   this->Faces.Fitted.clear();
   this->Faces.Sound.clear();
 
-  vtkSMPThreadLocal<std::vector<Splat>> found;
-  auto find = [&](const Neighborhood& around, int) {
-    std::vector<Splat>& local = found.Local();
-    const std::size_t before = local.size();
+  vtkSMPThreadLocal<Found> found;
+  bool looksWider = false;
+  auto find = [&](const Neighborhood& around, int round) {
+    Found& local = found.Local();
+    if (round > 0)
+    {
+      return this->FindWider(around, round > 1, local);
+    }
+    const std::size_t before = local.Splats.size(), rows = local.Rows.size();
     this->FindSplats(around, local);
-    const bool ends = std::any_of(local.begin() + before, local.end(), HasLine);
+    const bool ends = std::any_of(local.Splats.begin() + before, local.Splats.end(), HasLine);
     for (int i = 0; i < around.Count && ends; ++i)
     {
       beside[around.Slots[i]].fetch_add(1, std::memory_order_relaxed);
     }
-    return true;
+    return !looksWider || local.Rows.size() == rows;
   };
   auto isWanted = [&](Slot s) { return wanted[s] != 0; };
   // 1. A first look, of which nothing is kept but where it found lines.
@@ -385,19 +379,21 @@ bool vtkPointSplatCreases::Find(vtkAlgorithm* self, double from, double to,
   {
     wanted[s] = beside[s].exchange(0, std::memory_order_relaxed) > 0;
   }
-  for (std::vector<Splat>& local : found)
+  for (Found& local : found)
   {
-    for (const Splat& splat : local)
+    for (const Splat& splat : local.Splats)
     {
       wanted[splat.At] = 1;
     }
-    local.clear();
+    local.Splats.clear();
+    local.Rows.clear();
   }
+  looksWider = true;
   for (const double start : { from + step, from + 3 * step })
   {
     // 2. Faces; 3. and 4. lines, and disks
     if (!this->FitFaces(self, start, start + step, wanted) ||
-      !this->Neighbors.Visit(
+      !this->Neighbors.VisitWidely(
         self, start + step, start + 2 * step, NumberOfNeighbors, find, isWanted))
     {
       return false;
@@ -407,17 +403,17 @@ bool vtkPointSplatCreases::Find(vtkAlgorithm* self, double from, double to,
     {
       wanted[s] = beside[s].load(std::memory_order_relaxed) > 0;
     }
-    for (const std::vector<Splat>& local : found)
+    for (const Found& local : found)
     {
-      for (const Splat& splat : local)
+      for (const Splat& splat : local.Splats)
       {
         wanted[splat.At] = 0;
       }
     }
   }
-  for (const std::vector<Splat>& local : found)
+  for (const Found& local : found)
   {
-    this->Splats.insert(this->Splats.end(), local.begin(), local.end());
+    this->Splats.insert(this->Splats.end(), local.Splats.begin(), local.Splats.end());
   }
   // 5. A crease is a line of points: what has hardly any beside it, or only such, is noise.
   // A point that stands alone is a neighbour of few, but has as many itself.
@@ -426,7 +422,9 @@ bool vtkPointSplatCreases::Find(vtkAlgorithm* self, double from, double to,
   {
     looked[splat.At] = 1;
     lined[splat.At] |= HasLine(splat);
-    sure[splat.At] = kept[splat.At] = beside[splat.At] >= LeastSureCompany;
+    // Points of two faces at one position are where somebody cut a mesh at its edges.
+    sure[splat.At] = kept[splat.At] =
+      beside[splat.At] >= (this->HasTwins(splat.At) ? LeastCompany : LeastSureCompany);
   }
   auto confirm = [&](const Neighborhood& around, int) {
     const Slot* end = around.Slots + around.Count;

@@ -20,6 +20,8 @@
  *    went on, and what lies between the points and the line is covered as the rest is, since of a
  *    point and its image the point itself is nearer to what is on its side. Points on the lines
  *    with averaged normals count among them, since they have a part of their splat on each face.
+ *    Where the neighbours on a face are those of one row, along an edge whose other face is denser than the next
+ *    row is near, more neighbours are looked at, and the distance of that row is the spacing on this face.
  * 5. Lines are kept where at least ten neighbours have some, and sixteen about the point or about
  *    one of its neighbours.
  *
@@ -63,6 +65,18 @@ public:
     float Clip[6], Fold[6];               // as in the arrays
   };
 
+  /// A face of whose points one row at most is among the neighbours.
+  struct Row
+  {
+    Slot At;
+    vtkIdType Id; // as of a splat
+    float Normal[3];
+    float Along[3];    // its direction; 0 where there are none
+    bool HasSplat = false;
+    std::size_t Splat = 0; // if so, its number among those that were found
+    bool Open = true;      // whether the next row is still to be found
+  };
+
   /// normals: 3 floats a slot, unit length; tensors: 6, or null; usual: as in vtkPointSplatSheet.
   vtkPointSplatCreases(const vtkPointSplatNeighbors& neighbors, const float* normals,
     const float* tensors, float usual, bool elliptical);
@@ -93,8 +107,18 @@ private:
     vtkAlgorithm* self, double from, double to, std::vector<unsigned char>& wanted);
   /// The first twin of a slot, if it has some.
   std::vector<Twin>::const_iterator FindTwin(Slot s) const;
-  void FindSplats(const Neighborhood& around, std::vector<Splat>& splats) const;
-  bool FindSplat(const Neighborhood& around, const float n[3], Splat& splat) const;
+  struct Found
+  {
+    std::vector<Splat> Splats;
+    std::vector<Row> Rows; // for which farther neighbours are to be looked at
+  };
+  void FindSplats(const Neighborhood& around, Found& found) const;
+  bool FindSplat(const Neighborhood& around, Row& row, Splat& splat) const;
+  /// Finds splats of rows again, with farther neighbours, the last ones there are or not. Returns whether no
+  /// row is left.
+  bool FindWider(const Neighborhood& around, bool last, Found& found) const;
+  bool DescribeSplat(const Neighborhood& around, const float plane[3], const vtkPointSplatFace& face,
+    vtkPointSplatCrease& crease, Splat& splat) const;
   static bool HasLine(const Splat& splat);
 
   const vtkPointSplatNeighbors& Neighbors;

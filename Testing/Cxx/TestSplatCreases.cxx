@@ -3,6 +3,7 @@
 // That vtkPointSplatEstimation finds creases where there are some and none elsewhere, and clips
 // splats at them. Where the edges are is known in closed form.
 #include "Expect.h"
+#include "Gathered.h"
 #include "ScatteredFaces.h"
 
 #include "vtkSMPTools.h"
@@ -247,6 +248,85 @@ void AveragedCorners(double degrees)
   AtMost(flat, 0, "folds into the disk's own plane");
 }
 
+/// A cylinder whose rows along the lids' edges lie so many times as far apart as the points in them and on the lids: all
+/// faces have points on the edges, with their own normals. Places: of 480 between the edge and the next row those that no disk covers.
+void Lidded(double aspect, bool inward, int places)
+{
+  const int number = 120;
+  const double pi = std::acos(-1.0), step = 2 * pi / number, side = inward ? -1 : 1;
+  const int rows = 5;
+  const double height = aspect * step * (rows - 1);
+  Gathered gathered;
+  for (int row = 0; row < rows; ++row)
+  {
+    for (int i = 0; i < number; ++i)
+    {
+      const double x[3] = { std::cos(i * step), std::sin(i * step), row * aspect * step };
+      const double n[3] = { side * x[0], side * x[1], 0 };
+      gathered.Add(x, n);
+    }
+  }
+  for (const double z : { 0.0, height })
+  {
+    for (int ring = 0; ring * step < 1; ++ring)
+    {
+      const double radius = 1 - ring * step;
+      const int count = static_cast<int>(std::round(2 * pi * radius / step));
+      for (int i = 0; i < count; ++i)
+      {
+        const double angle = 2 * pi * i / count;
+        const double x[3] = { radius * std::cos(angle), radius * std::sin(angle), z };
+        const double n[3] = { 0, 0, z > 0 ? side : -side };
+        gathered.Add(x, n);
+      }
+    }
+  }
+  vtkNew<vtkPointSplatEstimation> estimation;
+  estimation->SetInputData(gathered.Cloud);
+  estimation->Update();
+  vtkPolyData* splats = estimation->GetOutput();
+  vtkDataArray* normals = splats->GetPointData()->GetNormals();
+  vtkDataArray* radii = splats->GetPointData()->GetArray(vtkPointSplatArrays::Radius);
+  vtkDataArray* lines = splats->GetPointData()->GetArray(vtkPointSplatArrays::Clip);
+  const std::string what =
+    "rows " + std::to_string(aspect) + " spacings apart" + (inward ? ", inward" : "");
+  Expect(lines != nullptr, what + ": no lines");
+  int off = 0;
+  for (int i = 0; lines && i < number; ++i)
+  {
+    for (const int row : { 0, rows - 1 })
+    {
+      double line[6];
+      lines->GetTuple(row * number + i, line);
+      const double length = vtkMath::Norm(line);
+      const double along = (row == 0 ? -1 : 1) * line[2];
+      // Nearer than a twentieth of the way to the next row.
+      off += !(length * 0.05 * aspect * step > 1) || along < 0.99 * length || vtkMath::Norm(line + 3) > 0;
+    }
+  }
+  AtMost(off, 0, what + ": disks on the edges that do not end there");
+
+  // Between the edge and the next row places are in somebody's disk.
+  int bare = 0;
+  for (int i = 0; i < 4 * number; ++i)
+  {
+    const double angle = (i + 0.5) * step / 4;
+    const double x[3] = { std::cos(angle), std::sin(angle), (i % 4 + 0.5) / 4 * aspect * step };
+    bool covered = false;
+    for (vtkIdType id = 0; id < splats->GetNumberOfPoints() && !covered; ++id)
+    {
+      double p[3], n[3];
+      splats->GetPoint(id, p);
+      normals->GetTuple(id, n);
+      const double radius = radii->GetComponent(id, 0);
+      covered = vtkMath::Distance2BetweenPoints(x, p) < radius * radius &&
+        std::abs(n[0] * x[0] + n[1] * x[1]) > 0.8;
+    }
+    bare += !covered;
+  }
+  AtMost(bare, places, what + ": places between rows that no disk covers");
+}
+
 void Threads()
 {
   ScatteredFaces cube;
@@ -331,6 +411,14 @@ int TestSplatCreases(int, char*[])
   Vertices(true);
   AveragedCorners(0);
   AveragedCorners(17);
+  for (const bool inward : { false, true })
+  {
+    Lidded(4, inward, 0);
+    // 266, 360 and 240 where disks on the edge were as small as the row's own points are apart.
+    Lidded(6, inward, 20);
+    Lidded(8, inward, 200);
+    Lidded(12, inward, 150);
+  }
   Threads();
   BadInput();
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPointSplatMirrored
+ * @brief   the members of a point's face and what they look like in mirrors at its lines
+ *
+ * An internal helper of vtkPointSplatCreases; see stage 4 there.
+ */
+#ifndef vtkPointSplatMirrored_h
+#define vtkPointSplatMirrored_h
+
+#include "vtkMath.h"
+#include "vtkPointSplatCrease.h"
+
+#include <algorithm>
+#include <cmath>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkPointSplatMirrored
+{
+public:
+  using Slot = vtkPointSplatNeighbors::Slot;
+  using Neighborhood = vtkPointSplatNeighbors::Neighborhood;
+
+  static constexpr int Capacity = vtkPointSplatNeighbors::MaximumNumberOfNeighbors;
+  float Normals[3 * (Capacity + 1)]; // 3 a slot: the centre's, and those of the neighbours
+
+  /// Adds the points on the lines whose normals are averages: they have a part on this face.
+  void AddMeeting(const Neighborhood& around, const vtkPointSplatFaces& faces, const float n[3],
+    const vtkPointSplatCrease& crease, float spacing)
+  {
+    for (int i = 0; i < around.Count; ++i)
+    {
+      const float x[3] = { around.X[i], around.Y[i], around.Z[i] };
+      if (faces.IsSound(around.Slots[i]) || std::abs(vtkMath::Dot(n, x)) > OffFace * spacing)
+      {
+        continue;
+      }
+      for (int l = 0; l < crease.Count; ++l)
+      {
+        if (vtkPointSplatCrease::IsOn(crease.Lines[l], x, spacing))
+        {
+          this->Add(x, n);
+          break;
+        }
+      }
+    }
+  }
+
+  /// Adds the members and all images, and returns them as the neighbours of a slot 0; Normals has theirs.
+  Neighborhood Fill(const Neighborhood& around, const float* normals, const float n[3],
+    const vtkPointSplatFace& face, const vtkPointSplatCrease& crease)
+  {
+    const float zero[3] = { 0, 0, 0 };
+    for (int l = 0; l < crease.Count; ++l)
+    {
+      this->AddImage(zero, n, crease, l);
+    }
+    for (int k = 0; k < face.Members.Count; ++k)
+    {
+      const int i = face.Members.Members[k];
+      const float x[3] = { around.X[i], around.Y[i], around.Z[i] };
+      const float* m = normals + std::size_t(3) * around.Slots[i];
+      this->Add(x, m);
+      for (int l = 0; l < crease.Count; ++l)
+      {
+        this->AddImage(x, m, crease, l);
+      }
+    }
+    std::stable_sort(this->Points, this->Points + this->Count,
+      [](const Point& a, const Point& b) { return a.Squared < b.Squared; });
+    std::copy(n, n + 3, this->Normals);
+    for (int i = 0; i < this->Count; ++i)
+    {
+      const Point& point = this->Points[i];
+      this->Slots[i] = i + 1;
+      this->X[i] = point.X[0];
+      this->Y[i] = point.X[1];
+      this->Z[i] = point.X[2];
+      this->Squared[i] = point.Squared;
+      std::copy(point.Normal, point.Normal + 3, this->Normals + 3 * (i + 1));
+    }
+    return { 0, this->Count, this->Slots, this->X, this->Y, this->Z, this->Squared };
+  }
+
+private:
+  /// How far, in spacings, a point on an edge may be off a face that meets there.
+  static constexpr float OffFace = 0.15f;
+
+  struct Point
+  {
+    float X[3], Normal[3];
+    float Squared;
+  };
+  Point Points[Capacity];
+  int Count = 0;
+
+  Slot Slots[Capacity];
+  float X[Capacity], Y[Capacity], Z[Capacity], Squared[Capacity];
+
+  void Add(const float x[3], const float n[3])
+  {
+    const float squared = vtkMath::Dot(x, x);
+    if (this->Count < Capacity && squared > 0)
+    {
+      this->Points[this->Count++] = { { x[0], x[1], x[2] }, { n[0], n[1], n[2] }, squared };
+    }
+  }
+
+  void AddImage(const float x[3], const float n[3], const vtkPointSplatCrease& crease, int line)
+  {
+    const vtkPointSplatCrease::Line& at = crease.Lines[line];
+    const float far = vtkMath::Dot(at.Direction, x) - at.Distance;
+    const float part = vtkMath::Dot(at.Direction, n);
+    float y[3], m[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      y[c] = x[c] - 2 * far * at.Direction[c];
+      m[c] = n[c] - 2 * part * at.Direction[c];
+    }
+    // What is behind a line, where a face goes on past a corner, has its image before it.
+    for (int k = 0; k < crease.Count; ++k)
+    {
+      if (vtkMath::Dot(crease.Lines[k].Direction, y) > crease.Lines[k].Distance)
+      {
+        this->Add(y, m);
+        return;
+      }
+    }
+  }
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
