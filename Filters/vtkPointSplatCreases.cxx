@@ -38,7 +38,7 @@ constexpr float AcrossCosine = 0.94f;
 /// Faces whose normals agree so well (10 degrees) are one: others part by 20 at least.
 constexpr float OwnCosine = 0.985f;
 /// The next row's points are off the plane by no more than this part of their distance, ...
-constexpr float OffFace = 0.17f;
+constexpr float NextRowSlope = 0.17f;
 /// ... and their directions' cosine to the row is no more than this (45 degrees).
 constexpr float AlongRow = 0.7f;
 /// How far neighbours must reach, of that row's distance, to have enough of it.
@@ -60,7 +60,7 @@ float GetNextRow(const Neighborhood& around, const float* normals, const vtkPoin
     const float height = vtkMath::Dot(row.Normal, x), part = vtkMath::Dot(row.Along, x);
     const float squared = around.SquaredDistance[i];
     if (std::abs(vtkMath::Dot(row.Normal, m)) > OwnCosine &&
-      height * height < OffFace * OffFace * squared && part * part < AlongRow * AlongRow * squared)
+      height * height < NextRowSlope * NextRowSlope * squared && part * part < AlongRow * AlongRow * squared)
     {
       return std::sqrt(squared);
     }
@@ -148,7 +148,7 @@ bool vtkPointSplatCreases::HasLine(const Splat& splat)
   return std::any_of(splat.Clip, splat.Clip + 6, [](float v) { return v != 0; });
 }
 
-/// Where the face that has row's normal is a row, or has no points here, row.At is the centre, else None.
+/// row is open where the face with its normal is a row, or has no points here.
 bool vtkPointSplatCreases::FindSplat(const Neighborhood& around, Row& row, Splat& splat) const
 {
   vtkPointSplatFace face;
@@ -159,8 +159,7 @@ bool vtkPointSplatCreases::FindSplat(const Neighborhood& around, Row& row, Splat
   float plane[3] = { n[0], n[1], n[2] };
   const bool twin = row.Id >= 0;
   const bool strip = face.Row && !twin && this->Faces.IsSound(around.Center);
-  row.At = strip || (twin && (face.Row || face.Members.Count == 0)) ? around.Center
-                                                                    : vtkPointSplatNeighbors::None;
+  row.Open = strip || (twin && (face.Row || face.Members.Count == 0));
   std::fill_n(row.Along, 3, 0.0f);
   if (face.Row)
   {
@@ -203,17 +202,19 @@ bool vtkPointSplatCreases::FindWider(const Neighborhood& around, bool last, Foun
     {
       continue;
     }
-    // The nearest one on the face that is not in the row.
     const float next = GetNextRow(around, this->Faces.Normals, row);
+    const float reach = NextRowReach * next;
+    const bool enough = last || around.SquaredDistance[around.Count - 1] >= reach * reach;
     vtkPointSplatFace face;
+    if (next > 0 && enough)
+    {
+      face.Fit(around, this->Faces.Normals, row.Normal, next);
+    }
     vtkPointSplatCrease crease;
-    face.Fit(around, this->Faces.Normals, row.Normal, next);
     Splat splat;
     splat.At = row.At;
     splat.Id = row.Id;
-    const float reach = NextRowReach * next;
-    if (next == 0 || (!last && around.SquaredDistance[around.Count - 1] < reach * reach) || !face.Sound ||
-       !this->DescribeSplat(around, row.Normal, face, crease, splat))
+    if (!face.Sound || !this->DescribeSplat(around, row.Normal, face, crease, splat))
     {
       left = true;
       continue;
@@ -305,6 +306,7 @@ void vtkPointSplatCreases::FindSplats(const Neighborhood& around, Found& found) 
     splat.At = around.Center;
     splat.Id = id;
     Row row;
+    row.At = around.Center;
     row.Id = id;
     std::copy_n(n, 3, row.Normal);
     row.HasSplat = this->FindSplat(around, row, splat);
@@ -314,7 +316,7 @@ void vtkPointSplatCreases::FindSplats(const Neighborhood& around, Found& found) 
       found.Splats.push_back(splat);
     }
     // A strip ends on both sides.
-    if (row.At != vtkPointSplatNeighbors::None && !(row.HasSplat && IsStrip(splat)))
+    if (row.Open && !(row.HasSplat && IsStrip(splat)))
     {
       found.Rows.push_back(row);
     }

@@ -74,7 +74,7 @@ public:
     float Along[3];    // its direction; 0 where there are none
     bool HasSplat = false;
     std::size_t Splat = 0; // if so, its number among those that were found
-    bool Open = true;      // whether the next row is still to be found
+    bool Open = false;     // whether the next row is still to be found
   };
 
   /// normals: 3 floats a slot, unit length; tensors: 6, or null; usual: as in vtkPointSplatSheet.

@@ -40,9 +40,9 @@ bool vtkPointSplatCloud::KeepOnDevice(Buffers& buffers)
     const bool kept = stays && vtkPointSplatStore::CanKeep(bytes) &&
       std::all_of(arrays.begin(), arrays.end(),
         [](const Array& array) { return array.Store.Keep(array.Data, array.Words, array.Changed); });
-    for (const Array& array : arrays)
+    for (size_t i = 0; !kept && i < arrays.size(); ++i)
     {
-      kept ? void() : array.Store.Release();
+      arrays[i].Store.Release();
     }
     buffers.StoreTime.Modified();
   }
