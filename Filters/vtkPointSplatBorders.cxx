@@ -20,8 +20,6 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 // Those that are fitted by hand are from Testing/Accuracy/fit_constants.py.
-/// At a border these reach as far as half of them do elsewhere, past four spacings.
-constexpr int NumberOfNeighbors = 32;
 /// Of a random sampling: what is no gap of it is seen from farther.
 constexpr int NumberAtRandom = 64;
 /// Where so many nearest ones lie in a row, four times as many are looked at, which reach the next row
@@ -35,6 +33,8 @@ constexpr float VoidReach = 2.0f;
 constexpr float AwayCosine = -0.9f;
 /// How far into the sector they are (10 degrees).
 constexpr double VoidMargin = 0.17;
+/// Of a random sampling alpha is no more than this, in spacings: NumberAtRandom neighbours are not farther off.
+constexpr float LargestAlpha = 5.0f;
 /// How far, in alphas, a cell reaches that is surely no gap in the sampling, and how many of these a
 /// border has at least.
 constexpr float SureReach = 2.0f;
@@ -44,12 +44,8 @@ constexpr int LeastSure = 8;
 constexpr double SpacingQuantile = 0.75;
 /// Where cells are long in one place and not in another, alpha in the reaches of the cells around.
 constexpr float StretchedReach = 1.9f;
-/// How far past the outermost of a random sampling's points its surface ends, in spacings.
-constexpr float RandomMargin = 0.3f;
 /// Lines of one direction are one (14 degrees).
 constexpr float SameCosine = 0.97f;
-/// Ends of one border agree on where it goes on by this mean: beside a narrow gap or strip they don't.
-constexpr float LeastAgreed = 0.8f;
 }
 
 vtkPointSplatBorders::vtkPointSplatBorders(const vtkPointSplatNeighbors& neighbors,
@@ -62,10 +58,8 @@ vtkPointSplatBorders::vtkPointSplatBorders(const vtkPointSplatNeighbors& neighbo
 {
 }
 
-bool vtkPointSplatBorders::FindEnd(
-  const Neighborhood& around, const vtkPointSplatDisk& disk, End& end) const
+float vtkPointSplatBorders::GetAlpha(const Neighborhood& around) const
 {
-  int next[2];
   std::vector<float> spacings, openings;
   for (int i = 0; i < around.Count; ++i)
   {
@@ -82,13 +76,25 @@ bool vtkPointSplatBorders::FindEnd(
   }
   if (spacings.empty())
   {
-    return false;
+    return 0;
   }
-  float alpha = this->Disks.HoleLimit * vtkPointSplatDisks::GetQuantile(spacings, SpacingQuantile);
-  if (!openings.empty())
+  const float limit =
+    this->Disks.Regular ? this->Disks.HoleLimit : std::min(this->Disks.HoleLimit, LargestAlpha);
+  const float alpha = limit * vtkPointSplatDisks::GetQuantile(spacings, SpacingQuantile);
+  return openings.empty()
+    ? alpha
+    : std::min(
+        alpha, StretchedReach * vtkPointSplatDisks::GetQuantile(openings, SpacingQuantile));
+}
+
+bool vtkPointSplatBorders::FindEnd(
+  const Neighborhood& around, const vtkPointSplatDisk& disk, End& end) const
+{
+  int next[2];
+  const float alpha = this->GetAlpha(around);
+  if (!(alpha > 0))
   {
-    alpha = std::min(
-      alpha, StretchedReach * vtkPointSplatDisks::GetQuantile(openings, SpacingQuantile));
+    return false;
   }
   const float reach = disk.FindBorder(alpha, next);
   if (!(reach > 0))
@@ -211,15 +217,26 @@ bool vtkPointSplatBorders::Find(
 {
   vtkSMPThreadLocal<std::vector<End>> found;
   auto find = [&](const Neighborhood& around, int round) {
+    std::vector<End>& ends = found.Local();
+    // Of those of a leaf, whose rounds follow one another.
+    const auto last = ends.rbegin() + std::min<std::ptrdiff_t>(ends.size(), vtkPointSplatNeighbors::LeafSize);
+    const auto unsure = std::find_if(
+      ends.rbegin(), last, [&around](const End& end) { return end.At == around.Center; });
+    if (round > 0 && unsure != last)
+    {
+      unsure->Sure = round > 1 && this->IsVoid(around, *unsure);
+      return round > 1;
+    }
     vtkPointSplatDisk disk;
     disk.Estimate(around, this->Normals, elliptical, this->Usual, this->Disks.HoleLimit);
     End end;
-    const bool ends = this->FindEnd(around, disk, end);
-    if (ends)
+    if (this->FindEnd(around, disk, end))
     {
-      found.Local().push_back(end);
+      ends.push_back(end);
+      // What is a gap of a random sampling may be wider than these neighbours are far.
+      return end.Sure || this->Disks.Regular;
     }
-    return ends || round > 0 || !disk.InRow(NumberInRow);
+    return round > 0 || !disk.InRow(NumberInRow);
   };
   const double progress = self->GetProgress();
   if (!this->Neighbors.Visit(self, progress, progress, this->Number, find,
@@ -233,6 +250,23 @@ bool vtkPointSplatBorders::Find(
   return true;
 }
 
+double vtkPointSplatBorders::GetSector(const End& end, double& from) const
+{
+  const vtkPointSplatBorderPlane plane(this->Normals + std::size_t(3) * end.At);
+  double x[3], angles[2];
+  this->Neighbors.GetPosition(end.At, x);
+  for (int k = 0; k < 2; ++k)
+  {
+    double y[3];
+    this->Neighbors.GetPosition(end.Next[k], y);
+    const float way[3] = { static_cast<float>(y[0] - x[0]), static_cast<float>(y[1] - x[1]),
+      static_cast<float>(y[2] - x[2]) };
+    angles[k] = plane.GetAngle(way);
+  }
+  from = angles[0];
+  return vtkPointSplatBorderPlane::Turn(angles[0], angles[1]);
+}
+
 bool vtkPointSplatBorders::IsOutside(Slot slot, const float direction[3]) const
 {
   const End* end = FindAt(this->Rim, slot);
@@ -240,86 +274,30 @@ bool vtkPointSplatBorders::IsOutside(Slot slot, const float direction[3]) const
   {
     return false;
   }
+  double from;
+  const double sector = this->GetSector(*end, from);
   const vtkPointSplatBorderPlane plane(this->Normals + std::size_t(3) * slot);
-  double x[3], angles[2];
-  this->Neighbors.GetPosition(slot, x);
-  for (int k = 0; k < 2; ++k)
-  {
-    double y[3];
-    this->Neighbors.GetPosition(end->Next[k], y);
-    const float way[3] = { static_cast<float>(y[0] - x[0]), static_cast<float>(y[1] - x[1]),
-      static_cast<float>(y[2] - x[2]) };
-    angles[k] = plane.GetAngle(way);
-  }
-  const double sector = vtkPointSplatBorderPlane::Turn(angles[0], angles[1]);
-  return vtkPointSplatBorderPlane::Turn(angles[0], plane.GetAngle(direction)) < sector;
+  return vtkPointSplatBorderPlane::Turn(from, plane.GetAngle(direction)) < sector;
 }
 
-bool vtkPointSplatBorders::Cut(
-  const Neighborhood& around, const vtkPointSplatDisks& disks, End& cut) const
+bool vtkPointSplatBorders::IsVoid(const Neighborhood& around, const End& end) const
 {
-  const float reach = KernelReach * disks.Length[around.Center];
-  const float* n = this->Normals + std::size_t(3) * around.Center;
-  struct Near
-  {
-    float X[3];
-    const End* Of;
-  };
-  std::vector<Near> ends;
-  if (const End* own = this->GetEnd(around.Center))
-  {
-    ends.push_back({ { 0, 0, 0 }, own });
-  }
-  const float spacing = this->Disks.Spacing[around.Center];
-  const float farthest = 2 * reach + spacing;
-  for (int i = 0; i < around.Count && around.SquaredDistance[i] < farthest * farthest; ++i)
-  {
-    if (const End* end = this->GetEnd(around.Slots[i]))
-    {
-      ends.push_back({ { around.X[i], around.Y[i], around.Z[i] }, end });
-    }
-  }
-  float out[3] = { 0, 0, 0 };
-  for (const Near& end : ends)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      out[c] += end.Of->Out[c] / static_cast<float>(ends.size());
-    }
-  }
-  if (!(vtkMath::Norm(out) > LeastAgreed))
+  const float far = SureReach * this->GetAlpha(around);
+  if (around.Count == 0 || !(around.SquaredDistance[around.Count - 1] >= far * far))
   {
     return false;
   }
-  const float along = vtkMath::Dot(out, n);
-  for (int c = 0; c < 3; ++c)
+  double from;
+  const double sector = this->GetSector(end, from);
+  const vtkPointSplatBorderPlane plane(this->Normals + std::size_t(3) * end.At);
+  for (int i = 0; i < around.Count; ++i)
   {
-    out[c] -= along * n[c];
-  }
-  if (!(vtkMath::Normalize(out) > 0))
-  {
-    return false;
-  }
-  float side[3];
-  vtkMath::Cross(n, out, side);
-  float distance = 0;
-  for (const Near& end : ends)
-  {
-    if (std::abs(vtkMath::Dot(end.X, side)) <= reach)
+    const float x[3] = { around.X[i], around.Y[i], around.Z[i] };
+    const double turn = vtkPointSplatBorderPlane::Turn(from, plane.GetAngle(x));
+    if (turn > VoidMargin && turn < sector - VoidMargin)
     {
-      distance = std::max(distance, vtkMath::Dot(end.X, out));
+      return false;
     }
-  }
-  distance += RandomMargin * spacing;
-  if (!(distance < reach))
-  {
-    return false;
-  }
-  cut = End();
-  cut.At = around.Center;
-  for (int c = 0; c < 3; ++c)
-  {
-    cut.Clip[c] = out[c] / distance;
   }
   return true;
 }
@@ -446,29 +424,6 @@ bool vtkPointSplatBorders::ClipBeside(vtkAlgorithm* self)
       [](const End& a, const End& b) { return a.At < b.At; });
   });
   this->Sort();
-  return true;
-}
-
-bool vtkPointSplatBorders::Straighten(vtkAlgorithm* self, const vtkPointSplatDisks& disks)
-{
-  std::vector<std::atomic<bool>> near(this->Disks.Spacing.size());
-  vtkSMPThreadLocal<std::vector<End>> found;
-  auto cut = [&](const Neighborhood& around, int) {
-    End end;
-    if (!disks.IsAlone(around.Center) && this->Cut(around, disks, end))
-    {
-      found.Local().push_back(end);
-    }
-    return true;
-  };
-  const double progress = self->GetProgress();
-  if (!this->FindNear(self, near) ||
-    !this->Neighbors.Visit(self, progress, progress, NumberOfNeighbors, cut,
-      [&near](Slot s) { return near[s].load(std::memory_order_relaxed); }))
-  {
-    return false;
-  }
-  this->Take(found);
   return true;
 }
 

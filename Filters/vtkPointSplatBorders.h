@@ -25,10 +25,12 @@
  *    the border row of points that are much denser along rows, as wide as the way to the next row.
  *    Splats farther inside that reach over the border, as where points are denser across it than along,
  *    are clipped by the lines of the nearest points on it, as are its points beside its corners.
- * 6. Random samplings end somewhere between their last points and the surface's border. There alpha is
- *    as wide as the gaps that are closed, and candidates are looked at with 64 neighbours; each splat
- *    that reaches over the border ends at one line across the mean of the ways out of the surface there,
- *    so far off that the outermost point beside it is inside, and a margin more.
+ * 6. Random samplings may end somewhere between their last points and the surface's border. There alpha
+ *    is as wide as the gaps that are closed, and candidates are looked at with 64 neighbours, or where the
+ *    gap is wider than these reach with the nearest points of the leaves around. Each splat that reaches
+ *    over the border ends at one line across the mean of the ways out of the surface there, past the
+ *    outermost point beside it by as much as the last points scatter about a parabola: not at all where
+ *    these are the vertices of a mesh's border.
  *
  * Memory is 56 bytes a point at a border and two bytes a slot; candidates are points whose cells are
  * open or reach into holes, which smooth closed surfaces have hardly any of.
@@ -105,6 +107,9 @@ public:
 private:
   using Neighborhood = vtkPointSplatNeighbors::Neighborhood;
 
+  /// At a border these reach as far as half of them do elsewhere, past four spacings.
+  static constexpr int NumberOfNeighbors = 32;
+
   /// Where the surface ends at a slot.
   struct End
   {
@@ -116,7 +121,13 @@ private:
     float Gap;     // what its disk must at least be to cover the triangles there
   };
 
+  /// From which distance on a vertex of a Voronoi cell lies in a hole; 0 where none around has a cell.
+  float GetAlpha(const Neighborhood& around) const;
   bool FindEnd(const Neighborhood& around, const vtkPointSplatDisk& disk, End& end) const;
+  /// The angle in the tangent plane that an end's next points leave open, from the direction of the first.
+  double GetSector(const End& end, double& from) const;
+  /// Whether there is nothing in that sector, as far as a border is sure to reach, in neighbours that reach as far.
+  bool IsVoid(const Neighborhood& around, const End& end) const;
   static const End* FindAt(const std::vector<End>& ends, Slot slot);
   const End* GetEnd(Slot slot) const { return FindAt(this->Ends, slot); }
   void Take(vtkSMPThreadLocal<std::vector<End>>& found);

@@ -149,9 +149,19 @@ class TestStandIns(unittest.TestCase):
         self.check("holed_ball", 4, 0.01, 34, views=1)
 
     def test_borders_of_random_samplings(self):
-        # 37 dB and a spill of 0.0076 where disks reach past the last points.
-        found = likeness.compare(standins.ALL["shell_03"](), 300, 3)
-        self.assertGreater(found["psnr"][1], 39.5)
+        # 37 dB and a spill of 0.0076 where disks reach past the last points, 43.7 where they did by 0.3 spacings.
+        shell = standins.ALL["shell_03"]()
+        found = likeness.compare(shell, 300, 3)
+        self.assertGreater(found["psnr"][1], 44.5)
+        self.assertLess(found["spill"], 0.002)
+        self.assertEqual(found["holes"], 0)
+        # 11 in the close-up where the margin is one standard deviation instead of two.
+        self.assertEqual(likeness.compare(shell, 768, 2)["holes"], 0)
+
+    def test_borders_of_graded_samplings(self):
+        # A spill of 0.18 where gaps as wide as its rows are far apart were no border anywhere.
+        found = likeness.compare(standins.graded_dish(), 300, 3)
+        self.assertGreater(min(found["psnr"]), 50)
         self.assertLess(found["spill"], 0.002)
         self.assertEqual(found["holes"], 0)
 

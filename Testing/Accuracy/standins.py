@@ -290,6 +290,30 @@ def along_grid_lines(ratio=8, count=60000):
     return StandIn("along grid lines", cloud, to_parametric(wall, *extent), 2.6 / rows, mesh)
 
 
+def graded_dish(spokes=76):
+    """What a contour on a solver's grid about a body is: points on spokes, from a boundary layer in which they
+    are forty times as dense as from spoke to spoke to the last ones, on the rim, on one side of the dish
+    three times as far apart as on the other, and not quite in rows."""
+    rng = np.random.default_rng(9)
+    def dish(u, v):
+        return np.stack([v * np.cos(u), v * np.sin(u), 0.2 * v * v], -1)
+    u, v = [], []
+    for k in range(spokes):
+        steps = 0.0001 * np.cumsum((1.1 if 2 * k < spokes else 1.25) ** np.arange(99))
+        places = 0.05 + 0.95 * steps[:np.searchsorted(steps, 0.95) + 1] / steps[np.searchsorted(steps, 0.95)]
+        places[1:-1] += rng.uniform(-0.4, 0.4, len(places) - 2) * np.diff(places[:-1])
+        u.append(np.full(len(places), 2 * math.pi * k / spokes))
+        v.append(places)
+    u, v = np.concatenate(u), np.concatenate(v)
+    mesh = parametric(dish, 600, 200, (0, 2 * math.pi), (0.05, 1.0))
+
+    def distance(p):
+        r = np.hypot(p[:, 0], p[:, 1])
+        near = np.clip(r, 0.05, 1.0)
+        return np.hypot(r - near, p[:, 2] - 0.2 * near * near)
+    return StandIn("graded dish", polydata(dish(u, v), normals_of(dish, u, v)), distance, 0.1, mesh)
+
+
 def thin_shell(gap=0.3, count=40000):
     """A bowl: two sheets that face away from each other, gap spacings apart."""
     rng = np.random.default_rng(7)
@@ -425,6 +449,7 @@ ALL = {
     "rimmed_disc": rimmed_disc,
     "thin_disc": lambda: rimmed_disc(0.02),
     "grid_lines": along_grid_lines,
+    "graded_dish": graded_dish,
     "grid_lines_20": lambda: along_grid_lines(20),
     "spray": spray,
     "scans": overlapping_scans,
