@@ -51,6 +51,13 @@ public:
     return turn < 0 ? turn + 2 * vtkMath::Pi() : turn;
   }
 
+  /// Whether a direction lies in a sector, which begins at an angle, and so far from its sides.
+  bool IsInSector(const float x[3], double from, double sector, double margin) const
+  {
+    const double turn = Turn(from, this->GetAngle(x));
+    return turn >= margin && turn < sector - margin;
+  }
+
   /// The vector of a line (`SplatClip`) whose normal lies at that angle.
   void SetLine(double angle, float distance, float clip[3]) const
   {

@@ -118,10 +118,10 @@ bool vtkPointSplatBorders::FindEnd(
        around.SquaredDistance[i] <= VoidReach * VoidReach * spacing * spacing;
        ++i)
   {
-    const double turn = vtkPointSplatBorderPlane::Turn(from, getAngle(i));
+    const float x[3] = { around.X[i], around.Y[i], around.Z[i] };
     const float* other = this->Normals + std::size_t(3) * around.Slots[i];
     const bool away = vtkMath::Dot(other, disk.Normal) < AwayCosine;
-    if (!ofSheet[i] && !away && turn > VoidMargin && turn < sector - VoidMargin)
+    if (!ofSheet[i] && !away && plane.IsInSector(x, from, sector, VoidMargin))
     {
       return false;
     }
@@ -250,9 +250,9 @@ bool vtkPointSplatBorders::Find(
   return true;
 }
 
-double vtkPointSplatBorders::GetSector(const End& end, double& from) const
+double vtkPointSplatBorders::GetSector(
+  const vtkPointSplatBorderPlane& plane, const End& end, double& from) const
 {
-  const vtkPointSplatBorderPlane plane(this->Normals + std::size_t(3) * end.At);
   double x[3], angles[2];
   this->Neighbors.GetPosition(end.At, x);
   for (int k = 0; k < 2; ++k)
@@ -274,10 +274,10 @@ bool vtkPointSplatBorders::IsOutside(Slot slot, const float direction[3]) const
   {
     return false;
   }
-  double from;
-  const double sector = this->GetSector(*end, from);
   const vtkPointSplatBorderPlane plane(this->Normals + std::size_t(3) * slot);
-  return vtkPointSplatBorderPlane::Turn(from, plane.GetAngle(direction)) < sector;
+  double from;
+  const double sector = this->GetSector(plane, *end, from);
+  return plane.IsInSector(direction, from, sector, 0.0);
 }
 
 bool vtkPointSplatBorders::IsVoid(const Neighborhood& around, const End& end) const
@@ -287,14 +287,13 @@ bool vtkPointSplatBorders::IsVoid(const Neighborhood& around, const End& end) co
   {
     return false;
   }
-  double from;
-  const double sector = this->GetSector(end, from);
   const vtkPointSplatBorderPlane plane(this->Normals + std::size_t(3) * end.At);
+  double from;
+  const double sector = this->GetSector(plane, end, from);
   for (int i = 0; i < around.Count; ++i)
   {
     const float x[3] = { around.X[i], around.Y[i], around.Z[i] };
-    const double turn = vtkPointSplatBorderPlane::Turn(from, plane.GetAngle(x));
-    if (turn > VoidMargin && turn < sector - VoidMargin)
+    if (plane.IsInSector(x, from, sector, VoidMargin))
     {
       return false;
     }

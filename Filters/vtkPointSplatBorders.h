@@ -50,6 +50,8 @@ class vtkFloatArray;
 
 VTK_ABI_NAMESPACE_BEGIN
 
+class vtkPointSplatBorderPlane;
+
 class vtkPointSplatBorders
 {
 public:
@@ -124,8 +126,8 @@ private:
   /// From which distance on a vertex of a Voronoi cell lies in a hole; 0 where none around has a cell.
   float GetAlpha(const Neighborhood& around) const;
   bool FindEnd(const Neighborhood& around, const vtkPointSplatDisk& disk, End& end) const;
-  /// The angle in the tangent plane that an end's next points leave open, from the direction of the first.
-  double GetSector(const End& end, double& from) const;
+  /// The angle that an end's next points leave open in its plane, and where it begins: at the first of them.
+  double GetSector(const vtkPointSplatBorderPlane& plane, const End& end, double& from) const;
   /// Whether there is nothing in that sector, as far as a border is sure to reach, in neighbours that reach as far.
   bool IsVoid(const Neighborhood& around, const End& end) const;
   static const End* FindAt(const std::vector<End>& ends, Slot slot);

@@ -5,6 +5,7 @@
 #include "vtkPointSplatBorders.h"
 
 #include "vtkMath.h"
+#include "vtkPointSplatBorderPlane.h"
 
 #include <algorithm>
 #include <atomic>
@@ -18,11 +19,10 @@ namespace
 {
 // These are from Testing/Accuracy/fit_constants.py.
 /// How far past the outermost of a random sampling's points its surface ends, in standard deviations of
-/// the last points from a line: random ones are somewhere before its border, a mesh's on it. Then in spacings, at
-/// most, and so far that a line has a direction.
+/// the last points from a line: random ones are somewhere before its border, a mesh's on it. And in
+/// spacings, at most.
 constexpr float PerScatter = 2.0f;
 constexpr float RandomMargin = 0.3f;
-constexpr float LeastMargin = 0.02f;
 /// Ends of one border agree on where it goes on by this mean: beside a narrow gap or strip they don't.
 constexpr float LeastAgreed = 0.8f;
 
@@ -126,8 +126,8 @@ bool vtkPointSplatBorders::Cut(
       distance = std::max(distance, across.back());
     }
   }
-  distance +=
-    std::clamp(PerScatter * GetScatter(along, across), LeastMargin * spacing, RandomMargin * spacing);
+  distance += std::clamp(PerScatter * GetScatter(along, across),
+    vtkPointSplatBorderPlane::LeastDistance * spacing, RandomMargin * spacing);
   if (!(distance < reach))
   {
     return false;

@@ -295,12 +295,14 @@ def graded_dish(spokes=76):
     are forty times as dense as from spoke to spoke to the last ones, on the rim, on one side of the dish
     three times as far apart as on the other, and not quite in rows."""
     rng = np.random.default_rng(9)
+
     def dish(u, v):
         return np.stack([v * np.cos(u), v * np.sin(u), 0.2 * v * v], -1)
     u, v = [], []
     for k in range(spokes):
         steps = 0.0001 * np.cumsum((1.1 if 2 * k < spokes else 1.25) ** np.arange(99))
-        places = 0.05 + 0.95 * steps[:np.searchsorted(steps, 0.95) + 1] / steps[np.searchsorted(steps, 0.95)]
+        last = np.searchsorted(steps, 0.95)
+        places = 0.05 + 0.95 * steps[:last + 1] / steps[last]
         places[1:-1] += rng.uniform(-0.4, 0.4, len(places) - 2) * np.diff(places[:-1])
         u.append(np.full(len(places), 2 * math.pi * k / spokes))
         v.append(places)
@@ -449,8 +451,8 @@ ALL = {
     "rimmed_disc": rimmed_disc,
     "thin_disc": lambda: rimmed_disc(0.02),
     "grid_lines": along_grid_lines,
-    "graded_dish": graded_dish,
     "grid_lines_20": lambda: along_grid_lines(20),
+    "graded_dish": graded_dish,
     "spray": spray,
     "scans": overlapping_scans,
 }
