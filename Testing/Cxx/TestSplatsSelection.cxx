@@ -357,16 +357,11 @@ void TestManyViews(Checks& checks, vtkPointSplatMapper::MethodType method)
 int TestSplatsSelection(int, char*[])
 {
   Checks checks;
-  // Blocks are selected before anything is drawn, in all ways alike. What the ways do with them
-  // differs where all is drawn, in layers, and with planes.
   for (int kind = 0; kind < Kinds; ++kind)
   {
     for (const Way& way : Ways)
     {
-      if (IsByTiles(way) || kind == Opaque || kind == Translucent || kind == Clipped)
-      {
-        TestCloseUp(checks, static_cast<Kind>(kind), way);
-      }
+      TestCloseUp(checks, static_cast<Kind>(kind), way);
     }
   }
   TestManyViews(checks, vtkPointSplatMapper::TWO_PASS);
