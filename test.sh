@@ -34,7 +34,8 @@ options=()
 if [ "${1:-}" = --sanitize ]; then
   shift
   folder=$top/build-sanitize
-  options=(-DPointSplatting_SANITIZE=ON)
+  # Nor is a header there unless a source names it.
+  options=(-DPointSplatting_SANITIZE=ON -DPointSplatting_PRECOMPILE=OFF -DPointSplatting_UNITY=OFF)
   # Drivers and VTK keep what they allocate once until the process ends.
   export ASAN_OPTIONS=detect_leaks=0
   export UBSAN_OPTIONS=print_stacktrace=1

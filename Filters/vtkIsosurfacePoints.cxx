@@ -25,6 +25,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPointSplatArrays.h"
+#include "vtkPointSplatInput.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
@@ -41,11 +42,6 @@ vtkStandardNewMacro(vtkIsosurfacePoints);
 
 namespace
 {
-/// What part of a voxel points must resolve at least.
-constexpr double Resolution = 1e-3;
-/// Past this floats soon have no number.
-constexpr double LargestSingle = 1e37;
-
 const unsigned char* GetGhosts(vtkDataSetAttributes* data, vtkIdType size)
 {
   auto* ghosts =
@@ -131,8 +127,8 @@ bool NeedsDouble(vtkImageData* image)
     largest = std::max(largest, std::abs(bounds[c]));
     least = std::min(least, std::abs(image->GetSpacing()[c / 2]));
   }
-  return largest * std::numeric_limits<float>::epsilon() > 2 * Resolution * least ||
-    largest > LargestSingle;
+  return largest * std::numeric_limits<float>::epsilon() > 2 * vtkPointSplatInput::Resolution * least ||
+    largest > vtkPointSplatInput::LargestCoordinate;
 }
 
 /// The same for scattered samples, with the spacing they would have if they filled their bounds.
@@ -146,8 +142,8 @@ bool NeedsDouble(vtkPointSet* samples)
     diagonal = std::max(diagonal, bounds[2 * c + 1] - bounds[2 * c]);
   }
   const double spacing = diagonal / std::cbrt(static_cast<double>(samples->GetNumberOfPoints()));
-  return largest * std::numeric_limits<float>::epsilon() > 2 * Resolution * spacing ||
-    largest > LargestSingle;
+  return largest * std::numeric_limits<float>::epsilon() > 2 * vtkPointSplatInput::Resolution * spacing ||
+    largest > vtkPointSplatInput::LargestCoordinate;
 }
 
 /// Arrays of the types that volumes mostly have: extractions take minutes to compile for all types.

@@ -31,11 +31,6 @@ constexpr double FarthestMove = 0.5;
 /// Beyond so many times its size a cube's number has no meaning in a double.
 constexpr double FarthestCube = 1e15;
 
-double GetNorm(const double x[3])
-{
-  return std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
-}
-
 double GetDot(const double a[3], const double b[3])
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -53,7 +48,7 @@ bool Normalize(double x[3])
   {
     x[c] /= largest;
   }
-  const double length = GetNorm(x);
+  const double length = vtkMath::Norm(x);
   for (int c = 0; c < 3; ++c)
   {
     x[c] /= length;
@@ -241,7 +236,7 @@ vtkIsosurfaceScatter::Point vtkIsosurfaceScatter::PlaceOnPair(
   if (this->Chosen.Correction)
   {
     Point corrected = point;
-    if (this->Approach(isovalue, FarthestMove * GetNorm(along), corrected))
+    if (this->Approach(isovalue, FarthestMove * vtkMath::Norm(along), corrected))
     {
       point = corrected;
     }
@@ -277,7 +272,7 @@ bool vtkIsosurfaceScatter::Approach(double isovalue, double limit, Point& point)
       point.Position[c] -= move * direction[c];
       moved[c] = point.Position[c] - start[c];
     }
-    if (!(GetNorm(moved) <= limit))
+    if (!(vtkMath::Norm(moved) <= limit))
     {
       return false;
     }

@@ -12,7 +12,7 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 /// What K, the form times the radius, may be at most: as vtkPointSplatProjection.glsl draws it.
-constexpr double LargestBend = 1.0;
+constexpr double LargestDrawnBend = 1.0;
 // From Testing/Accuracy/fit_constants.py:
 /// How far the normal may turn from the centre to the rim of a disk, and what is left of one at least, however much
 /// the surface bends: less leaves holes.
@@ -43,7 +43,7 @@ void vtkIsosurfaceSplat::Bend(const double hessian[6], double slope)
     return;
   }
   this->Radius = std::clamp(LargestTurn / strongest, LeastOfReach * this->Radius, this->Radius);
-  const double limit = LargestBend / this->Radius;
+  const double limit = LargestDrawnBend / this->Radius;
   const double greater = std::clamp(mean + root, -limit, limit);
   const double lesser = std::clamp(mean - root, -limit, limit);
   const double middle = 0.5 * (greater + lesser);

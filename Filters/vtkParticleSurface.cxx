@@ -3,6 +3,7 @@
 #include "vtkParticleSurface.h"
 
 #include "vtkDataSetAttributes.h"
+#include "vtkMath.h"
 #include "vtkPointSplatBatches.h"
 #include "vtkSMPThreadLocal.h"
 
@@ -14,12 +15,11 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-constexpr double Isovalue = vtkParticleSurfaceKernels::Isovalue;
 /// Points this near to one another, in cells, are not told apart by steps in single precision.
-constexpr double Settled = 1e-4;
-constexpr int MostSteps = 12;
+constexpr double SettledStep = 1e-4;
+constexpr int MostSurfaceSteps = 12;
 /// How far one step goes, and how far all of them lead, in cells.
-constexpr double LongestStep = 0.5, FarthestMove = 0.95;
+constexpr double LongestStep = 0.5, FarthestWay = 0.95;
 /// Without a wish points are 0.4 particle spacings apart.
 constexpr double SpacingPerCell = 0.8;
 /// Where splats would turn too far, points lie at this part of the spacing.
@@ -28,7 +28,7 @@ constexpr double DenserSpacing = 0.5;
 constexpr double CoarsestSpacing = vtkParticleSurfaceTree::CellsPerSide;
 
 /// From its centre to its rim a splat turns by so much (radians) at most, ...
-constexpr double LargestTurn = 0.6;
+constexpr double LargestSplatTurn = 0.6;
 /// ... unless it would be smaller than this part of those on planes.
 constexpr double LeastRadius = 0.5;
 
@@ -42,17 +42,12 @@ double GetBend(const double b[6])
   return 0.5 * (std::abs(sum) + std::sqrt(std::max(2 * squares - sum * sum, 0.0)));
 }
 
-double GetNorm(const double x[3])
-{
-  return std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
-}
-
 /// The normal, and its derivative, which is that of -gradient / slope: -P H P / slope with
 /// P = 1 - n n^T. Leaves the normal as it is, and returns false, where there is no slope.
 bool GetCurvature(
   const vtkParticleSurfaceField::Value& value, double normal[3], double curvature[6])
 {
-  const double slope = GetNorm(value.Gradient);
+  const double slope = vtkMath::Norm(value.Gradient);
   std::fill_n(curvature, 6, 0.0);
   if (!(slope > 0))
   {
@@ -163,7 +158,7 @@ void vtkParticleSurface::FindCandidates(const Leaf& leaf, double spacing, Scratc
   const float* nodes = scratch.Field.GetNodes().data();
   const double sides[3] = { leaf.Cell, leaf.Cell, leaf.Cell };
   const vtkIsosurfaceDivision division(sides, spacing);
-  const float isovalue = static_cast<float>(Isovalue);
+  const float isovalue = static_cast<float>(vtkParticleSurfaceKernels::Isovalue);
   vtkIsosurfaceDivision::Cell cell;
   for (int k = 0; k < side; ++k)
   {
@@ -279,7 +274,7 @@ bool vtkParticleSurface::MarkBent(std::size_t l, Scratch& scratch) const
       x[c] = sample.Position[c] - leaf.Origin[c];
     }
     scratch.Field.EvaluateSecond(x, value);
-    if (!GetCurvature(value, normal, curvature) || !(radius * GetBend(curvature) > LargestTurn))
+    if (!GetCurvature(value, normal, curvature) || !(radius * GetBend(curvature) > LargestSplatTurn))
     {
       continue;
     }
@@ -310,11 +305,11 @@ bool vtkParticleSurface::Place(
 {
   const double start[3] = { sample.Position[0], sample.Position[1], sample.Position[2] };
   vtkParticleSurfaceField::Value value;
-  for (int step = 0; step < MostSteps; ++step)
+  for (int step = 0; step < MostSurfaceSteps; ++step)
   {
     field.Evaluate(sample.Position, value);
-    const double slope = GetNorm(value.Gradient);
-    const double difference = value.Sum - Isovalue;
+    const double slope = vtkMath::Norm(value.Gradient);
+    const double difference = value.Sum - vtkParticleSurfaceKernels::Isovalue;
     if (!(slope > 0))
     {
       return false;
@@ -327,11 +322,11 @@ bool vtkParticleSurface::Place(
       sample.Side[c] = static_cast<float>(value.Gradient[c] / slope);
       moved[c] = sample.Position[c] - start[c];
     }
-    if (!(GetNorm(moved) <= FarthestMove * cell))
+    if (!(vtkMath::Norm(moved) <= FarthestWay * cell))
     {
       return false;
     }
-    if (std::abs(move) <= Settled * cell)
+    if (std::abs(move) <= SettledStep * cell)
     {
       return true;
     }
@@ -370,7 +365,7 @@ void vtkParticleSurface::Describe(
   const double full = vtkIsosurfaceDivision::DistancePerSpacing * this->GetSpacing(leaf) *
     (i < this->Bent[l] ? 1.0 : DenserSpacing);
   const double turn = full * GetBend(point.Curvature);
-  point.Radius = full * std::clamp(LargestTurn / turn, LeastRadius, 1.0);
+  point.Radius = full * std::clamp(LargestSplatTurn / turn, LeastRadius, 1.0);
   scratch.Field.GetShares(x, scratch.Shares);
   point.Shares = &scratch.Shares;
 }

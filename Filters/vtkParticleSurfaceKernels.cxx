@@ -31,9 +31,7 @@ constexpr double LoneSpacing = 0.1;
 /// would overlap by more than this.
 constexpr double LargestOverlap = 1.5;
 /// Sizes differ from the usual one by a factor of 1000 at most.
-constexpr double LargestRatio = 1000;
-/// Coordinates resolve this part of a particle's spacing at least.
-constexpr double Resolution = 1e-3;
+constexpr double LargestSizeRatio = 1000;
 /// The variance along an axis of weights 1 - r^3 in a ball of radius 1.
 constexpr double FullVariance = 0.15;
 /// The radius of a lone particle's kernel, in spacings: sqrt(3) (3 / (4 pi))^(1/3). Of all radii
@@ -246,10 +244,10 @@ void vtkParticleSurfaceKernels::SetSizes(const Particles& particles, double want
     Size& size = this->Sizes[slot];
     const double relative[2] = { size.Length > 0 ? size.Length / length : 1,
       size.Spacing > 0 ? size.Spacing / spacing : 1 };
-    size.Length = static_cast<float>(std::clamp(relative[0], 1 / LargestRatio, LargestRatio));
-    size.Spacing = static_cast<float>(std::clamp(relative[1], 1 / LargestRatio, LargestRatio));
-    this->Left.Clamped += std::max(relative[0], relative[1]) > LargestRatio ||
-      std::min(relative[0], relative[1]) * LargestRatio < 1;
+    size.Length = static_cast<float>(std::clamp(relative[0], 1 / LargestSizeRatio, LargestSizeRatio));
+    size.Spacing = static_cast<float>(std::clamp(relative[1], 1 / LargestSizeRatio, LargestSizeRatio));
+    this->Left.Clamped += std::max(relative[0], relative[1]) > LargestSizeRatio ||
+      std::min(relative[0], relative[1]) * LargestSizeRatio < 1;
   }
 }
 
@@ -524,7 +522,7 @@ bool vtkParticleSurfaceKernels::Build(
     const Kernel& kernel = kernels[slot];
     const double largest = std::max({ std::abs(kernel.Center[0]), std::abs(kernel.Center[1]),
       std::abs(kernel.Center[2]) });
-    if (largest * std::numeric_limits<double>::epsilon() < Resolution * kernel.Spacing &&
+    if (largest * std::numeric_limits<double>::epsilon() < vtkPointSplatInput::Resolution * kernel.Spacing &&
       std::isfinite(kernel.Amplitude) && kernel.Amplitude > 0)
     {
       kernels[kept++] = kernel;

@@ -14,6 +14,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPointSplatArrays.h"
+#include "vtkPointSplatInput.h"
 #include "vtkPolyData.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSmartPointer.h"
@@ -30,11 +31,6 @@ vtkStandardNewMacro(vtkParticleSurfacePoints);
 
 namespace
 {
-/// What part of a particle's spacing points must resolve at least.
-constexpr double Resolution = 1e-3;
-/// Past this floats soon have no number.
-constexpr double LargestSingle = 1e37;
-
 const char* const sizeNames[3] = { "smoothing length", "mass", "density" };
 
 std::string GetLower(const char* name)
@@ -102,8 +98,8 @@ public:
       largest = std::max(largest, std::abs(input->GetBounds()[c]));
     }
     // NaN and infinity are not less.
-    const bool single = largest < LargestSingle &&
-      largest * std::numeric_limits<float>::epsilon() < 2 * Resolution * spacing;
+    const bool single = largest < vtkPointSplatInput::LargestCoordinate &&
+      largest * std::numeric_limits<float>::epsilon() < 2 * vtkPointSplatInput::Resolution * spacing;
     this->Points->SetDataType(single ? VTK_FLOAT : VTK_DOUBLE);
     this->Points->SetNumberOfPoints(count);
     this->Normals->SetName("Normals");

@@ -48,6 +48,8 @@ inline constexpr const char* Geometry[] = { Radius, PlaneNormal, Curvature, Axis
 /// 1 vtkIdType, where vtkPointSplatEstimation made fill points: the point of its input that a point is, or that a
 /// fill point, which lies between some, is nearest to.
 inline constexpr const char* Source = "SplatSource";
+/// 1 vtkIdType: the point of the input that a point is, where a filter changes their order.
+inline constexpr const char* OriginalIds = "vtkOriginalPointIds";
 /// 1 int: the minimal independent group that a splat belongs to.
 inline constexpr const char* Group = "SplatGroup";
 /// Field data, 1 double for each group: the share of the surface that its disks cover by themselves.

@@ -22,7 +22,7 @@ constexpr float AnglePerDeviation = 4.0f;
 constexpr float LargestReach = 4.0f;
 /// A face may turn by this much, in radians, on the way to the line: farther on a form of second
 /// order is no guess any more.
-constexpr float LargestBend = 0.7f;
+constexpr float LargestFaceBend = 0.7f;
 /// A neighbour's normal has turned if it parts by more than this cosine (13 degrees; at an edge of
 /// 30 degrees averaged ones part by 15 from those of its faces) ...
 constexpr float TurnedCosine = 0.974f;
@@ -46,7 +46,7 @@ constexpr float OnLine = 0.15f;
 /// spacings is that far off its tangent at the farthest neighbours.
 constexpr float EdgeBend = 0.1f;
 /// The distance, in spacings, of a line that the point is on.
-constexpr float LeastDistance = 0.02f;
+constexpr float OnLineDistance = 0.02f;
 /// Averages of normals are no farther than this cosine (37 degrees) from the mean of the faces' own, of which one may have
 /// more weight; the normal of a strip between the two sides of a plate is across theirs (Testing/Accuracy/fit_constants.py).
 constexpr float BetweenCosine = 0.8f;
@@ -56,7 +56,7 @@ constexpr int MaximumNumberOfFound = 4;
 /// it.
 constexpr float FootReach = 0.3f;
 /// Keeps weights of neighbours on the line finite, in spacings.
-constexpr float Softening = 0.3f;
+constexpr float LineSoftening = 0.3f;
 
 bool IsSame(
   const vtkPointSplatCrease::Line& a, const vtkPointSplatCrease::Line& b, float spacing)
@@ -184,8 +184,8 @@ bool vtkPointSplatCrease::GetVote(const float q[3], const float m[3], const floa
   vtkMath::Cross(normal, otherNormal, cross);
   const float least = LeastAngle + AnglePerDeviation * face.Deviation;
   const float left2 = vtkMath::Dot(cross, cross);
-  vote.Open = vote.For = vtkMath::Dot(own, own) < LargestBend * LargestBend &&
-    vtkMath::Dot(other, other) < LargestBend * LargestBend &&
+  vote.Open = vote.For = vtkMath::Dot(own, own) < LargestFaceBend * LargestFaceBend &&
+    vtkMath::Dot(other, other) < LargestFaceBend * LargestFaceBend &&
     left2 >= least * least * vtkMath::Dot(normal, normal) * vtkMath::Dot(otherNormal, otherNormal);
 
   // The line across the plane of n.
@@ -216,7 +216,7 @@ bool vtkPointSplatCrease::GetVote(const float q[3], const float m[3], const floa
     }
     vote.At.Distance = -vote.At.Distance;
   }
-  const float soft = Softening * spacing;
+  const float soft = LineSoftening * spacing;
   vote.Weight = 1 / (vtkMath::Dot(vote.Along, vote.Along) + soft * soft);
   for (int c = 0; c < 3; ++c)
   {
@@ -250,7 +250,7 @@ vtkPointSplatCrease::Candidate vtkPointSplatCrease::GetMean(const Vote& best) co
   {
     component /= length;
   }
-  mean.At.Distance = std::max(mean.At.Distance / weights, LeastDistance * this->Spacing);
+  mean.At.Distance = std::max(mean.At.Distance / weights, OnLineDistance * this->Spacing);
   return mean;
 }
 

@@ -32,7 +32,7 @@ constexpr int LeastCompany = 10;
 constexpr int LeastSureCompany = 16;
 /// How far splats reach, of their disks' radius: the kernels' rim, and what joins a layer
 /// (vtkPointSplatMapper.h: SplatClip).
-constexpr float KernelReach = 2.5f;
+constexpr float SplatReach = 2.5f;
 /// The cosine (20 degrees) between a line and the direction of the face behind it.
 constexpr float AcrossCosine = 0.94f;
 /// Faces whose normals agree so well (10 degrees) are one: others part by 20 at least.
@@ -261,7 +261,7 @@ bool vtkPointSplatCreases::DescribeSplat(const Neighborhood& around, const float
   for (int l = 0; l < crease.Count; ++l)
   {
     const vtkPointSplatCrease::Line& line = crease.Lines[l];
-    if (line.Distance <= KernelReach * std::max(disk.Length1, disk.Gap))
+    if (line.Distance <= SplatReach * std::max(disk.Length1, disk.Gap))
     {
       for (int c = 0; c < 3; ++c)
       {

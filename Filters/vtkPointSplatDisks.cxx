@@ -34,7 +34,7 @@ constexpr float TubeBend = 0.7f;
 constexpr float NearestShare = 0.6f;
 /// How many times as steeply as normals positions may turn. Where half of the points exceed it these are off the surface:
 /// it is 1 to 1.6 of scans and isosurfaces, 7 to 18 where points are off it by a thirtieth of their distance, as TestSplatFill's.
-constexpr float MostSteps = 4;
+constexpr float MostSteepness = 4;
 constexpr float HoleFactor = 1.3f;
 constexpr float GapFactor = 3.0f;
 /// At a regular sampling's border the spacing is larger than farther inside: of HoleLimit counts this.
@@ -170,14 +170,14 @@ void vtkPointSplatDisks::TrustNormals()
   std::vector<float> ratios = GetSamples(this->Turn.size(), [this](std::size_t s) {
     return this->Facing[s] > 0 ? this->Turn[s] / this->Facing[s] : 0.0f;
   });
-  if (ratios.size() < 100 || GetQuantile(ratios, 0.5) <= MostSteps)
+  if (ratios.size() < 100 || GetQuantile(ratios, 0.5) <= MostSteepness)
   {
     return;
   }
   vtkSMPTools::For(0, static_cast<vtkIdType>(this->Turn.size()), [this](vtkIdType begin, vtkIdType end) {
     for (std::size_t s = static_cast<std::size_t>(begin); s < static_cast<std::size_t>(end); ++s)
     {
-      this->Turn[s] = std::min(this->Turn[s], MostSteps * this->Facing[s]);
+      this->Turn[s] = std::min(this->Turn[s], MostSteepness * this->Facing[s]);
     }
   });
 }

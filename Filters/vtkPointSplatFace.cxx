@@ -13,7 +13,7 @@ namespace
 {
 /// The sine of the angle (9 degrees) by which normals may be off those of the face: less than those
 /// at an edge of 30 degrees, which are between its faces'.
-constexpr float LargestTurn = 0.16f;
+constexpr float LargestSine = 0.16f;
 /// How far points may be off the face, in their distance: half of what that turn makes.
 constexpr float LargestHeight = 0.08f;
 /// How far, in spacings, neighbours say how a face bends to begin with.
@@ -66,7 +66,7 @@ void vtkPointSplatFace::Select(const vtkPointSplatNeighbors::Neighborhood& aroun
       turned[0] * turned[0] + turned[1] * turned[1] + turned[2] * turned[2];
     const float cosine = turned[0] * m[0] + turned[1] * m[1] + turned[2] * m[2];
     // Whichever side the neighbour's normal points to.
-    if (cosine * cosine >= (1 - LargestTurn * LargestTurn) * squared)
+    if (cosine * cosine >= (1 - LargestSine * LargestSine) * squared)
     {
       this->Members.Members[this->Members.Count++] = i;
       residual += 1 - cosine * cosine / squared;

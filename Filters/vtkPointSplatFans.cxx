@@ -30,7 +30,7 @@ constexpr float LengthPerEdge = 0.62f;
 constexpr float LengthPerReach = 0.9f;
 
 /// How many neighbours tell the curvature: as many as are searched for without a mesh.
-constexpr int EnoughNeighbors = 12;
+constexpr int CurvatureNeighbors = 12;
 
 constexpr int MaximumNumberOfNeighbors = vtkPointSplatNeighbors::MaximumNumberOfNeighbors;
 
@@ -400,7 +400,7 @@ vtkPointSplatFans::Disk vtkPointSplatFans::GetDisk(vtkIdType id, const float* no
       }
     }
   }
-  ring.Count = std::min(ring.Count, std::max(next, EnoughNeighbors));
+  ring.Count = std::min(ring.Count, std::max(next, CurvatureNeighbors));
 
   const vtkPointSplatNeighbors::Neighborhood around{ static_cast<Slot>(id), ring.Count, ring.Slots,
     ring.X, ring.Y, ring.Z, ring.Squared };

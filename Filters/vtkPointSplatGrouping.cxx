@@ -37,7 +37,6 @@ vtkStandardNewMacro(vtkPointSplatGrouping);
 
 namespace
 {
-constexpr const char* OriginalIds = "vtkOriginalPointIds";
 // Edges beyond which radii or points cannot be what they should be.
 constexpr std::size_t MostEdgesPerSplat = 64;
 constexpr std::size_t MostEdgesOfFew = 4000000;
@@ -326,10 +325,10 @@ void vtkPointSplatGrouping::Cover(const Splats& splats, const std::vector<int>& 
     output->SetPoints(points);
     output->GetPointData()->ShallowCopy(data);
   }
-  if (!input->GetPointData()->GetAbstractArray(OriginalIds))
+  if (!input->GetPointData()->GetAbstractArray(vtkPointSplatArrays::OriginalIds))
   {
     vtkNew<vtkIdTypeArray> ids;
-    ids->SetName(OriginalIds);
+    ids->SetName(vtkPointSplatArrays::OriginalIds);
     for (vtkIdType id = 0; id < count; ++id)
     {
       ids->InsertNextValue(id);

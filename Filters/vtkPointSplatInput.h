@@ -26,6 +26,8 @@ namespace vtkPointSplatInput
 {
 /// Floats hold no more, and nothing real is farther out.
 inline constexpr double LargestCoordinate = 1e37;
+/// Coordinates tell points apart that are this part of their spacing, or of a voxel, from one another.
+inline constexpr double Resolution = 1e-3;
 
 struct MarkFiniteWorker
 {

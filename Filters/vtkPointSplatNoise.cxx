@@ -15,7 +15,7 @@ namespace
 /// One of so many leaves is looked at: three in a hundred points, at that share of a search's time.
 constexpr vtkPointSplatNeighbors::Slot Stride = 32;
 /// Neighbours and bandwidths as vtkPointSplatProjection has them by default.
-constexpr int NumberOfNeighbors = 24;
+constexpr int ProjectionNeighbors = 24;
 constexpr float Bandwidth = 0.5f;
 /// Of the deviation from a plane, the square root of the least eigenvalue of the neighbours'
 /// covariance, over that of the middle one, which is 1.4 spacings for 24 neighbours: positions that
@@ -144,7 +144,7 @@ vtkPointSplatNoise::Shares vtkPointSplatNoise::Measure(
     return true;
   };
   const double progress = self->GetProgress();
-  neighbors.Visit(self, progress, progress, NumberOfNeighbors, measure,
+  neighbors.Visit(self, progress, progress, ProjectionNeighbors, measure,
     [](Slot slot) { return slot / vtkPointSplatNeighbors::LeafSize % Stride == 0; });
   Counts sum;
   for (const Counts& own : counts)

@@ -37,7 +37,6 @@ namespace
 using Hierarchy = vtkPointSplatHierarchy;
 using Index = Hierarchy::Index;
 
-constexpr const char* OriginalIds = "vtkOriginalPointIds";
 
 vtkDataArray* ArrayOf(vtkPointData* data, const char* name, int components)
 {
@@ -224,10 +223,10 @@ void CopyPoints(vtkPolyData* whole, const std::vector<Index>& order, vtkPolyData
   }
   output->SetPoints(points);
   output->GetFieldData()->PassData(whole->GetFieldData());
-  if (!to->GetAbstractArray(OriginalIds))
+  if (!to->GetAbstractArray(vtkPointSplatArrays::OriginalIds))
   {
     vtkNew<vtkIdTypeArray> ids;
-    ids->SetName(OriginalIds);
+    ids->SetName(vtkPointSplatArrays::OriginalIds);
     ids->SetNumberOfTuples(count);
     std::copy(order.begin(), order.end(), ids->GetPointer(0));
     to->AddArray(ids);

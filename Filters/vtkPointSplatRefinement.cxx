@@ -26,7 +26,7 @@ constexpr float LikeNormal = 0.8f;
 /// In how many parts a triangle's sides are divided by the places that have to be covered.
 constexpr int CoveredParts = 6;
 /// Each division halves an edge: more are those of sizes that next to nothing is left of.
-constexpr int MostDivisions = 24;
+constexpr int MostHalvings = 24;
 /// Normals that nearly cancel have no mean.
 constexpr double LeastMean = 1e-3;
 /// How wide the table of cells is at first, a power of two.
@@ -385,7 +385,7 @@ void vtkPointSplatRefinement::Add(const Corners& indices, int divisions, std::ve
     this->Undivided.push_back(indices);
     return;
   }
-  if (divisions == MostDivisions)
+  if (divisions == MostHalvings)
   {
     return;
   }

@@ -13,7 +13,7 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 /// The support reaches a little past the farthest neighbour, so that it has a weight, too.
-constexpr float Reach = 1.1f;
+constexpr float SupportReach = 1.1f;
 /// Steps at most, each a Newton step to the surface and one of reweighting; ten suffice where
 /// the samples hold a surface.
 constexpr int MaximumSteps = 12;
@@ -25,7 +25,7 @@ constexpr float StillEnough = 3e-4f;
 constexpr float LargestMove = 1.0f;
 /// The share of neighbours that has to agree with a point's own normal for it to be believed: at
 /// a corner of three faces a third does, and on a thin sheet half.
-constexpr float LeastAgreement = 0.25f;
+constexpr float BelievedAgreement = 0.25f;
 /// One that points the other way is of a thin sheet's other side, unless next to none agrees with
 /// the point's own: then that points the wrong way.
 constexpr float LonelyAgreement = 0.05f;
@@ -149,7 +149,7 @@ void vtkPointSplatRobustSurface::Gather(
   const float* own = normals + std::size_t(3) * around.Center;
   const float farthest =
     around.Count > 0 ? std::sqrt(around.SquaredDistance[around.Count - 1]) : 0.0f;
-  this->Begin(Reach * farthest,
+  this->Begin(SupportReach * farthest,
     farthest * std::sqrt(static_cast<float>(vtkMath::Pi()) / std::max(around.Count, 1)), own);
   if (around.Count == 0)
   {
@@ -232,7 +232,7 @@ void vtkPointSplatRobustSurface::FindSheet()
       continue;
     }
     const float found = this->GetAgreement(other);
-    if (found > best && (agreement < LeastAgreement || (cosine > 0 && this->IsWithin(other))))
+    if (found > best && (agreement < BelievedAgreement || (cosine > 0 && this->IsWithin(other))))
     {
       best = found;
       std::copy_n(other, 3, this->Normal);

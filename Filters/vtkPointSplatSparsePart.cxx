@@ -18,7 +18,7 @@ namespace
 /// more, the tree of two parallel sheets that are equally dense would lack some of their points.
 constexpr float SparseRatio = 0.8f;
 /// So many times as far as what is next to hemmed slots their sheet's sparse points are looked for.
-constexpr float Reach = 64;
+constexpr float SparseReach = 64;
 /// Where one of so many slots may be hemmed in, as in a volume full of points, looking for what is near takes longer
 /// than a tree of all.
 constexpr std::size_t ManyHemmed = 64;
@@ -84,7 +84,7 @@ std::vector<std::atomic<bool>> vtkPointSplatSparsePart::GetNearLeaves() const
       }
       if (spacing > 0)
       {
-        this->Neighbors.VisitLeaves(leaf, Reach * spacing, [&near](Slot other) {
+        this->Neighbors.VisitLeaves(leaf, SparseReach * spacing, [&near](Slot other) {
           near[other].store(true, std::memory_order_relaxed);
           return true;
         });

@@ -4,6 +4,7 @@
 // Of the cloud: its levels.
 #include "vtkPointSplatCloud.h"
 
+#include "vtkPointSplatCodes.h"
 #include "vtkPointSplatOrdered.h"
 #include "vtkPointSplatPieces.h"
 
@@ -17,7 +18,6 @@ constexpr vtkIdType LeastSplats = vtkIdType(1) << 19;
 // Disks of random points that are so many spacings large leave few gaps.
 constexpr double CoveringSpacings = 1.5;
 constexpr double MostBodies = 0.01; // a share of the splats
-constexpr uint32_t BodyBit = 0x40000000u; // as in vtkPointSplatProjection.glsl
 }
 
 //------------------------------------------------------------------------------
@@ -34,7 +34,7 @@ bool vtkPointSplatCloud::CanHaveLevels()
   vtkIdType bodies = 0;
   for (size_t i = 0; i < static_cast<size_t>(this->Count); ++i)
   {
-    bodies += (splats[words * i + 6] & BodyBit) != 0u ? 1 : 0;
+    bodies += (splats[words * i + 6] & vtkPointSplatCodes::BodyBit) != 0u ? 1 : 0;
   }
   return static_cast<double>(bodies) <= MostBodies * static_cast<double>(this->Count);
 }

@@ -11,7 +11,6 @@
 namespace
 {
 constexpr double LargestBend = 1.0; // as in vtkPointSplatProjection.glsl
-constexpr double BendSteps = 511.0;
 
 /// Where the parabola meets the circle, in radii of the splat: at the rim of its blending kernel.
 constexpr double MeetingReach = 1.5;

@@ -8,6 +8,14 @@
 
 namespace vtkPointSplatCodes
 {
+///@{
+/// The word of a splat's bend, as in vtkPointSplatProjection.glsl: three numbers, in steps of their largest value; and a
+/// mark of bodies that face the viewer.
+constexpr uint32_t BendMask = 0x3fffffffu;
+constexpr float BendSteps = 511.0f;
+constexpr uint32_t BodyBit = 0x40000000u;
+///@}
+
 /// A number as a float.
 uint32_t Bits(double value);
 

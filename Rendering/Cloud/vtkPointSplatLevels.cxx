@@ -15,14 +15,12 @@
 
 namespace
 {
-constexpr uint32_t BendMask = 0x3fffffffu; // as in vtkPointSplatProjection.glsl
-constexpr double BendSteps = 511.0;
 constexpr float RimDeviation = 1.0f; // none is smooth
 
 double BendOf(uint32_t code, int shift)
 {
   // Ten bits with a sign.
-  return static_cast<double>(static_cast<int32_t>(code << (22 - shift)) >> 22) / BendSteps;
+  return static_cast<double>(static_cast<int32_t>(code << (22 - shift)) >> 22) / vtkPointSplatCodes::BendSteps;
 }
 
 /// All but the curvature; radius: of those that have none.
@@ -51,7 +49,7 @@ public:
   {
     const uint32_t* splat = this->Splats + this->Words * id;
     ReadPlace(splat, this->Radius, point);
-    const uint32_t code = splat[6] & BendMask;
+    const uint32_t code = splat[6] & vtkPointSplatCodes::BendMask;
     point.HasCurvature = this->Words == 8 && code != 0u;
     if (point.HasCurvature)
     {

@@ -28,9 +28,9 @@ constexpr vtkIdType LookedAtOnce = vtkIdType(1) << 13; // no threads for less
 constexpr float LargestStrain = 0.2f;
 constexpr double MostStrained = 0.01;
 // Beside a point, where to look for its neighbours; and how far off these are, in its radii.
-constexpr int Window = 8;
+constexpr int SortedWindow = 8;
 constexpr float FarthestNeighbour = 4.0f;
-constexpr float LeastCosine = 0.5f; // of the angle between neighbours' normals
+constexpr float LeastNormalsCosine = 0.5f; // of the angle between neighbours' normals
 // Of single points whose neighbours disagree; beyond, they left their surface.
 constexpr float LeastStretch = 0.5f;
 constexpr float MostStretch = 2.0f;
@@ -345,7 +345,7 @@ void vtkPointSplatMotion::FindNeighbours(const Part& part)
     distances.fill(VTK_FLOAT_MAX);
     int8_t any = 0; // the nearest of all, where none is such a neighbour: how all turns it tells as well
     float least = VTK_FLOAT_MAX;
-    for (int other = std::max(k - Window, 0); other <= std::min(k + Window, count - 1); ++other)
+    for (int other = std::max(k - SortedWindow, 0); other <= std::min(k + SortedWindow, count - 1); ++other)
     {
       const glm::vec3 d = positions[static_cast<size_t>(other)] - positions[own];
       float squares = glm::dot(d, d);
@@ -356,7 +356,7 @@ void vtkPointSplatMotion::FindNeighbours(const Part& part)
       }
       any = squares < least ? offset : any;
       least = std::min(least, squares);
-      if (squares > far || glm::dot(normals[own], normals[static_cast<size_t>(other)]) < LeastCosine)
+      if (squares > far || glm::dot(normals[own], normals[static_cast<size_t>(other)]) < LeastNormalsCosine)
       {
         continue;
       }

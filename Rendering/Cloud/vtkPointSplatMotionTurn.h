@@ -5,6 +5,8 @@
 #ifndef vtkPointSplatMotionTurn_h
 #define vtkPointSplatMotionTurn_h
 
+#include "vtkPointSplatCodes.h"
+
 #include <glm/glm.hpp>
 
 #include <algorithm>
@@ -14,9 +16,6 @@
 
 namespace vtkPointSplatMotionTurn
 {
-constexpr uint32_t BendMask = 0x3fffffffu; // as in vtkPointSplatProjection.glsl
-constexpr float BendSteps = 511.0f;
-
 inline glm::vec3 PositionOf(const uint32_t* splat)
 {
   glm::vec3 p;
@@ -137,7 +136,8 @@ inline uint32_t MoveBend(uint32_t code, const glm::vec2& angle, float enlarged)
   const float a = element(0), b = element(10), d = element(20);
   const float c = angle.x, s = angle.y;
   const auto quantise = [enlarged](float v) {
-    return static_cast<uint32_t>(Round(std::clamp(v * enlarged, -BendSteps, BendSteps))) & 1023u;
+    constexpr float steps = vtkPointSplatCodes::BendSteps;
+    return static_cast<uint32_t>(Round(std::clamp(v * enlarged, -steps, steps))) & 1023u;
   };
   return quantise(c * c * a - 2.0f * c * s * b + s * s * d) |
     quantise(c * s * (a - d) + (c * c - s * s) * b) << 10 |
@@ -151,7 +151,7 @@ inline void MoveShape(const uint32_t* rest, const uint32_t* restLines, const Tur
 {
   to[6] = rest[6];
   to[7] = rest[7];
-  const bool flat = (rest[6] & BendMask) == 0u;
+  const bool flat = (rest[6] & vtkPointSplatCodes::BendMask) == 0u;
   const bool clipped = restLines && (restLines[0] | restLines[1] | restLines[2] | restLines[3]) != 0u;
   if (lines && !clipped)
   {
@@ -172,7 +172,7 @@ inline void MoveShape(const uint32_t* rest, const uint32_t* restLines, const Tur
   angle /= std::max(std::sqrt(glm::dot(angle, angle)), 1e-6f);
   if (!flat)
   {
-    to[6] = (rest[6] & ~BendMask) | MoveBend(rest[6], angle, enlarged);
+    to[6] = (rest[6] & ~vtkPointSplatCodes::BendMask) | MoveBend(rest[6], angle, enlarged);
   }
   for (int k = 0; k < 4 && clipped; k += 2)
   {

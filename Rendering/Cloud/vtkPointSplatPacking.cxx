@@ -32,9 +32,6 @@ namespace
 {
 using namespace vtkPointSplatCodes;
 
-/// Marks a body that faces the viewer, beside its bend.
-constexpr uint32_t BodyBit = 0x40000000u;
-
 bool Finite(const double v[3])
 {
   return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);

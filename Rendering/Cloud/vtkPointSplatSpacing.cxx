@@ -15,10 +15,10 @@ constexpr double CellsPerFilledCell = 1.5;
 constexpr int MostCells = 256;
 constexpr int CellsPerBlock = 4;
 constexpr double SparserShare = 0.1;
-constexpr double Scatter = 1.4;
+constexpr double MeanPerSparse = 1.4;
 constexpr double LeastPointsPerCell = 0.2;
 
-struct Block
+struct CellBlock
 {
   vtkIdType Points = 0;
   vtkIdType Filled = 0;
@@ -44,7 +44,7 @@ double vtkPointSplatSpacing::Estimate(const std::vector<uint32_t>& splats, size_
   }
   const int side = (cells + CellsPerBlock - 1) / CellsPerBlock;
   std::vector<unsigned char> occupied(Cube(cells), 0);
-  std::vector<Block> blocks(Cube(side));
+  std::vector<CellBlock> blocks(Cube(side));
   vtkIdType filled = 0;
   for (size_t i = 0; i < count; ++i)
   {
@@ -67,9 +67,9 @@ double vtkPointSplatSpacing::Estimate(const std::vector<uint32_t>& splats, size_
     }
   }
   blocks.erase(std::remove_if(blocks.begin(), blocks.end(),
-                 [](const Block& block) { return block.Filled == 0; }),
+                 [](const CellBlock& block) { return block.Filled == 0; }),
     blocks.end());
-  std::sort(blocks.begin(), blocks.end(), [](const Block& a, const Block& b) {
+  std::sort(blocks.begin(), blocks.end(), [](const CellBlock& a, const CellBlock& b) {
     return a.GetPointsPerCell() < b.GetPointsPerCell();
   });
   vtkIdType sparser = 0;
@@ -86,5 +86,5 @@ double vtkPointSplatSpacing::Estimate(const std::vector<uint32_t>& splats, size_
     sparse = std::max(LeastPointsPerCell, found * (1.0 - std::exp(-sparse)));
   }
   const double mean = static_cast<double>(count) / static_cast<double>(filled);
-  return cell / std::sqrt(CellsPerFilledCell * std::min(mean, Scatter * sparse));
+  return cell / std::sqrt(CellsPerFilledCell * std::min(mean, MeanPerSparse * sparse));
 }

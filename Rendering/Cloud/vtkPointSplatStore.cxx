@@ -6,7 +6,6 @@
 
 namespace
 {
-constexpr vtkIdType GroupSize = 64; // as in vtkPointSplatGatherCS.glsl
 
 /// Whether memory ran out since errors were asked for last.
 bool IsOutOfMemory()
@@ -84,7 +83,7 @@ void vtkPointSplatStore::Gather(
     this->Program.Set("PartFirst", static_cast<unsigned int>(first));
     this->Program.Set("PartCount", static_cast<unsigned int>(count));
     part.BindStorage(1);
-    vtkPointSplatProgram::Dispatch(static_cast<vtkIdType>(numberOfRuns) * GroupSize, GroupSize);
+    vtkPointSplatProgram::Dispatch(static_cast<vtkIdType>(numberOfRuns) * vtkPointSplatProgram::GroupSize);
     first += count;
   }
   glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT); // quads take them as such

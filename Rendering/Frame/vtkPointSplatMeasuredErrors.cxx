@@ -12,7 +12,7 @@
 
 namespace
 {
-constexpr double LeastCosine = 0.7; // of how far the camera may turn
+constexpr double LeastTurnCosine = 0.7; // of how far the camera may turn
 constexpr double MostGrowth = 2.0;
 constexpr unsigned long MostGenerations = 30;
 // So many changes of the scene, each within so many generations of the one before, are an animation.
@@ -66,7 +66,7 @@ bool vtkPointSplatMeasuredErrors::IsStale() const
     return this->Changes < MostChanges ||
       this->Now.Generation >= this->ChangeGeneration + FewGenerations;
   }
-  return glm::dot(this->Now.Direction, before.Direction) < LeastCosine ||
+  return glm::dot(this->Now.Direction, before.Direction) < LeastTurnCosine ||
     std::abs(std::log(this->Now.PixelSize / before.PixelSize)) > std::log(MostGrowth) ||
     this->Now.Generation > before.Generation + MostGenerations;
 }

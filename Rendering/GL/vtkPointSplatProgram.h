@@ -56,11 +56,14 @@ public:
    */
   void Borrow(GLuint handle) { this->Name = handle; }
 
+  /// Invocations of a work group, where a shader has no reason for another number.
+  static constexpr vtkIdType GroupSize = 64;
+
   /**
    * Of a compute program in use: as many work groups as so many invocations need, over two
    * dimensions where they are too many for one; then waits for what they wrote to be seen.
    */
-  static void Dispatch(vtkIdType invocations, vtkIdType groupSize);
+  static void Dispatch(vtkIdType invocations, vtkIdType groupSize = GroupSize);
 
   const std::string& GetLog() const { return this->Log; }
   void Use() const { glUseProgram(this->Name); }

@@ -6,7 +6,6 @@
 
 namespace
 {
-constexpr vtkIdType GroupSize = 64;  // as in vtkPointSplatBinCS.glsl
 constexpr vtkIdType ScanSize = 256;  // as in vtkPointSplatScanCS.glsl
 constexpr GLuint PartSize = 8 * 256; // likewise
 constexpr vtkIdType SortSize = 32;   // as in vtkPointSplatSortListsCS.glsl
@@ -51,7 +50,7 @@ void vtkPointSplatDeviceLists::Run(
   program.Set("TileCount", this->Grid.GetCount());
   program.Set("KindCount", this->Kinds);
   this->Counts.BindStorage(0);
-  vtkPointSplatProgram::Dispatch(static_cast<vtkIdType>(this->Splats), GroupSize);
+  vtkPointSplatProgram::Dispatch(static_cast<vtkIdType>(this->Splats));
 }
 
 //------------------------------------------------------------------------------

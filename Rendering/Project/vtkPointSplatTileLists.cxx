@@ -12,7 +12,6 @@
 namespace
 {
 // As in vtkPointSplatRecord.glsl.
-constexpr uint32_t Buckets = 1024;
 constexpr uint32_t RecordBits = 22;
 constexpr uint32_t Flat = 1;
 constexpr uint32_t Bent = 2;

@@ -37,6 +37,8 @@ struct vtkPointSplatTileGrid
 class vtkPointSplatTileLists
 {
 public:
+  /// Of depths; as in vtkPointSplatRecord.glsl.
+  static constexpr uint32_t Buckets = 1024;
   /// Words a tile in the table.
   static constexpr size_t TableWords = 8;
 

@@ -9,7 +9,6 @@
 
 namespace
 {
-constexpr vtkIdType GroupSize = 64; // as in the shader
 constexpr uint32_t PixelBits = 0xfffffffu;
 }
 
@@ -53,7 +52,7 @@ bool vtkPointSplatOutlines::Find(const vtkPointSplatLayers& layers, const Search
     const int low = std::max(row, search.Window.y) / search.TileSize.y;
     const int high = std::min(row + rows - 1, search.Window.w) / search.TileSize.y;
     vtkPointSplatProgram::Dispatch(
-      static_cast<vtkIdType>(across.y - across.x + 1) * (high - low + 1), GroupSize);
+      static_cast<vtkIdType>(across.y - across.x + 1) * (high - low + 1));
   }
   GLuint all = found;
   this->Counter.Download(&all, 4);

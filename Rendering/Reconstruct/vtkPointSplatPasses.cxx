@@ -11,7 +11,7 @@
 namespace
 {
 // Room for layers before it is known how many there are.
-constexpr int FirstCapacity = 4;
+constexpr int FirstPassLayers = 4;
 }
 
 //------------------------------------------------------------------------------
@@ -45,7 +45,7 @@ bool vtkPointSplatPasses::Reconstruct(
     most = std::max(most, 1.0 - least);
   }
   const int bound = request.MaximumLayers;
-  int capacity = std::min(bound, std::max(FirstCapacity, layers.GetCapacity()));
+  int capacity = std::min(bound, std::max(FirstPassLayers, layers.GetCapacity()));
   int count = 0;
   for (bool fits = false; !fits;)
   {

@@ -12,8 +12,8 @@ constexpr vtkIdType PointsPerGroup = 8 * 64; // as in vtkPointSplatPointsCS.glsl
 constexpr GLint64 LargestSumBytes = 32;      // a pixel
 
 const char* const DepthFile = "vtkPointSplatPointDepthCS";
-const char* const AccumulateFile = "vtkPointSplatPointAccumulateCS";
-const char* const IdentifyFile = "vtkPointSplatPointIdentifyCS";
+const char* const PointAccumulateFile = "vtkPointSplatPointAccumulateCS";
+const char* const PointIdentifyFile = "vtkPointSplatPointIdentifyCS";
 }
 
 //------------------------------------------------------------------------------
@@ -50,14 +50,14 @@ void vtkPointSplatPointSums::PrepareLists(const vtkPointSplatRequest& request, i
 bool vtkPointSplatPointSums::DrawAll(const vtkPointSplatRequest& request,
   const vtkPointSplatPeel& peel, const vtkPointSplatSums& sums, const std::string& file)
 {
-  const bool identifies = file == IdentifyFile;
+  const bool identifies = file == PointIdentifyFile;
   const bool ofCells = identifies && request.HasCellColours();
   const bool listed = peel.Peels && !identifies;
   const unsigned int tagMask = request.GetTagMask();
   const int factors = sums.GetContent().Factors;
   const std::string common = (identifies ? std::string() : peel.GetDefines()) +
-    (file == AccumulateFile && sums.GetContent().Colours ? "#define COLOURS\n" : "") +
-    (file == AccumulateFile && factors > 0 ? "#define FACTORS " + std::to_string(factors) + "\n"
+    (file == PointAccumulateFile && sums.GetContent().Colours ? "#define COLOURS\n" : "") +
+    (file == PointAccumulateFile && factors > 0 ? "#define FACTORS " + std::to_string(factors) + "\n"
                                            : "");
   vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
   for (size_t i = 0; i < request.Items.size(); ++i)
@@ -70,7 +70,7 @@ bool vtkPointSplatPointSums::DrawAll(const vtkPointSplatRequest& request,
       continue;
     }
     const std::string defines = common +
-      (file == AccumulateFile && item.Cloud->HasValues() ? "#define VALUES\n" : "") +
+      (file == PointAccumulateFile && item.Cloud->HasValues() ? "#define VALUES\n" : "") +
       (item.ClipPlanes.empty() ? "" : "#define CLIPPING\n");
     vtkPointSplatProgram& program = this->Programs[file + defines];
     if (!program.Build({ { GL_COMPUTE_SHADER, file } }, defines))
@@ -140,11 +140,11 @@ bool vtkPointSplatPointSums::Project(const vtkPointSplatRequest& request,
   if (good && !empty)
   {
     sums.SumBuffer.BindStorage(0);
-    good = this->DrawAll(request, peel, sums, AccumulateFile);
+    good = this->DrawAll(request, peel, sums, PointAccumulateFile);
     if (good && sums.GetContent().Ids)
     {
       sums.IdBuffer.BindStorage(0);
-      good = this->DrawAll(request, peel, sums, IdentifyFile);
+      good = this->DrawAll(request, peel, sums, PointIdentifyFile);
     }
   }
   glUseProgram(0);

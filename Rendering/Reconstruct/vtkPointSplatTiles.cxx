@@ -14,15 +14,13 @@
 
 namespace
 {
-constexpr vtkIdType GroupSize = 64; // as in the shaders
-constexpr GLsizeiptr BoxBytes = 8;
 // Entries of all lists, so that these are within a storage block, which has at least 128 MiB in
 // drivers of use.
 constexpr size_t MostEntries = size_t(1) << 25;
 // The last word of the summary of a tile in which nothing is (vtkPointSplatTileSummary.glsl).
 constexpr GLuint EmptyTile = 0xffffu;
 // Room for layers before it is known how many there are.
-constexpr int FirstCapacity = 8;
+constexpr int FirstTileLayers = 8;
 
 /// Pixels that an invocation has, or shares with others.
 std::string SizeDefines(const glm::ivec2& size, int lanes)
@@ -295,7 +293,7 @@ std::vector<vtkPointSplatTiles::Band> vtkPointSplatTiles::MakeBands(
       continue;
     }
     const size_t first = table.size() / words;
-    const size_t plain = this->HostLists.AddToTable(rows, static_cast<size_t>(GroupSize), table);
+    const size_t plain = this->HostLists.AddToTable(rows, static_cast<size_t>(vtkPointSplatProgram::GroupSize), table);
     bands.push_back({ pixelRow, first, plain, table.size() / words - first - plain });
   }
   if (variant.Lanes == 1)
@@ -348,7 +346,7 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::DrawLayers(const vtkPointSplatReq
       program->Set("FirstRow", band.Row);
       program->Set("FirstTile", static_cast<int>(band.First + (curved ? band.Plain : 0)));
       program->Set("TileCount", static_cast<int>(count(band)));
-      vtkPointSplatProgram::Dispatch(variant.Lanes * static_cast<vtkIdType>(count(band)), GroupSize);
+      vtkPointSplatProgram::Dispatch(variant.Lanes * static_cast<vtkIdType>(count(band)));
     }
   }
   return Made;
@@ -405,7 +403,7 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::SampleOutlines(const vtkPointSpla
   program->Set("FirstOutline", first);
   program->Set("OutlineCount", count);
   program->Set("TileShift", this->Grid.Shift);
-  vtkPointSplatProgram::Dispatch((device ? 4 : 1) * static_cast<vtkIdType>(count), GroupSize);
+  vtkPointSplatProgram::Dispatch((device ? 4 : 1) * static_cast<vtkIdType>(count));
   return Made;
 }
 
@@ -422,7 +420,7 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::Reconstruct(const vtkPointSplatRe
     texels / std::max(variant.Looks, 1) /
     (static_cast<vtkIdType>(request.View.Size.x) * request.View.Size.y));
   this->Items.Upload(request.Items, request.View);
-  int capacity = std::min(request.MaximumLayers, std::max(FirstCapacity, layers.GetCapacity()));
+  int capacity = std::min(request.MaximumLayers, std::max(FirstTileLayers, layers.GetCapacity()));
   Result result = Made;
   for (bool fits = false; !fits && result == Made;)
   {

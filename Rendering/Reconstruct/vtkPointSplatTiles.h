@@ -67,6 +67,8 @@ public:
   void Release();
 
 private:
+  static constexpr GLsizeiptr BoxBytes = 8; // a splat or triangle
+
   /// Which parts of the shaders a request needs.
   struct Variant
   {

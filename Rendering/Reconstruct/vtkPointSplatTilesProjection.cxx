@@ -11,12 +11,9 @@
 
 namespace
 {
-constexpr vtkIdType GroupSize = 64; // as in the shaders
 constexpr GLsizeiptr RecordBytes = 80;
-constexpr GLsizeiptr BoxBytes = 8;
 constexpr GLsizeiptr LineBytes = 16;
 constexpr GLsizeiptr CoordinateBytes = 16;
-constexpr double Buckets = 1024.0; // as in vtkPointSplatRecord.glsl
 constexpr vtkIdType SplatsPerDispatch = vtkIdType(1) << 20;
 
 /// Records of an item's splats, or triangles: whole blocks, so that those of each begin where storage
@@ -87,7 +84,7 @@ void vtkPointSplatTiles::Measure(
   }
   depths = glm::clamp(depths, glm::dvec2(0.0), glm::dvec2(view.Far - view.Near));
   const double range = std::max(depths.y - depths.x, 1e-30);
-  this->BucketScale = glm::vec2(depths.x, Buckets / range);
+  this->BucketScale = glm::vec2(depths.x, vtkPointSplatTileLists::Buckets / range);
 }
 
 //------------------------------------------------------------------------------
@@ -223,6 +220,6 @@ void vtkPointSplatTiles::DispatchRecords(
       share.Buffer->BindStorage(share.Binding, share.Bytes * at, share.Bytes * records);
     }
     program.Set("FirstInvocation", static_cast<unsigned int>(begin));
-    vtkPointSplatProgram::Dispatch(records, GroupSize);
+    vtkPointSplatProgram::Dispatch(records);
   }
 }

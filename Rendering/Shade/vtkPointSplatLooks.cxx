@@ -16,7 +16,6 @@
 
 namespace
 {
-constexpr vtkIdType GroupSize = 64; // as in the shader
 
 /// A texture, the uniform that it is for, and the line that says that there is one.
 struct Map
@@ -183,7 +182,7 @@ bool vtkPointSplatLooks::ApplyOne(vtkRenderer* renderer, const vtkPointSplatView
       program.Set("FirstRow", row);
       program.Set("RowCount", rows);
       vtkPointSplatProgram::Dispatch(
-        static_cast<vtkIdType>(rows) * size.x * layers.GetNumberOfLayers(), GroupSize);
+        static_cast<vtkIdType>(rows) * size.x * layers.GetNumberOfLayers());
     }
   }
   glUseProgram(0);

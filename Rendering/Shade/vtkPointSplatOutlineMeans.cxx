@@ -12,7 +12,6 @@
 
 namespace
 {
-constexpr vtkIdType GroupSize = 64; // as in the shader
 constexpr GLsizeiptr MeanBytes = 16;
 }
 
@@ -52,7 +51,7 @@ bool vtkPointSplatOutlineMeans::Shade(const vtkPointSplatShading& shading,
   program->Set("Layer", wanted.Layer);
   program->Set("OnlySlot", wanted.Slot);
   program->Set("Blends", wanted.Blends);
-  vtkPointSplatProgram::Dispatch(outlines.GetCount(), GroupSize);
+  vtkPointSplatProgram::Dispatch(outlines.GetCount());
   shading.Unbind();
   glUseProgram(0);
   return true;
@@ -70,7 +69,7 @@ bool vtkPointSplatOutlineMeans::Flatten(
   }
   units.Bind(*program, "Flattened", GL_TEXTURE_2D, images.Colour.Get());
   units.Bind(*program, "NearestDepths", GL_TEXTURE_2D, images.Depth.Get());
-  vtkPointSplatProgram::Dispatch(outlines.GetCount(), GroupSize);
+  vtkPointSplatProgram::Dispatch(outlines.GetCount());
   glUseProgram(0);
   return true;
 }

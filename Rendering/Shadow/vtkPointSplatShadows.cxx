@@ -15,9 +15,8 @@
 
 namespace
 {
-constexpr vtkIdType GroupSize = 64; // as in vtkPointSplatShadowProjectCS.glsl
 constexpr int CountWidth = 4096;    // as in vtkPointSplatShadowTestFS.glsl
-constexpr int LargestMap = 4096;     // pixels along a side, of automatic resolutions
+constexpr int LargestTexture = 4096; // pixels along a side, of automatic resolutions
 // An automatic map's pixel: in splat radii, and in the distance that the shadows' outlines of
 // neighbouring samples of a light are apart. Calibrated on spheres over a plane, by the least error
 // in the time that maps and samples take.
@@ -368,7 +367,7 @@ bool vtkPointSplatShadows::DrawPoints(Kind kind, const Face& face,
     vtkPointSplatShadows::SetCloud(*program, face, cloud);
     if (kind.Compute)
     {
-      vtkPointSplatProgram::Dispatch(count, GroupSize);
+      vtkPointSplatProgram::Dispatch(count);
       continue;
     }
     glBindVertexArray(buffers.VertexArray.Get());
@@ -525,7 +524,7 @@ bool vtkPointSplatShadows::Cast(const vtkPointSplatShadowLight& light,
   }
   GLint largest = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-  largest = std::min(largest, settings.Resolution > 0 ? largest : LargestMap);
+  largest = std::min(largest, settings.Resolution > 0 ? largest : LargestTexture);
   const double pixel = vtkPointSplatShadows::PixelSizeFor(light, settings.Samples, corners, radius);
   std::vector<vtkPointSplatShadowView> views;
   for (const vtkPointSplatShadowLight& sample : light.Sample(settings.Samples, settings.Seed))

@@ -11,8 +11,6 @@ file(COPY
   "${TREE}/Filters" "${TREE}/Rendering" "${TREE}/Testing" "${TREE}/Examples"
   DESTINATION "${WORK}/source/Remote/PointSplatting")
 
-# No header is there unless a source names it.
-run("${CMAKE_COMMAND}" -G "${GENERATOR}" -S "${WORK}/source" -B "${WORK}/build"
-  "-DVTK_DIR=${VTK_DIR}" -DPointSplatting_PRECOMPILE=OFF)
+run("${CMAKE_COMMAND}" -G "${GENERATOR}" -S "${WORK}/source" -B "${WORK}/build" "-DVTK_DIR=${VTK_DIR}")
 run("${CMAKE_COMMAND}" --build "${WORK}/build" --target UseUmbrella)
 run_for_picture("${WORK}/superbuild.png" "${WORK}/build/UseUmbrella")
