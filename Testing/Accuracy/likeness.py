@@ -3,12 +3,13 @@
 """How much the picture of a cloud, every setting at its default, is like that of the mesh of the
 same surface, and how well its splats' sizes fit the surface.
 
-  likeness.py [--pictures FOLDER] [--size PIXELS] [--opacity O] [STAND-IN ...]
+  likeness.py [--pictures FOLDER] [--size PIXELS] [--opacity O] [STAND-IN or FILE of a mesh ...]
 
 The mesh is drawn supersampled 3 x 3 as the truth, and once more as it is. psnr: in dB over the
 pixels three inside the silhouette; gap: by how much the plain mesh's is higher; holes: of these
 pixels those where nothing is drawn; spill: pixels drawn more than two outside the silhouette, over
-its area; close up: the psnr of the last view.
+its area; close up: the psnr of the last view; gap of field: the gap where the truth is a finer mesh of the same
+surface, supersampled likewise, as there is for some stand-ins and for files (meshes.py).
 """
 import argparse
 import os
@@ -21,6 +22,7 @@ import pointsplatting
 
 from drawing import save, window
 from measures import grown, inner, psnr
+import meshes
 import standins
 
 BACKGROUND = (0.1, 0.2, 0.4)
@@ -161,14 +163,14 @@ def main():
     parser.add_argument("--pictures")
     parser.add_argument("--size", type=int, default=512)
     parser.add_argument("--opacity", type=float, default=1.0)
-    parser.add_argument("standins", nargs="*", metavar="STAND-IN", help=", ".join(standins.ALL))
+    parser.add_argument("standins", nargs="*", metavar="STAND-IN", help=", ".join(standins.ALL) + ", or a mesh's file")
     options = parser.parse_args()
     for name in options.standins or standins.ALL:
-        standin = standins.ALL[name]()
-        fit = sizes(standin)
-        line = "%-16s %7d points, radii %s, off %.4f" % (
-            name, standin.cloud.GetNumberOfPoints(),
-            " ".join("%.2f" % r for r in fit["radii"]), fit["off"])
+        standin = standins.ALL[name]() if name in standins.ALL else meshes.of_file(name)
+        line = "%-16s %7d points" % (standin.name, standin.cloud.GetNumberOfPoints())
+        if standin.distance:
+            fit = sizes(standin)
+            line += ", radii %s, off %.4f" % (" ".join("%.2f" % r for r in fit["radii"]), fit["off"])
         if standin.mesh:
             found = compare(standin, options.size, 4, options.opacity, options.pictures)
             line += ", psnr {psnr}, gap {gap}, holes {holes}, spill {spill:.4f}".format(**found)

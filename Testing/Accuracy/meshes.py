@@ -1,0 +1,54 @@
+# SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Meshes of files as stand-ins, whose surface is taken for the one that their vertices lie on: a mesh
+divided twice by the butterfly scheme, which keeps vertices where they are, has it. Edges that are sharp,
+and what is noise, that scheme makes round."""
+import os
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkTriangleFilter
+from vtkmodules.vtkFiltersModeling import vtkButterflySubdivisionFilter
+from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
+from vtkmodules.vtkIOPLY import vtkPLYReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+from standin import StandIn, vertices
+
+READERS = {".ply": vtkPLYReader, ".vtp": vtkXMLPolyDataReader, ".obj": vtkOBJReader, ".stl": vtkSTLReader}
+
+
+def with_normals(mesh):
+    normals = vtkPolyDataNormals()
+    normals.SetInputData(mesh)
+    normals.SplittingOff()
+    normals.Update()
+    return normals.GetOutput()
+
+
+def finer(mesh, divisions=2):
+    """The mesh divided, with normals; None where edges have more than two triangles."""
+    division = vtkButterflySubdivisionFilter()
+    division.SetInputData(mesh)
+    division.SetNumberOfSubdivisions(divisions)
+    division.Update()
+    return with_normals(division.GetOutput()) if division.GetOutput().GetNumberOfCells() else None
+
+
+def of_file(path):
+    """Its vertices' normals are the finer mesh's, so that both have those of one surface."""
+    reader = READERS[os.path.splitext(path)[1].lower()]()
+    reader.SetFileName(path)
+    triangles = vtkTriangleFilter()
+    triangles.SetInputConnection(reader.GetOutputPort())
+    triangles.Update()
+    mesh = with_normals(triangles.GetOutput())
+    fine = finer(mesh)
+    if fine:
+        count = mesh.GetNumberOfPoints()
+        normals = vtk_to_numpy(mesh.GetPointData().GetNormals())
+        normals[:] = vtk_to_numpy(fine.GetPointData().GetNormals())[:count]
+    edges = np.diff(vtk_to_numpy(mesh.GetPoints().GetData())[
+        vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)], axis=1)
+    spacing = float(np.median(np.linalg.norm(edges, axis=2)))
+    return StandIn(os.path.basename(path), vertices(mesh), None, spacing, mesh, (lambda: fine) if fine else None)
