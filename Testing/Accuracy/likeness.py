@@ -130,7 +130,7 @@ def estimated(cloud, fill_gaps=False):
     return estimation
 
 
-def sizes(standin, samples=32):
+def sizes(standin, samples=16):
     """Of the default estimation: percentiles 1, 50, 99 and 100 of the radii in spacings, and the share
     of the disks' area, bent as they are drawn, that is farther than a fifth of the radius from the
     true surface."""

@@ -33,20 +33,32 @@ class Capsules:
         t = np.clip(((p - a) @ along) / max(along @ along, 1e-30), 0, 1)
         return np.linalg.norm(p - a - t[..., None] * along, axis=-1) - (ra + t * (rb - ra))
 
-    def __call__(self, p):
-        return np.min([self.to_one(p, *s) for s in self.segments], 0)
+    @staticmethod
+    def box(a, b, ra, rb, reach):
+        wide = max(ra, rb) + reach
+        return np.minimum(a, b) - wide, np.maximum(a, b) + wide
+
+    def __call__(self, p, reach=3.0):
+        """What is farther than reach is reach."""
+        found = np.full(p.shape[:-1], reach)
+        for segment in self.segments:
+            low, high = self.box(*segment, reach)
+            near = ((p > low) & (p < high)).all(-1)
+            found[near] = np.minimum(found[near], self.to_one(p[near], *segment))
+        return found
 
     def sampled(self, size, reach=3.0):
         """On a grid of unit spacing; what is farther than reach is reach."""
         field = np.full((size,) * 3, reach)  # z, y, x
-        for a, b, ra, rb in self.segments:
-            low = np.clip(np.floor(np.minimum(a, b) - max(ra, rb) - reach).astype(int), 0, size)
-            high = np.clip(np.ceil(np.maximum(a, b) + max(ra, rb) + reach).astype(int) + 1, 0, size)
+        for segment in self.segments:
+            low, high = self.box(*segment, reach)
+            low = np.clip(np.floor(low).astype(int), 0, size)
+            high = np.clip(np.ceil(high).astype(int) + 1, 0, size)
             x, y, z = (np.arange(low[k], high[k], dtype=float) for k in range(3))
             grid = np.stack(np.broadcast_arrays(x[None, None, :], y[None, :, None],
                                                 z[:, None, None]), -1)
             box = tuple(slice(low[k], high[k]) for k in (2, 1, 0))
-            field[box] = np.minimum(field[box], self.to_one(grid, a, b, ra, rb))
+            field[box] = np.minimum(field[box], self.to_one(grid, *segment))
         return field
 
 

@@ -22,8 +22,8 @@ namespace
 {
 using namespace SplatScene;
 
-constexpr int Rows = 300;
-constexpr int Columns = 400;
+constexpr int Rows = 150;
+constexpr int Columns = 200;
 constexpr vtkIdType Points = vtkIdType(Rows) * Columns;
 constexpr size_t PointsOfBlock = 128;
 
@@ -52,7 +52,7 @@ vtkSmartPointer<vtkPolyData> Torus(const double middle[3])
     points->InsertNextPoint(middle[0] + std::cos(a) + 0.4 * n[0],
       middle[1] + std::sin(a) + 0.4 * n[1], middle[2] + 0.4 * n[2]);
     normals->InsertNextTuple(n);
-    radii->InsertNextValue(0.025f);
+    radii->InsertNextValue(0.05f);
     ids->InsertNextValue(i);
   }
   cloud->SetPoints(points);
