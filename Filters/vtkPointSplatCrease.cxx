@@ -18,8 +18,6 @@ constexpr float LeastAngle = 0.342f;
 /// sharp folds gain by less, the vertices of its mesh, which is rounded there, lose
 /// (Testing/Accuracy/fit_constants.py).
 constexpr float AnglePerDeviation = 4.0f;
-/// How far, in spacings, lines and the neighbours that vote for them are looked for.
-constexpr float LargestReach = 4.0f;
 /// A face may turn by this much, in radians, on the way to the line: farther on a form of second
 /// order is no guess any more.
 constexpr float LargestFaceBend = 0.7f;
@@ -320,6 +318,7 @@ void vtkPointSplatCrease::Find(const vtkPointSplatNeighbors::Neighborhood& aroun
     this->Side[2] += around.Z[i] / face.Members.Count;
   }
   int member = 0;
+  bool others = false;
   for (int i = 0; i < around.Count && around.SquaredDistance[i] <= reach * reach; ++i)
   {
     if (member < face.Members.Count && face.Members.Members[member] == i)
@@ -333,12 +332,14 @@ void vtkPointSplatCrease::Find(const vtkPointSplatNeighbors::Neighborhood& aroun
       this->Unsound[this->NumberOfUnsound++] = i;
       continue;
     }
+    others = true;
     const float q[3] = { around.X[i], around.Y[i], around.Z[i] };
     float C[6];
     faces.GetTensor(j, C);
     this->NumberOfVotes += this->GetVote(
       q, faces.Normals + std::size_t(3) * j, C, n, face, this->Votes[this->NumberOfVotes]);
   }
+  this->Hides = !others && this->NumberOfUnsound > 0;
   Candidate candidates[MaximumNumberOfFound];
   int said = 0;
   for (int best = this->GetBest(); best >= 0 && said < MaximumNumberOfFound; best = this->GetBest())
@@ -419,6 +420,7 @@ bool vtkPointSplatCrease::FindMeeting(const vtkPointSplatNeighbors::Neighborhood
   int members[MaximumNumberOfMeeting];
   float sums[MaximumNumberOfMeeting][3];
   this->NumberOfMeeting = 0;
+  bool others = false;
   for (int i = 0; i < around.Count && around.SquaredDistance[i] <= reach * reach; ++i)
   {
     const vtkPointSplatFaces::Slot j = around.Slots[i];
@@ -434,6 +436,7 @@ bool vtkPointSplatCrease::FindMeeting(const vtkPointSplatNeighbors::Neighborhood
     const float height = 0.5f * vtkMath::Dot(q, turned) - vtkMath::Dot(m, q);
     if (std::abs(height) > OnLine * spacing)
     {
+      others = true;
       continue;
     }
     // The centre is on the face: the height that is left says by how much more that bends on the way there.
@@ -468,6 +471,7 @@ bool vtkPointSplatCrease::FindMeeting(const vtkPointSplatNeighbors::Neighborhood
       sums[f][c] += normal[c];
     }
   }
+  this->Hides = !others && this->NumberOfMeeting == 1;
   int count = 0;
   for (int f = 0; f < this->NumberOfMeeting; ++f)
   {

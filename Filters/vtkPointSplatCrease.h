@@ -65,6 +65,8 @@ public:
   static constexpr int MaximumNumberOfLines = 2;
   /// The fewest neighbours that must say the same line.
   static constexpr int FewestVotes = 3;
+  /// How far, in spacings, lines and the neighbours that vote for them are looked for.
+  static constexpr float LargestReach = 4.0f;
 
   /// What of the plane through the centre is kept has Direction . x <= Distance.
   struct Line
@@ -94,6 +96,10 @@ public:
   /// Finds the lines of the centre, with the face that was fitted to it across the normal n.
   void Find(const vtkPointSplatNeighbors::Neighborhood& around, const vtkPointSplatFace& face,
     const float n[3], const vtkPointSplatFaces& faces);
+
+  /// Whether Find(), or FindMeeting(), met points of no face, as those on an edge with averaged normals are, and
+  /// else those of one face alone.
+  bool HidesFace() const { return this->Hides; }
 
   ///@{
   /**
@@ -130,6 +136,7 @@ private:
   bool IsLine(const Candidate& candidate, const vtkPointSplatNeighbors::Neighborhood& around,
     const vtkPointSplatFace& face, const float n[3], int unsound) const;
 
+  bool Hides = false;
   float Spacing = 0;
   float Side[3]; // the mean offset of the face's members
   Vote Votes[vtkPointSplatNeighbors::MaximumNumberOfNeighbors];

@@ -44,6 +44,14 @@ constexpr float AlongRow = 0.7f;
 /// How far neighbours must reach, of that row's distance, to have enough of it.
 constexpr float NextRowReach = 1.4f;
 
+/// Of the points here; where more neighbours are looked at, such a spacing that all of them are in reach.
+float GetSpacing(const Neighborhood& around, int round)
+{
+  return round == 0
+    ? vtkPointSplatSheet::GetSpacing(around)
+    : std::sqrt(around.SquaredDistance[around.Count - 1]) / vtkPointSplatCrease::LargestReach;
+}
+
 /// Whether a splat ends at two lines, one on either side of it.
 bool IsStrip(const vtkPointSplatCreases::Splat& splat)
 {
@@ -119,12 +127,12 @@ bool vtkPointSplatCreases::FitFaces(
   {
     return false;
   }
-  auto strip = [&](const Neighborhood& around, int) {
+  auto strip = [&](const Neighborhood& around, int round) {
     const float* n = this->Faces.Normals + std::size_t(3) * around.Center;
     vtkPointSplatCrease crease;
-    strips[this->Faces.Numbers[around.Center] - first] =
-      !crease.FindMeeting(around, n, vtkPointSplatSheet::GetSpacing(around), this->Faces);
-    return true;
+    const bool edge = crease.FindMeeting(around, n, GetSpacing(around, round), this->Faces);
+    strips[this->Faces.Numbers[around.Center] - first] = !edge;
+    return edge || round > 0 || !crease.HidesFace();
   };
   if (!this->Neighbors.Visit(self, to, to, NumberOfNeighbors, strip,
         [&](Slot s) { return isNew(s) && rows[this->Faces.Numbers[s] - first]; }))
@@ -148,13 +156,14 @@ bool vtkPointSplatCreases::HasLine(const Splat& splat)
   return std::any_of(splat.Clip, splat.Clip + 6, [](float v) { return v != 0; });
 }
 
-/// row is open where the face with its normal is a row, or has no points here.
-bool vtkPointSplatCreases::FindSplat(const Neighborhood& around, Row& row, Splat& splat) const
+/// row is open where the face with its normal is a row, or has no points here; what it ends at may be hidden where
+/// neighbours are of one face and of edges alone. spacing: of the points that are to be looked at.
+bool vtkPointSplatCreases::FindSplat(
+  const Neighborhood& around, float spacing, Row& row, Splat& splat) const
 {
   vtkPointSplatFace face;
   vtkPointSplatCrease crease;
   const float* n = row.Normal;
-  const float spacing = vtkPointSplatSheet::GetSpacing(around);
   face.Fit(around, this->Faces.Normals, n, spacing);
   float plane[3] = { n[0], n[1], n[2] };
   const bool twin = row.Id >= 0;
@@ -172,6 +181,7 @@ bool vtkPointSplatCreases::FindSplat(const Neighborhood& around, Row& row, Splat
   {
     if (!crease.FindMeeting(around, n, spacing, this->Faces))
     {
+      row.Hidden = !twin && crease.HidesFace();
       return false;
     }
     int best = 0;
@@ -186,7 +196,9 @@ bool vtkPointSplatCreases::FindSplat(const Neighborhood& around, Row& row, Splat
       return false;
     }
   }
-  return this->DescribeSplat(around, plane, face, crease, splat);
+  const bool ends = this->DescribeSplat(around, plane, face, crease, splat);
+  row.Hidden = !ends && !row.Open && crease.HidesFace();
+  return ends;
 }
 
 bool vtkPointSplatCreases::FindWider(const Neighborhood& around, bool last, Found& found) const
@@ -198,6 +210,17 @@ bool vtkPointSplatCreases::FindWider(const Neighborhood& around, bool last, Foun
        --r)
   {
     Row& row = found.Rows[r - 1];
+    Splat splat;
+    splat.At = row.At;
+    splat.Id = row.Id;
+    if (row.At == around.Center && row.Hidden)
+    {
+      if (this->FindSplat(around, GetSpacing(around, 1), row, splat))
+      {
+        found.Splats.push_back(splat);
+      }
+      row.Open = row.Hidden = false;
+    }
     if (row.At != around.Center || !row.Open)
     {
       continue;
@@ -211,9 +234,6 @@ bool vtkPointSplatCreases::FindWider(const Neighborhood& around, bool last, Foun
       face.Fit(around, this->Faces.Normals, row.Normal, next);
     }
     vtkPointSplatCrease crease;
-    Splat splat;
-    splat.At = row.At;
-    splat.Id = row.Id;
     if (!face.Sound || !this->DescribeSplat(around, row.Normal, face, crease, splat))
     {
       left = true;
@@ -309,14 +329,14 @@ void vtkPointSplatCreases::FindSplats(const Neighborhood& around, Found& found) 
     row.At = around.Center;
     row.Id = id;
     std::copy_n(n, 3, row.Normal);
-    row.HasSplat = this->FindSplat(around, row, splat);
+    row.HasSplat = this->FindSplat(around, GetSpacing(around, 0), row, splat);
     if (row.HasSplat)
     {
       row.Splat = found.Splats.size();
       found.Splats.push_back(splat);
     }
     // A strip ends on both sides.
-    if (row.Open && !(row.HasSplat && IsStrip(splat)))
+    if (row.Hidden || (row.Open && !(row.HasSplat && IsStrip(splat))))
     {
       found.Rows.push_back(row);
     }
@@ -357,18 +377,23 @@ bool vtkPointSplatCreases::Find(vtkAlgorithm* self, double from, double to,
   bool looksWider = false;
   auto find = [&](const Neighborhood& around, int round) {
     Found& local = found.Local();
+    const std::size_t before = local.Splats.size(), rows = local.Rows.size();
+    bool done = true;
     if (round > 0)
     {
-      return this->FindWider(around, round > 1, local);
+      done = this->FindWider(around, round > 1, local);
     }
-    const std::size_t before = local.Splats.size(), rows = local.Rows.size();
-    this->FindSplats(around, local);
+    else
+    {
+      this->FindSplats(around, local);
+      done = !looksWider || local.Rows.size() == rows;
+    }
     const bool ends = std::any_of(local.Splats.begin() + before, local.Splats.end(), HasLine);
-    for (int i = 0; i < around.Count && ends; ++i)
+    for (int i = 0; i < std::min(around.Count, NumberOfNeighbors) && ends; ++i)
     {
       beside[around.Slots[i]].fetch_add(1, std::memory_order_relaxed);
     }
-    return !looksWider || local.Rows.size() == rows;
+    return done;
   };
   auto isWanted = [&](Slot s) { return wanted[s] != 0; };
   // 1. A first look, of which nothing is kept but where it found lines.

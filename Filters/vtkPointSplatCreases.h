@@ -22,6 +22,9 @@
  *    with averaged normals count among them, since they have a part of their splat on each face.
  *    Where the neighbours on a face are those of one row, along an edge whose other face is denser than the next
  *    row is near, more neighbours are looked at, and the distance of that row is the spacing on this face.
+ *    More are looked at, too, where the 32 are of one face and of the edge alone, whose normals are averages: the
+ *    other face's points may be so sparse that none of them is among these. Then the 128 nearest count, however
+ *    dense they are.
  * 5. Lines are kept where at least ten neighbours have some, and sixteen about the point or about
  *    one of its neighbours.
  *
@@ -75,6 +78,7 @@ public:
     bool HasSplat = false;
     std::size_t Splat = 0; // if so, its number among those that were found
     bool Open = false;     // whether the next row is still to be found
+    bool Hidden = false;   // whether it may end at a face that has no points among the neighbours
   };
 
   /// normals: 3 floats a slot, unit length; tensors: 6, or null; usual: as in vtkPointSplatSheet.
@@ -113,7 +117,7 @@ private:
     std::vector<Row> Rows; // for which farther neighbours are to be looked at
   };
   void FindSplats(const Neighborhood& around, Found& found) const;
-  bool FindSplat(const Neighborhood& around, Row& row, Splat& splat) const;
+  bool FindSplat(const Neighborhood& around, float spacing, Row& row, Splat& splat) const;
   /// Finds splats of rows again, with farther neighbours, the last ones there are or not. Returns whether no
   /// row is left.
   bool FindWider(const Neighborhood& around, bool last, Found& found) const;

@@ -327,11 +327,9 @@ public:
     vtkNew<vtkPolyData> data;
     data->SetPoints(scene.Points);
     data->GetPointData()->SetNormals(scene.Normals);
-    vtkNew<vtkPointSplatEstimation> estimation;
-    estimation->SetInputData(data);
-    estimation->Update();
-    this->Data = estimation->GetOutput();
+    this->Estimate(data);
   }
+  explicit Estimated(vtkPolyData* data) { this->Estimate(data); }
 
   bool HasLines() const { return this->GetArray(vtkPointSplatArrays::Clip) != nullptr; }
   /// One of two vectors of a point, and its length; 0 without the array.
@@ -356,6 +354,13 @@ public:
   }
 
 private:
+  void Estimate(vtkPolyData* data)
+  {
+    vtkNew<vtkPointSplatEstimation> estimation;
+    estimation->SetInputData(data);
+    estimation->Update();
+    this->Data = estimation->GetOutput();
+  }
   vtkDataArray* GetArray(const char* name) const
   {
     return this->Data->GetPointData()->GetArray(name);

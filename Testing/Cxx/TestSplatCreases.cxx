@@ -327,6 +327,57 @@ void Lidded(double aspect, bool inward, int places)
   AtMost(bare, places, what + ": places between rows that no disk covers");
 }
 
+/// The edge of a block whose upper face has rows next to the edge that are much nearer to it than the front's are, as where a
+/// mesh was divided until its triangles were good; normals are averaged at the edge.
+void DenseBeside(double next)
+{
+  const double upper[3] = { 0, 0, 1 }, front[3] = { 0, -1, 0 };
+  const double edge[3] = { 0, -std::sqrt(0.5), std::sqrt(0.5) };
+  const int columns = 60;
+  Gathered gathered;
+  auto addRow = [&](double y, double z, double step, const double n[3]) {
+    for (int i = 0; i * step <= columns; ++i)
+    {
+      const double x[3] = { i * step, y, z };
+      gathered.Add(x, n);
+    }
+  };
+  addRow(0, 0, 1, edge);
+  const vtkIdType edges = gathered.Cloud->GetNumberOfPoints();
+  for (const double y : { 0.125, 0.3, 0.55 })
+  {
+    addRow(y, 0, 0.5, upper);
+  }
+  const vtkIdType beside = gathered.Cloud->GetNumberOfPoints();
+  for (int row = 1; row < 20; ++row)
+  {
+    addRow(row, 0, 1, upper);
+    addRow(0, -row * next, 1, front);
+  }
+  const Estimated splats(gathered.Cloud);
+  int open = 0;
+  for (vtkIdType id = 0; id < beside; ++id)
+  {
+    double x[3];
+    gathered.Cloud->GetPoint(id, x);
+    if (x[0] < 5 || x[0] > columns - 5)
+    {
+      continue;
+    }
+    // Beyond the edge nothing is left of a splat of the upper face, and below it nothing of the front's.
+    bool ends = false;
+    for (int k = 0; k < 2; ++k)
+    {
+      double c[3];
+      const double length = splats.GetLine(id, k, c);
+      const double part = id < edges ? std::max(-c[1], c[2]) : -c[1];
+      ends = ends || (length > 0 && part > 0.99 * length && std::abs(1 / length - x[1]) < 0.1);
+    }
+    open += !ends;
+  }
+  AtMost(open, 0, "front's rows " + std::to_string(next) + " spacings apart: disks beside the edge that do not end there");
+}
+
 void Threads()
 {
   ScatteredFaces cube;
@@ -419,6 +470,8 @@ int TestSplatCreases(int, char*[])
     Lidded(8, inward, 200);
     Lidded(12, inward, 150);
   }
+  DenseBeside(2.5);
+  DenseBeside(3.5);
   Threads();
   BadInput();
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
