@@ -5,10 +5,9 @@
 // Finds the pixels that an outline runs through: where a layer ends, or belongs to another cloud
 // than beside it, or where its depth's second difference, which vanishes on planes, is more than a
 // least layer distance of its cloud, so that one surface ends before another.
-// An invocation has a tile of TILE_WIDTH x TILE_HEIGHT pixels. With SUMMARIES (of all tiles, see
-// vtkPointSplatTileSummary) it looks at pixels only where the tile or one beside it is not smooth, or
-// where one does not continue the other.
-// Reads: LayerTexels, Summaries. Writes: OutlinePixels (vtkPointSplatOutlines.h) their
+// An invocation has a tile of TILE_WIDTH x TILE_HEIGHT pixels; with LISTED, one that
+// vtkPointSplatOutlineTilesCS listed.
+// Reads: LayerTexels, ListedTiles. Writes: OutlinePixels (vtkPointSplatOutlines.h) their
 // number and their indices; OutlineFlag of the nearest layer's texels.
 
 #include "vtkPointSplatTexel"
@@ -113,36 +112,10 @@ void find(ivec2 first, ivec2 low, ivec2 high)
   }
 }
 
-#ifdef SUMMARIES
-uniform usamplerBuffer Summaries; // RGBA32UI
-uniform ivec2 TilesAcross;        // tiles of the image along x and y
-
-// Whether a tile continues what another is: step: from that to this, in tiles.
-bool continues(uvec4 from, uvec4 to, ivec2 step)
-{
-  vec3 a = uintBitsToFloat(from.xyz);
-  vec3 b = uintBitsToFloat(to.xyz);
-  float next = step.x != 0
-    ? a.x + (a.y - a.x) * (float(TILE_WIDTH) / float(TILE_WIDTH - 1)) - b.x
-    : a.x + (a.z - a.x) * (float(TILE_HEIGHT) / float(TILE_HEIGHT - 1)) - b.x;
-  return from.w == to.w && from.w != 0xffffffffu &&
-    ((from.w & 0xffffu) == NoSlot || abs(next) <= 0.5 * itemLayer(from.w & 0xffffu));
-}
-
-bool isPlain(ivec2 tile)
-{
-  uvec4 own = texelFetch(Summaries, tile.y * TilesAcross.x + tile.x);
-  bool plain = own.w != 0xffffffffu;
-  for (int k = 0; k < 4; ++k)
-  {
-    ivec2 step = (k < 2 ? 1 : -1) * ivec2(k & 1, 1 - (k & 1));
-    ivec2 at = clamp(tile + step, TileWindow.xy / TileSize, TileWindow.zw / TileSize);
-    uvec4 other = texelFetch(Summaries, at.y * TilesAcross.x + at.x);
-    plain = plain &&
-      (at == tile || (k < 2 ? continues(own, other, step) : continues(other, own, step)));
-  }
-  return plain;
-}
+#ifdef LISTED
+uniform usamplerBuffer ListedTiles; // R32UI, y times the image's tiles across plus x
+uniform int TilesAcross;
+uniform int TileCount;
 #endif
 
 void main()
@@ -150,14 +123,17 @@ void main()
   int row = max(TileWindow.y, FirstRow);
   ivec2 low = ivec2(TileWindow.x, row);
   ivec2 high = ivec2(TileWindow.z, min(TileWindow.w, FirstRow + RowCount - 1));
-  ivec2 lowTile = low / TileSize;
-  int tilesInRow = high.x / TileSize.x - lowTile.x + 1;
   int index =
     int((gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 64u + gl_LocalInvocationID.x);
+#ifdef LISTED
+  bool looks = index < TileCount;
+  int listed = int(texelFetch(ListedTiles, index).r);
+  ivec2 tile = ivec2(listed % TilesAcross, listed / TilesAcross);
+#else
+  ivec2 lowTile = low / TileSize;
+  int tilesInRow = high.x / TileSize.x - lowTile.x + 1;
   ivec2 tile = lowTile + ivec2(index % tilesInRow, index / tilesInRow);
   bool looks = tile.y <= high.y / TileSize.y;
-#ifdef SUMMARIES
-  looks = looks && !isPlain(tile);
 #endif
   // A loop, which CPUs leave where none of several invocations goes on.
   while (looks)

@@ -13,46 +13,88 @@ constexpr uint32_t PixelBits = 0xfffffffu;
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatOutlines::Find(const vtkPointSplatLayers& layers, const Search& search)
+vtkPointSplatProgram* vtkPointSplatOutlines::Use(const char* file, const std::string& defines)
 {
-  const std::string defines =
-    std::string(layers.GetNumberOfLayers() > 1 ? "#define LAYERS\n" : "") +
-    (search.Summaries ? "#define SUMMARIES\n" : "") + "#define TILE_WIDTH " +
-    std::to_string(search.TileSize.x) + "\n#define TILE_HEIGHT " +
-    std::to_string(search.TileSize.y) + "\n";
-  vtkPointSplatProgram& program = this->Programs[defines];
-  if (!program.Build({ { GL_COMPUTE_SHADER, "vtkPointSplatOutlineCS" } }, defines))
+  vtkPointSplatProgram& program = this->Programs[file + defines];
+  if (!program.Build({ { GL_COMPUTE_SHADER, file } }, defines))
   {
     this->Error = program.GetLog();
+    return nullptr;
+  }
+  program.Use();
+  return &program;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatOutlines::ListTiles(
+  const Search& search, const std::string& size, const glm::ivec4& tiles, GLuint& listed)
+{
+  vtkPointSplatProgram* program = this->Use("vtkPointSplatOutlineTilesCS", size);
+  if (!program)
+  {
     return false;
   }
+  const vtkIdType count = static_cast<vtkIdType>(tiles.z - tiles.x + 1) * (tiles.w - tiles.y + 1);
+  listed = 0;
+  this->Tiles.Reserve(4 * static_cast<GLsizeiptr>(count));
+  this->TileCounter.Upload(&listed, 4);
+  vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
+  units.Bind(*program, "ItemTable", GL_TEXTURE_BUFFER, search.Items);
+  units.Bind(*program, "Summaries", GL_TEXTURE_BUFFER, search.Summaries);
+  program->Set("Tiles", tiles);
+  program->Set("TileWindow", search.Window / glm::ivec4(search.TileSize, search.TileSize));
+  program->Set("TilesAcross", search.TilesAcross);
+  this->Tiles.BindStorage(0);
+  this->TileCounter.BindStorage(7);
+  vtkPointSplatProgram::Dispatch(count);
+  this->TileCounter.Download(&listed, 4);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatOutlines::Find(const vtkPointSplatLayers& layers, const Search& search)
+{
+  const std::string size = "#define TILE_WIDTH " + std::to_string(search.TileSize.x) +
+    "\n#define TILE_HEIGHT " + std::to_string(search.TileSize.y) + "\n";
+  const std::string defines =
+    std::string(layers.GetNumberOfLayers() > 1 ? "#define LAYERS\n" : "") +
+    (search.Summaries ? "#define LISTED\n" : "") + size;
   this->Size = layers.GetSize();
   const GLsizeiptr bytes = 4 * static_cast<GLsizeiptr>(this->Size.x) * this->Size.y;
   this->Pixels.Reserve(bytes);
   this->Indices.Reserve(bytes);
   const GLuint found = static_cast<GLuint>(this->Count);
   this->Counter.Upload(&found, 4);
-  program.Use();
-  vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
-  layers.Bind(units, program);
-  units.Bind(program, "ItemTable", GL_TEXTURE_BUFFER, search.Items);
-  units.Bind(program, "Summaries", GL_TEXTURE_BUFFER, search.Summaries);
-  program.Set("TileWindow", search.Window);
-  program.Set("TilesAcross", search.TilesAcross);
-  this->Pixels.BindStorage(4);
-  this->Counter.BindStorage(7); // 5 is the layers' looks
-  this->Indices.BindStorage(6);
   const int rows = layers.GetRowsPerBand();
-  const glm::ivec2 across = glm::ivec2(search.Window.x, search.Window.z) / search.TileSize.x;
   for (int row = search.Window.y / rows * rows; row <= search.Window.w; row += rows)
   {
+    const glm::ivec4 tiles(search.Window.x / search.TileSize.x,
+      std::max(row, search.Window.y) / search.TileSize.y, search.Window.z / search.TileSize.x,
+      std::min(row + rows - 1, search.Window.w) / search.TileSize.y);
+    GLuint count = static_cast<GLuint>((tiles.z - tiles.x + 1) * (tiles.w - tiles.y + 1));
+    if (search.Summaries && !this->ListTiles(search, size, tiles, count))
+    {
+      return false;
+    }
+    vtkPointSplatProgram* program = this->Use("vtkPointSplatOutlineCS", defines);
+    if (!program)
+    {
+      return false;
+    }
+    vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
+    layers.Bind(units, *program);
+    units.Bind(*program, "ItemTable", GL_TEXTURE_BUFFER, search.Items);
+    units.Bind(*program, "ListedTiles", GL_TEXTURE_BUFFER, this->Tiles.GetTexture());
+    program->Set("TileWindow", search.Window);
+    program->Set("TilesAcross", search.TilesAcross);
+    program->Set("TileCount", static_cast<int>(count));
     layers.BindRows(row);
-    program.Set("FirstRow", row);
-    program.Set("RowCount", rows);
-    const int low = std::max(row, search.Window.y) / search.TileSize.y;
-    const int high = std::min(row + rows - 1, search.Window.w) / search.TileSize.y;
-    vtkPointSplatProgram::Dispatch(
-      static_cast<vtkIdType>(across.y - across.x + 1) * (high - low + 1));
+    program->Set("FirstRow", row);
+    program->Set("RowCount", rows);
+    this->Pixels.BindStorage(4);
+    this->Counter.BindStorage(7); // 5 is the layers' looks
+    this->Indices.BindStorage(6);
+    vtkPointSplatProgram::Dispatch(count);
   }
   GLuint all = found;
   this->Counter.Download(&all, 4);
@@ -89,6 +131,8 @@ void vtkPointSplatOutlines::Release()
 {
   this->Pixels.Release();
   this->Counter.Release();
+  this->Tiles.Release();
+  this->TileCounter.Release();
   this->Choices.Release();
   this->Indices.Release();
   this->Programs.clear();

@@ -3,9 +3,10 @@
 // The pixels that outlines run through, and what four samples of each show: so outlines are as
 // smooth as a multisampled mesh's, at the cost of these pixels alone.
 //
-// 1. Find. A compute shader compares the layers of each pixel with those beside it
-//    (vtkPointSplatOutlineCS.glsl), lists the pixels in which one surface ends before another, and
-//    flags their texels.
+// 1. Find. Of tiles whose summaries are known those are listed through which an outline may run
+//    (vtkPointSplatOutlineTilesCS.glsl). In these, or in all, a compute shader compares the layers of each
+//    pixel with those beside it (vtkPointSplatOutlineCS.glsl), lists the pixels in which one surface ends
+//    before another, and flags their texels.
 // 2. Choose. The lists of their tiles are walked for the nearest hits of four samples, half a pixel
 //    apart (vtkPointSplatOutlineSamplesCS.glsl). Each takes after that of the pixels about it which
 //    shows the same surface: surfaces do not change within a pixel, but end there.
@@ -42,7 +43,7 @@ public:
   {
     glm::ivec4 Window;      // first pixel's x, y, last one's
     glm::ivec2 TileSize;    // pixels
-    glm::ivec2 TilesAcross; // of the image, along x and y
+    int TilesAcross;        // of the image
     GLuint Items;           // vtkPointSplatItemTable
     GLuint Summaries;       // of the tiles (vtkPointSplatTileSummary.glsl), or 0
   };
@@ -62,17 +63,25 @@ public:
 
   vtkIdType GetMemorySize() const
   {
-    return this->Pixels.GetSize() + this->Choices.GetSize() + this->Indices.GetSize();
+    return this->Pixels.GetSize() + this->Choices.GetSize() + this->Indices.GetSize() + this->Tiles.GetSize();
   }
   const std::string& GetError() const { return this->Error; }
   void Release();
 
 private:
+  /// Null, with GetError(), where the shader does not build.
+  vtkPointSplatProgram* Use(const char* file, const std::string& defines);
+  /// Lists and counts those of tiles (first x, y, last x, y) that an outline may run through. size: defines.
+  bool ListTiles(
+    const Search& search, const std::string& size, const glm::ivec4& tiles, GLuint& listed);
+
   vtkPointSplatBuffer Pixels{ GL_R32UI };
   vtkPointSplatBuffer Choices{ GL_R32UI };
   vtkPointSplatBuffer Indices{ GL_R32UI };
   vtkPointSplatBuffer Counter;
-  std::map<std::string, vtkPointSplatProgram> Programs; // by defines
+  vtkPointSplatBuffer Tiles{ GL_R32UI };
+  vtkPointSplatBuffer TileCounter;
+  std::map<std::string, vtkPointSplatProgram> Programs; // by files and defines
   int Count = 0;
   glm::ivec2 Size = glm::ivec2(0); // of the images
   std::string Error;

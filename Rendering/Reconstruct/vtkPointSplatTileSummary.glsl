@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What tells that no outline runs through a tile, for vtkPointSplatOutlineCS: its pixels have as
+// What tells that no outline runs through a tile, for vtkPointSplatOutlineTilesCS: its pixels have as
 // many layers, each of one cloud and smooth. A texel (RGBA32UI) a tile: the nearest layer's depths at
 // the first pixel, the last of its row and the first of the last row, floats; that layer's tag with
 // bit 0 set, and the number of further layers from bit 16 on. Of a tile that is none such all bits

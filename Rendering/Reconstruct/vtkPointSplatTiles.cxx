@@ -360,7 +360,7 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::SampleOutlines(const vtkPointSpla
   const int first = outlines.GetCount();
   const bool device = variant.Lanes > 1;
   if (!outlines.Find(layers,
-        { part.Window, variant.TileSize, this->Grid.Tiles,
+        { part.Window, variant.TileSize, this->Grid.Tiles.x,
           this->Items.GetTexture(), device ? 0 : this->Summaries.GetTexture() }))
   {
     this->Error = outlines.GetError();
