@@ -318,7 +318,7 @@ void vtkPointSplatCrease::Find(const vtkPointSplatNeighbors::Neighborhood& aroun
     this->Side[2] += around.Z[i] / face.Members.Count;
   }
   int member = 0;
-  bool others = false;
+  int others = 0;
   for (int i = 0; i < around.Count && around.SquaredDistance[i] <= reach * reach; ++i)
   {
     if (member < face.Members.Count && face.Members.Members[member] == i)
@@ -332,14 +332,14 @@ void vtkPointSplatCrease::Find(const vtkPointSplatNeighbors::Neighborhood& aroun
       this->Unsound[this->NumberOfUnsound++] = i;
       continue;
     }
-    others = true;
+    ++others;
     const float q[3] = { around.X[i], around.Y[i], around.Z[i] };
     float C[6];
     faces.GetTensor(j, C);
     this->NumberOfVotes += this->GetVote(
       q, faces.Normals + std::size_t(3) * j, C, n, face, this->Votes[this->NumberOfVotes]);
   }
-  this->Hides = !others && this->NumberOfUnsound > 0;
+  this->Hides = others < FewestVotes && this->NumberOfUnsound > 0;
   Candidate candidates[MaximumNumberOfFound];
   int said = 0;
   for (int best = this->GetBest(); best >= 0 && said < MaximumNumberOfFound; best = this->GetBest())
@@ -471,7 +471,6 @@ bool vtkPointSplatCrease::FindMeeting(const vtkPointSplatNeighbors::Neighborhood
       sums[f][c] += normal[c];
     }
   }
-  this->Hides = !others && this->NumberOfMeeting == 1;
   int count = 0;
   for (int f = 0; f < this->NumberOfMeeting; ++f)
   {
@@ -483,6 +482,7 @@ bool vtkPointSplatCrease::FindMeeting(const vtkPointSplatNeighbors::Neighborhood
     }
   }
   this->NumberOfMeeting = count;
+  this->Hides = !others && count == 1;
   return count > 1 && this->IsBetween(n);
 }
 

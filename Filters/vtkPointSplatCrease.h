@@ -98,7 +98,7 @@ public:
     const float n[3], const vtkPointSplatFaces& faces);
 
   /// Whether Find(), or FindMeeting(), met points of no face, as those on an edge with averaged normals are, and
-  /// else those of one face alone.
+  /// else those of one face, and of others too few to say a line.
   bool HidesFace() const { return this->Hides; }
 
   ///@{

@@ -58,16 +58,18 @@ bool IsStrip(const vtkPointSplatCreases::Splat& splat)
   return vtkMath::Dot(splat.Clip, splat.Clip + 3) < 0;
 }
 
-/// The distance of the nearest neighbour on a row's face that is not along it; 0 if there is none.
-float GetNextRow(const Neighborhood& around, const float* normals, const vtkPointSplatCreases::Row& row)
+/// The distance of the nearest neighbour on the face with the normal n that is not along a row (0: wherever it is);
+/// 0 if there is none.
+float GetNextRow(
+  const Neighborhood& around, const float* normals, const float n[3], const float along[3])
 {
   for (int i = 0; i < around.Count; ++i)
   {
     const float x[3] = { around.X[i], around.Y[i], around.Z[i] };
     const float* m = normals + std::size_t(3) * around.Slots[i];
-    const float height = vtkMath::Dot(row.Normal, x), part = vtkMath::Dot(row.Along, x);
+    const float height = vtkMath::Dot(n, x), part = vtkMath::Dot(along, x);
     const float squared = around.SquaredDistance[i];
-    if (std::abs(vtkMath::Dot(row.Normal, m)) > OwnCosine &&
+    if (std::abs(vtkMath::Dot(n, m)) > OwnCosine &&
       height * height < NextRowSlope * NextRowSlope * squared && part * part < AlongRow * AlongRow * squared)
     {
       return std::sqrt(squared);
@@ -193,6 +195,15 @@ bool vtkPointSplatCreases::FindSplat(
     face.Fit(around, this->Faces.Normals, plane, spacing);
     if (!face.Sound)
     {
+      // The other faces may be denser.
+      const float next = GetNextRow(around, this->Faces.Normals, plane, row.Along);
+      if (next > spacing)
+      {
+        face.Fit(around, this->Faces.Normals, plane, next);
+      }
+    }
+    if (!face.Sound)
+    {
       return false;
     }
   }
@@ -225,7 +236,7 @@ bool vtkPointSplatCreases::FindWider(const Neighborhood& around, bool last, Foun
     {
       continue;
     }
-    const float next = GetNextRow(around, this->Faces.Normals, row);
+    const float next = GetNextRow(around, this->Faces.Normals, row.Normal, row.Along);
     const float reach = NextRowReach * next;
     const bool enough = last || around.SquaredDistance[around.Count - 1] >= reach * reach;
     vtkPointSplatFace face;

@@ -22,9 +22,10 @@
  *    with averaged normals count among them, since they have a part of their splat on each face.
  *    Where the neighbours on a face are those of one row, along an edge whose other face is denser than the next
  *    row is near, more neighbours are looked at, and the distance of that row is the spacing on this face.
- *    More are looked at, too, where the 32 are of one face and of the edge alone, whose normals are averages: the
- *    other face's points may be so sparse that none of them is among these. Then the 128 nearest count, however
- *    dense they are.
+ *    The same where a point on the edge, with an average of normals, is on a sparser face than the others.
+ *    More are looked at, too, where the 32 are of one face and of the edge alone, whose normals are averages, but for fewer
+ *    than say a line: the other face's points may be so sparse that hardly any of them is among these. Then the 128
+ *    nearest count, however dense they are.
  * 5. Lines are kept where at least ten neighbours have some, and sixteen about the point or about
  *    one of its neighbours.
  *

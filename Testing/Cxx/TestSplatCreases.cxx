@@ -328,31 +328,35 @@ void Lidded(double aspect, bool inward, int places)
 }
 
 /// The edge of a block whose upper face has rows next to the edge that are much nearer to it than the front's are, as where a
-/// mesh was divided until its triangles were good; normals are averaged at the edge.
-void DenseBeside(double next)
+/// mesh was divided until its triangles were good; normals are averaged at the edge. degrees: by which the front's normals
+/// turn to and fro from column to column, as where facets stand for a bent face.
+void DenseBeside(double next, double degrees)
 {
-  const double upper[3] = { 0, 0, 1 }, front[3] = { 0, -1, 0 };
+  const double angle = vtkMath::RadiansFromDegrees(degrees);
+  const double upper[3] = { 0, 0, 1 };
+  const double fronts[2][3] = { { std::sin(angle), -std::cos(angle), 0 },
+    { -std::sin(angle), -std::cos(angle), 0 } };
   const double edge[3] = { 0, -std::sqrt(0.5), std::sqrt(0.5) };
   const int columns = 60;
   Gathered gathered;
-  auto addRow = [&](double y, double z, double step, const double n[3]) {
+  auto addRow = [&](double y, double z, double step, const double n[3], const double m[3]) {
     for (int i = 0; i * step <= columns; ++i)
     {
       const double x[3] = { i * step, y, z };
-      gathered.Add(x, n);
+      gathered.Add(x, i % 2 ? m : n);
     }
   };
-  addRow(0, 0, 1, edge);
+  addRow(0, 0, 1, edge, edge);
   const vtkIdType edges = gathered.Cloud->GetNumberOfPoints();
   for (const double y : { 0.125, 0.3, 0.55 })
   {
-    addRow(y, 0, 0.5, upper);
+    addRow(y, 0, 0.5, upper, upper);
   }
   const vtkIdType beside = gathered.Cloud->GetNumberOfPoints();
   for (int row = 1; row < 20; ++row)
   {
-    addRow(row, 0, 1, upper);
-    addRow(0, -row * next, 1, front);
+    addRow(row, 0, 1, upper, upper);
+    addRow(0, -row * next, 1, fronts[0], fronts[1]);
   }
   const Estimated splats(gathered.Cloud);
   int open = 0;
@@ -375,7 +379,8 @@ void DenseBeside(double next)
     }
     open += !ends;
   }
-  AtMost(open, 0, "front's rows " + std::to_string(next) + " spacings apart: disks beside the edge that do not end there");
+  AtMost(open, 0, "front's rows " + std::to_string(next) + " spacings apart, turned by " +
+      std::to_string(degrees) + " degrees: disks beside the edge that do not end there");
 }
 
 void Threads()
@@ -470,8 +475,13 @@ int TestSplatCreases(int, char*[])
     Lidded(8, inward, 200);
     Lidded(12, inward, 150);
   }
-  DenseBeside(2.5);
-  DenseBeside(3.5);
+  for (const double degrees : { 0.0, 2.0 })
+  {
+    for (const double next : { 1.0, 1.7, 2.0, 2.5, 3.5 })
+    {
+      DenseBeside(next, degrees);
+    }
+  }
   Threads();
   BadInput();
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
