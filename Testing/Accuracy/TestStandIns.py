@@ -198,6 +198,12 @@ class TestStandIns(unittest.TestCase):
         self.assertEqual(found["holes"], 0)
         self.assertLess(found["spill"], 0.001)
 
+    def test_overlapping_scans(self):
+        found = likeness.compare(standins.overlapping_scans(), 300, 4)
+        self.assertGreater(min(found["psnr"]), 35)
+        self.assertEqual(found["holes"], 0)
+        self.assertLess(found["spill"], 0.001)
+
     def test_spray(self):
         # 9 spacings, and a third of the area off, where disks reached from drop to drop.
         self.check("spray", 4, 0.1, 0)

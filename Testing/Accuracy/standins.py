@@ -377,6 +377,7 @@ def spray(spacing=0.02, droplets=300):
 # Scans ---------------------------------------------------------------------------------------
 
 SEMI_AXES = np.array([1.0, 0.7, 0.8])
+LEAST_COSINE = 0.25  # between a normal and the way to the sensor
 
 
 def overlapping_scans(noise=0.3, scans=6, step=0.012):
@@ -402,7 +403,7 @@ def overlapping_scans(noise=0.3, scans=6, step=0.012):
         du, dv = p[1:-1, 2:] - p[1:-1, :-2], p[2:, 1:-1] - p[:-2, 1:-1]
         m = unit(np.cross(du, dv))
         m *= -np.sign((m * rays[1:-1, 1:-1]).sum(-1, keepdims=True))
-        keep = np.isfinite(m).all(-1) & (-(m * rays[1:-1, 1:-1]).sum(-1) > 0.25)
+        keep = np.isfinite(m).all(-1) & (-(m * rays[1:-1, 1:-1]).sum(-1) > LEAST_COSINE)
         found.append((p[1:-1, 1:-1][keep], m[keep], np.full(keep.sum(), k)))
         sensors.append(sensor)
     p, m, scan = (np.concatenate(part) for part in zip(*found))
@@ -421,7 +422,17 @@ def overlapping_scans(noise=0.3, scans=6, step=0.012):
     def distance(q):
         k0 = np.linalg.norm(q / SEMI_AXES, axis=1)
         return np.abs(k0 * (k0 - 1) / np.linalg.norm(q / SEMI_AXES ** 2, axis=1))
-    return StandIn("overlapping scans", cloud, distance, step, parametric(body, 600, 300, *extent))
+    mesh = parametric(body, 600, 300, *extent)
+    # Of what no sensor sees, as the poles, there are no points that could be drawn.
+    q = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
+    n = unit(q / SEMI_AXES ** 2)
+    seen = np.max([(n * unit(sensor - q)).sum(1) for sensor in sensors], 0) > LEAST_COSINE
+    triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    triangles = triangles[seen[triangles].all(1)]
+    cells = vtkCellArray()
+    cells.SetData(3, numpy_to_vtk(triangles.astype(np.int64).ravel(), deep=1, array_type=12))
+    mesh.SetPolys(cells)
+    return StandIn("overlapping scans", cloud, distance, step, mesh)
 
 
 ALL = {
