@@ -67,8 +67,6 @@ uniform vec2 BucketScale;      // a depth's bucket: (depth - x) y
 // What bend, and what perspective, may move a pixel by where it is left out: no more than what
 // an edge is moved by when one of 32 samples changes sides.
 const float StillPixels = 1.0 / 32.0;
-// Pixels: of splats that are smaller clip lines are left out.
-const float LeastClipped = 1.0;
 // Of splats whose centres are farther off than this rounding leaves less of a pixel.
 const float FarPixels = 1e5;
 // Splats of more tiles than this along a side are listed by blocks of tiles.
@@ -182,10 +180,7 @@ void main()
   ivec2 tiles = last - first;
   bool isWide = max(tiles.x, tiles.y) >= WideTiles;
 #ifdef CLIP_LINES
-  // Where a splat is less than a pixel large there is nothing to see of them.
-  q.lines = HasClipLines && longest >= LeastClipped
-    ? RadiusScale * texelFetch(ClipLineTexels, int(splat))
-    : vec4(0.0);
+  q.lines = HasClipLines ? RadiusScale * texelFetch(ClipLineTexels, int(splat)) : vec4(0.0);
   bool isClipped = any(notEqual(q.lines, vec4(0.0)));
 #else
   const bool isClipped = false;
