@@ -424,14 +424,11 @@ def overlapping_scans(noise=0.3, scans=6, step=0.012):
         return np.abs(k0 * (k0 - 1) / np.linalg.norm(q / SEMI_AXES ** 2, axis=1))
     mesh = parametric(body, 600, 300, *extent)
     # Of what no sensor sees, as the poles, there are no points that could be drawn.
-    q = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
-    n = unit(q / SEMI_AXES ** 2)
+    q, n = (vtk_to_numpy(array).astype(float)
+            for array in (mesh.GetPoints().GetData(), mesh.GetPointData().GetNormals()))
     seen = np.max([(n * unit(sensor - q)).sum(1) for sensor in sensors], 0) > LEAST_COSINE
     triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-    triangles = triangles[seen[triangles].all(1)]
-    cells = vtkCellArray()
-    cells.SetData(3, numpy_to_vtk(triangles.astype(np.int64).ravel(), deep=1, array_type=12))
-    mesh.SetPolys(cells)
+    mesh = polydata(q, n, triangles[seen[triangles].all(1)])
     return StandIn("overlapping scans", cloud, distance, step, mesh)
 
 
