@@ -7,6 +7,7 @@
 #include "vtkPointSplatEstimation.h"
 #include "vtkPointSplatHierarchy.h"
 #include "vtkPointSplatInput.h"
+#include "vtkPointSplatLevelLines.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
@@ -37,7 +38,6 @@ namespace
 using Hierarchy = vtkPointSplatHierarchy;
 using Index = Hierarchy::Index;
 
-
 vtkDataArray* ArrayOf(vtkPointData* data, const char* name, int components)
 {
   vtkDataArray* array = data->GetArray(name);
@@ -54,6 +54,7 @@ public:
     vtkPointData* data = from->GetPointData();
     this->Normals.resize(3 * static_cast<size_t>(from->GetNumberOfPoints()));
     vtkPointSplatInput::ReadNormals(data->GetNormals(), this->Normals.data());
+    this->ReadPlanes(data);
     vtkPointSplatInput::MarkUsable(from, this->Used);
     this->ReadRadii(data);
     this->Curvatures = ArrayOf(data, vtkPointSplatArrays::Curvature, 6);
@@ -99,6 +100,27 @@ public:
   }
 
 private:
+  /// A point on an edge, whose normal is an average of two faces', is of the face in whose plane it lies.
+  void ReadPlanes(vtkPointData* data)
+  {
+    vtkDataArray* planes = ArrayOf(data, vtkPointSplatArrays::PlaneNormal, 3);
+    vtkDataArray* folds = ArrayOf(data, vtkPointSplatArrays::Fold, 6);
+    const vtkIdType count = planes && folds ? planes->GetNumberOfTuples() : 0;
+    vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        double fold[6];
+        folds->GetTuple(id, fold);
+        double plane[3];
+        planes->GetTuple(id, plane);
+        if (std::any_of(fold, fold + 6, [](double x) { return x != 0.0; }) &&
+          vtkMath::Normalize(plane) > 0.0)
+        {
+          std::copy_n(plane, 3, this->Normals.data() + 3 * static_cast<size_t>(id));
+        }
+      }
+    });
+  }
   void ReadRadii(vtkPointData* data)
   {
     vtkDataArray* radii = ArrayOf(data, vtkPointSplatArrays::Radius, 1);
@@ -388,6 +410,81 @@ void AverageData(const Hierarchy& hierarchy, const Reader& reader, vtkPolyData* 
   }
 }
 
+/// An array of the levels like one that the points have.
+vtkDataArray* AddLike(vtkDataArray* array, vtkPolyData* levels)
+{
+  vtkSmartPointer<vtkDataArray> like;
+  like.TakeReference(array->NewInstance());
+  like->SetName(array->GetName());
+  like->SetNumberOfComponents(array->GetNumberOfComponents());
+  like->SetNumberOfTuples(levels->GetNumberOfPoints());
+  like->Fill(0.0);
+  levels->GetPointData()->AddArray(like);
+  return like;
+}
+
+/// The lines by which the levels' splats end, where points have some. They lie in the planes of their
+/// normals, and behind the lines the splats do not go on.
+void AddLines(const Hierarchy& hierarchy, vtkPolyData* points, vtkPolyData* levels)
+{
+  vtkPointData* data = points->GetPointData();
+  vtkDataArray* from = ArrayOf(data, vtkPointSplatArrays::Clip, 6);
+  if (!from)
+  {
+    return;
+  }
+  vtkDataArray* normals = levels->GetPointData()->GetNormals();
+  vtkDataArray* planes = ArrayOf(data, vtkPointSplatArrays::PlaneNormal, 3);
+  planes = planes ? AddLike(planes, levels) : nullptr;
+  if (vtkDataArray* folds = ArrayOf(data, vtkPointSplatArrays::Fold, 6))
+  {
+    AddLike(folds, levels);
+  }
+  vtkDataArray* to = AddLike(from, levels);
+  vtkDataArray* radii = ArrayOf(levels->GetPointData(), vtkPointSplatArrays::Radius, 1);
+  vtkDataArray* axes = ArrayOf(levels->GetPointData(), vtkPointSplatArrays::Axis1, 3);
+  vtkIdType first = 0; // of the level below, in the arrays
+  vtkIdType at = 0;
+  for (int level = 1; level < hierarchy.GetNumberOfLevels(); ++level)
+  {
+    vtkPolyData* below = level == 1 ? points : levels;
+    vtkDataArray* lines = level == 1 ? from : to;
+    const vtkIdType count = hierarchy.GetNumberOfSplats(level);
+    vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+      std::vector<vtkPointSplatLevelLines::Splat> splats;
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        splats.clear();
+        const Index last = hierarchy.GetEnd(level, static_cast<Index>(i));
+        for (Index c = hierarchy.GetSplats(level)[i].First; c < last; ++c)
+        {
+          splats.emplace_back();
+          below->GetPoints()->GetData()->GetTuple(first + c, splats.back().Position);
+          lines->GetTuple(first + c, splats.back().Lines);
+        }
+        vtkPointSplatLevelLines::Disk disk;
+        levels->GetPoints()->GetData()->GetTuple(at + i, disk.Position);
+        normals->GetTuple(at + i, disk.Normal);
+        if (planes)
+        {
+          planes->SetTuple(at + i, disk.Normal);
+        }
+        double axis[3] = { 0.0, 0.0, 0.0 };
+        if (axes)
+        {
+          axes->GetTuple(at + i, axis);
+        }
+        disk.Radius = axes ? vtkMath::Norm(axis) : radii->GetComponent(at + i, 0);
+        double found[6];
+        vtkPointSplatLevelLines::Find(splats, disk, found);
+        to->SetTuple(at + i, found);
+      }
+    });
+    first = at;
+    at += count;
+  }
+}
+
 void CopyBlocks(const Hierarchy& hierarchy, const Reader& reader, vtkFieldData* data)
 {
   const std::vector<Hierarchy::Block>& blocks = hierarchy.GetBlocks();
@@ -479,6 +576,7 @@ int vtkPointSplatOctree::RequestData(
   this->UpdateProgress(0.8);
   CopyLevels(hierarchy, reader, whole->GetPoints()->GetDataType(), levels);
   AverageData(hierarchy, reader, points, levels);
+  AddLines(hierarchy, points, levels);
   CopyBlocks(hierarchy, reader, levels->GetFieldData());
   this->UpdateProgress(1.0);
   return 1;

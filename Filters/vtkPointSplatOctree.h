@@ -23,6 +23,8 @@
  *   and `SplatAxis2` (3 components each, world units). What is missing is estimated, as
  *   vtkPointSplatEstimation does without fill points: run that filter with FillGaps on first for these;
  * - `SplatCurvature` (6 components), if it is known;
+ * - `SplatPlaneNormal` (3 components) and `SplatFold` (6 components), if they are known: a point with
+ *   folds is of the face in whose plane it lies;
  * - any other point data.
  *
  * Output 0, the points: a vtkPolyData with the input's points in the hierarchy's order, with all
@@ -35,8 +37,11 @@
  * - `SplatLevel` (1 unsigned char), `SplatFirstChild` (1 vtkIdType) and `SplatChildCount` (1 int):
  *   those that it stands for, counted from the level's first one;
  * - `SplatNormalDeviation` (1 float): rms, of the points' normals from their linear change;
+ * - where points have clip lines, `SplatClip` (6 components) as the splats below tell
+ *   (vtkPointSplatLevelLines.h), and `SplatPlaneNormal`, the splat's normal, and `SplatFold`, which is
+ *   0, if points have these;
  * - numeric point data of floats and unsigned chars: means by area. Names of points (ids, groups,
- *   integers), clip lines and folds have no mean and are left out.
+ *   integers) have no mean and are left out.
  * Field data of output 1, one tuple a block, those of the coarsest level first:
  * - `SplatBlockRange` (3 vtkIdType): level, first splat in it, number of splats;
  * - `SplatBlockChildren` (2 vtkIdType): the first of the blocks below, their number;

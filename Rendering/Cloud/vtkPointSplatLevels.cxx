@@ -4,6 +4,7 @@
 
 #include "vtkMath.h"
 #include "vtkPointSplatCodes.h"
+#include "vtkPointSplatLevelLines.h"
 #include "vtkPointSplatOrdered.h"
 #include "vtkPointSplatRims.h"
 #include "vtkSMPTools.h"
@@ -100,6 +101,66 @@ void Pack(const vtkPointSplatHierarchy::Splat& splat, uint32_t id, size_t words,
     to[12 + k] = vtkPointSplatCodes::Bits(splat.Radius * splat.Shorter * shorter[k]);
   }
 }
+
+/// The axes of a splat, as long as its radii.
+void ReadAxes(const uint32_t* splat, size_t words, double s[3], double t[3])
+{
+  float axes[8];
+  if (words == 8)
+  {
+    std::memcpy(axes, splat + 3, sizeof(float));
+    vtkPointSplatCodes::TangentsOf(splat[4], s, t);
+    vtkMath::MultiplyScalar(s, axes[0]);
+    vtkMath::MultiplyScalar(t, axes[0]);
+    return;
+  }
+  std::memcpy(axes, splat + 8, sizeof(axes));
+  std::copy_n(axes, 3, s);
+  std::copy_n(axes + 4, 3, t);
+}
+
+/// A splat's place and lines, for those that stand for it.
+vtkPointSplatLevelLines::Splat ReadLines(const uint32_t* splat, size_t words, const uint32_t* lines)
+{
+  float place[3];
+  std::memcpy(place, splat, sizeof(place));
+  float products[4];
+  std::memcpy(products, lines, sizeof(products));
+  vtkPointSplatLevelLines::Splat result{};
+  std::copy_n(place, 3, result.Position);
+  double s[3];
+  double t[3];
+  ReadAxes(splat, words, s, t);
+  double across[3];
+  vtkMath::Cross(s, t, across);
+  // The basis that is dual to the axes.
+  double dual[2][3];
+  vtkMath::Cross(t, across, dual[0]);
+  vtkMath::Cross(across, s, dual[1]);
+  const double square = vtkMath::Dot(across, across);
+  for (int k = 0; k < 6 && square > 0.0; ++k)
+  {
+    const float* line = products + (k < 3 ? 0 : 2);
+    result.Lines[k] = (line[0] * dual[0][k % 3] + line[1] * dual[1][k % 3]) / square;
+  }
+  return result;
+}
+
+/// Sets the lines of what stands for some splats, one after the other, with lines of four words each.
+void PackLines(const vtkPointSplatHierarchy::Splat& above, const uint32_t* splat, size_t words,
+  const std::vector<vtkPointSplatLevelLines::Splat>& below, uint32_t* lines)
+{
+  vtkPointSplatLevelLines::Disk disk{ {}, {}, above.Radius };
+  std::copy_n(above.Position, 3, disk.Position);
+  std::copy_n(above.Normal, 3, disk.Normal);
+  double c[6];
+  vtkPointSplatLevelLines::Find(below, disk, c);
+  double s[3];
+  double t[3];
+  ReadAxes(splat, words, s, t);
+  vtkPointSplatCodes::CodeLine(c, s, t, lines);
+  vtkPointSplatCodes::CodeLine(c + 3, s, t, lines + 2);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -184,7 +245,7 @@ std::vector<uint32_t> vtkPointSplatLevels::Take(
       this->Firsts.push_back(below + splat.First);
     }
   }
-  this->AppendSplats(splats, words);
+  this->AppendSplats(splats, lines, words);
   this->Blocks = this->Hierarchy.GetBlocks();
   this->Roots = this->Hierarchy.GetNumberOfRoots();
   for (size_t b = 0; b < this->Blocks.size(); ++b)
@@ -199,7 +260,8 @@ std::vector<uint32_t> vtkPointSplatLevels::Take(
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatLevels::AppendSplats(std::vector<uint32_t>& splats, size_t words)
+void vtkPointSplatLevels::AppendSplats(
+  std::vector<uint32_t>& splats, std::vector<uint32_t>& lines, size_t words)
 {
   for (size_t level = 1; level + 1 < this->Starts.size(); ++level)
   {
@@ -211,14 +273,32 @@ void vtkPointSplatLevels::AppendSplats(std::vector<uint32_t>& splats, size_t wor
       {
         const uint32_t own = start + static_cast<uint32_t>(i);
         const size_t first = this->Firsts[own - this->Points];
+        const size_t count = this->GetEnd(static_cast<int>(level), own) - first;
+        const uint32_t* below = splats.data() + words * first;
         uint32_t* to = splats.data() + words * own;
-        if (this->GetEnd(static_cast<int>(level), own) == first + 1)
+        const uint32_t* linesBelow = lines.empty() ? nullptr : lines.data() + 4 * first;
+        if (count == 1)
         {
           // What stands for one splat is that one, be it a body that faces the viewer.
-          std::copy_n(splats.data() + words * first, words, to);
+          std::copy_n(below, words, to);
+          if (linesBelow)
+          {
+            std::copy_n(linesBelow, 4, lines.data() + 4 * own);
+          }
           continue;
         }
-        Pack(from[i], splats[words * first + 7], words, to);
+        Pack(from[i], below[7], words, to);
+        const bool ends = linesBelow &&
+          std::any_of(linesBelow, linesBelow + 4 * count, [](uint32_t word) { return word != 0u; });
+        if (ends)
+        {
+          std::vector<vtkPointSplatLevelLines::Splat> clipped;
+          for (size_t c = 0; c < count; ++c)
+          {
+            clipped.push_back(ReadLines(below + words * c, words, linesBelow + 4 * c));
+          }
+          PackLines(from[i], to, words, clipped, lines.data() + 4 * own);
+        }
       }
     });
   }

@@ -5,8 +5,8 @@
 //
 // 1. A thread makes the hierarchy from the packed splats, while these are drawn.
 // 2. When it is there, the cloud's splats are put into its order, and those of all levels appended:
-//    level 1, level 2, ... Their ids are those of one of the points that they stand for. They have
-//    no clip lines: where they are drawn, they reach past an edge by a pixel or two. None stands for
+//    level 1, level 2, ... Their ids are those of one of the points that they stand for, and
+//    their clip lines follow from these' (vtkPointSplatLevelLines.h). None stands for
 //    points of two parts of the cloud, and each part's splats stay where they were among all.
 //    What stands for one splat, such as a scan's outlier, is that one.
 // 3. What splats have beside their shape, colours, values and factors of lights, is appended as
@@ -87,7 +87,7 @@ private:
   uint32_t GetEnd(int level, uint32_t splat) const;
   template <typename Mean>
   void Append(std::vector<uint32_t>& data, const Mean& mean) const;
-  void AppendSplats(std::vector<uint32_t>& splats, size_t words);
+  void AppendSplats(std::vector<uint32_t>& splats, std::vector<uint32_t>& lines, size_t words);
 
   std::future<bool> Work;
   std::atomic<bool> Stop{ false };

@@ -17,9 +17,6 @@ namespace
 constexpr double AngleMargin = 0.01;
 // Outlines show how large splats are: there those of smooth surfaces are smaller by this.
 constexpr double OutlineShare = 0.5;
-// A block's largest splat, of what its mean may be: among smaller ones there may be large ones whose
-// levels have lost their clip lines, as at a few large triangles of a fine mesh.
-constexpr double LargestShare = 2.0;
 // Branches of the tree that threads visit: as many as keep them all busy, some at a time.
 constexpr size_t EnoughBranches = 256;
 constexpr vtkIdType BranchesAtOnce = 4;
@@ -89,7 +86,7 @@ bool vtkPointSplatLevelSelection::IsFine(const Block& block, const Sides& sides)
   const bool outline = sides.Front && sides.Back;
   const double most = outline ? OutlineShare * bounds.SmoothPixels : bounds.SmoothPixels;
   const double allowed = smooth ? std::max(most, bounds.Pixels) : bounds.Pixels;
-  return size * block.MeanRadius <= allowed && size * block.Radius <= LargestShare * allowed;
+  return size * block.MeanRadius <= allowed;
 }
 
 //------------------------------------------------------------------------------

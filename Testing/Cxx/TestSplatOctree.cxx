@@ -149,7 +149,8 @@ void TestPoints(Cloud& cloud, Result& r)
   }
   Expect(same, "points keep their coordinates and arrays");
   Expect(std::all_of(seen.begin(), seen.end(), [](int n) { return n == 1; }), "each point is once");
-  Expect(!r.Of("SplatGroup") && !r.Of("SplatClip"), "groups and lines have no means");
+  Expect(!r.Of("SplatGroup"), "groups have no means");
+  Expect(r.Of("SplatClip") && r.Of("SplatClip")->GetNumberOfComponents() == 6, "lines have levels");
 }
 
 /// Splats stand for consecutive ones, all of the level below, and cover these.
@@ -403,6 +404,69 @@ std::vector<double> Numbers(vtkPolyData* data)
   return all;
 }
 
+/// Of squares whose splats end at their edges, those of all levels do, and show all of the squares.
+void TestEdges(bool folded)
+{
+  Cloud cloud;
+  cloud.AddSheets(40000, 1.0);
+  vtkNew<vtkDoubleArray> lines;
+  lines->SetName("SplatClip");
+  lines->SetNumberOfComponents(6);
+  for (vtkIdType i = 0; i < cloud.Points->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    cloud.Points->GetPoint(i, p);
+    double c[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+    for (int k = 0; k < 2; ++k)
+    {
+      const double side = p[k] < 0.5 ? -1.0 : 1.0;
+      const double distance = side < 0.0 ? p[k] : 1.0 - p[k];
+      if (distance < 2.0 * cloud.Radii->GetValue(i))
+      {
+        c[4 * k] = side / std::max(distance, 1e-9);
+      }
+    }
+    lines->InsertNextTuple(c);
+  }
+  cloud.Data->GetPointData()->AddArray(lines);
+  vtkNew<vtkFloatArray> folds;
+  folds->SetName("SplatFold");
+  folds->SetNumberOfComponents(6);
+  folds->SetNumberOfTuples(folded ? cloud.Points->GetNumberOfPoints() : 0);
+  folds->Fill(0.0);
+  vtkNew<vtkFloatArray> planes;
+  planes->DeepCopy(cloud.Normals);
+  planes->SetName("SplatPlaneNormal");
+  if (folded)
+  {
+    cloud.Data->GetPointData()->AddArray(folds);
+    cloud.Data->GetPointData()->AddArray(planes);
+  }
+  Result r(cloud.Data);
+  Expect(r.Octree->GetNumberOfLevels() > 3, "squares have levels");
+  Expect((r.Of("SplatFold") != nullptr) == folded && (r.Of("SplatPlaneNormal") != nullptr) == folded,
+    "levels have what points have");
+  int beyond = 0;
+  int lost = 0;
+  for (vtkIdType i = 0; i < r.Levels->GetNumberOfPoints(); ++i)
+  {
+    const double* c = r.Of("SplatClip")->GetTuple(i);
+    const double radius = r.Of("SplatRadius")->GetComponent(i, 0);
+    double p[3];
+    r.Levels->GetPoint(i, p);
+    for (int s = 0; s < 64; ++s)
+    {
+      const double x[2] = { radius * (s % 8 - 3.5) / 4.0, radius * (s / 8 - 3.5) / 4.0 };
+      const bool kept = std::max(c[0] * x[0] + c[1] * x[1], c[3] * x[0] + c[4] * x[1]) <= 1.0;
+      const double off = std::max(std::abs(p[0] + x[0] - 0.5), std::abs(p[1] + x[1] - 0.5)) - 0.5;
+      beyond += kept && off > 0.02 * radius ? 1 : 0;
+      lost += !kept && off < -0.02 * radius ? 1 : 0;
+    }
+  }
+  Expect(beyond == 0, "levels' splats end at edges: " + std::to_string(beyond));
+  Expect(lost == 0, "and not before: " + std::to_string(lost));
+}
+
 void TestThreads()
 {
   Cloud cloud;
@@ -498,6 +562,8 @@ int TestSplatOctree(int, char*[])
   TestBall();
   TestSheets();
   TestEllipses();
+  TestEdges(false);
+  TestEdges(true);
   TestThreads();
   TestBadInput();
   return failures;

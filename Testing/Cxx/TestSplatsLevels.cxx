@@ -133,6 +133,57 @@ bool TestOutliers()
   return IsLike(levels, scene.DrawAll(), Smooth, "outliers, against all") && good;
 }
 
+/// A cube of random points, whose splats end at its edges by clip lines.
+vtkSmartPointer<vtkPolyData> Cube(int count)
+{
+  vtkSmartPointer<vtkPolyData> data = Torus(0, 0.0, false);
+  vtkNew<vtkFloatArray> lines;
+  lines->SetNumberOfComponents(6);
+  lines->SetName("SplatClip");
+  vtkNew<vtkMinimalStandardRandomSequence> sequence;
+  const float radius = static_cast<float>(1.5 * std::sqrt(6.0 / count));
+  for (int i = 0; i < count; ++i)
+  {
+    const int across = i % 3;
+    double p[3];
+    double n[3] = { 0.0, 0.0, 0.0 };
+    n[across] = i % 2 == 0 ? 1.0 : -1.0;
+    double clip[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+    for (int k = 0; k < 3; ++k)
+    {
+      sequence->Next();
+      p[k] = k == across ? 0.5 * n[k] : sequence->GetRangeValue(-0.5, 0.5);
+      const double distance = 0.5 - std::abs(p[k]);
+      if (k != across && distance < 2.0 * radius)
+      {
+        double* line = k == (across + 1) % 3 ? clip : clip + 3;
+        line[k] = std::copysign(1.0, p[k]) / std::max(distance, 1e-6);
+      }
+    }
+    data->GetPoints()->InsertNextPoint(p);
+    data->GetPointData()->GetNormals()->InsertNextTuple(n);
+    data->GetPointData()->GetArray("SplatRadius")->InsertNextTuple(&radius);
+    lines->InsertNextTuple(clip);
+  }
+  data->GetPointData()->AddArray(lines);
+  return data;
+}
+
+/// What stands for splats at edges ends there: faces that are turned away are not to be seen beside them.
+bool TestEdges()
+{
+  Scene scene(Cube(Count));
+  scene.Win.Win->SetSize(200, 200);
+  bool good = Expect(scene.Wait(), "levels of a cube are made");
+  for (const double turn : { 25.0, 40.0, 15.0 })
+  {
+    scene.Win.Renderer->GetActiveCamera()->Azimuth(turn);
+    const Picture levels = scene.Win.Draw();
+    good = IsLike(levels, scene.DrawAll(), 43.0, "a cube's edges, against all") && good;
+  }
+  return good;
+}
+
 bool TestImageSpace(bool coloured)
 {
   // Of sizes they need none.
@@ -226,6 +277,7 @@ int TestSplatsLevels(int, char*[])
   good = TestSelection() && good;
   good = TestRough() && good;
   good = TestOutliers() && good;
+  good = TestEdges() && good;
   good = TestImageSpace(false) && good;
   good = TestImageSpace(true) && good;
   good = TestShadows() && good;

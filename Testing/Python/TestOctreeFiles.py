@@ -9,7 +9,7 @@ import os
 import random
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkFiltersSources import vtkSphereSource
@@ -87,6 +87,19 @@ class TestOctreeFiles(OctreeTest):
             self.assertGreater(psnr, least, most)
         # There is nothing coarser than the coarsest.
         self.assertEqual(self.read(1)[0].GetNumberOfPoints(), self.read(2)[0].GetNumberOfPoints())
+
+    def test_lines(self):
+        """Splats of all levels have the arrays by which points end at edges."""
+        whole = torus()
+        for name, value in (("SplatClip", 5 * [0.0] + [1.0]), ("SplatFold", 6 * [0.0]), ("SplatPlaneNormal", [0.0, 0.0, 1.0])):
+            array = numpy_to_vtk(np.full((COUNT, len(value)), value), deep=1)
+            array.SetName(name)
+            whole.GetPointData().AddArray(array)
+        self.write(whole)
+        for most in (0, COUNT // 2, 800):
+            read, _ = self.read(most)
+            for name in ("SplatClip", "SplatFold", "SplatPlaneNormal"):
+                self.assertIn(name, arrays(read), most)
 
     def test_normals_without_a_name(self):
         """Those of levels have one; where points and levels are read both are normals."""
