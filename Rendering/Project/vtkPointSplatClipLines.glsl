@@ -18,8 +18,10 @@ const float MarginShare = 1.0 / 64.0;
 // Least layer distances: less than one, so that the surface stays one.
 const float MarginDelay = 0.375;
 // Pixels: of disks that are narrower in the image it cannot be told any more where on them a pixel
-// lies, and lines across that direction fade out; no disk that shows the surface is drawn narrower.
-const float NarrowestClipped = 0.1;
+// lies, and lines across that direction fade out. Of small disks twice as wide they must not yet: faces
+// seen at an angle would reach over edges, and be blended with others (part_random, 100 pixels large,
+// by Testing/Accuracy/likeness.py).
+const float NarrowestClipped = 0.05;
 
 struct ClipLines
 {
