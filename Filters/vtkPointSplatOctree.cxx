@@ -330,6 +330,18 @@ void CopyLevels(const Hierarchy& hierarchy, const Reader& reader, int pointType,
   }
 }
 
+/// An array of the levels like one that the points have.
+vtkDataArray* AddLike(vtkDataArray* array, vtkPolyData* levels)
+{
+  vtkSmartPointer<vtkDataArray> like;
+  like.TakeReference(array->NewInstance());
+  like->SetName(array->GetName());
+  like->SetNumberOfComponents(array->GetNumberOfComponents());
+  like->SetNumberOfTuples(levels->GetNumberOfPoints());
+  levels->GetPointData()->AddArray(like);
+  return like;
+}
+
 /// Means of all else that points have and that has a mean.
 void AverageData(const Hierarchy& hierarchy, const Reader& reader, vtkPolyData* points,
   vtkPolyData* output)
@@ -349,12 +361,7 @@ void AverageData(const Hierarchy& hierarchy, const Reader& reader, vtkPolyData* 
       name != vtkDataSetAttributes::GhostArrayName() && !data->GetAbstractArray(name.c_str());
     if (hasMean && !name.empty())
     {
-      vtkSmartPointer<vtkDataArray> mean;
-      mean.TakeReference(array->NewInstance());
-      mean->SetName(array->GetName());
-      mean->SetNumberOfComponents(array->GetNumberOfComponents());
-      mean->SetNumberOfTuples(output->GetNumberOfPoints());
-      data->AddArray(mean);
+      vtkDataArray* mean = AddLike(array, output);
       if (array == points->GetPointData()->GetScalars())
       {
         data->SetScalars(mean);
@@ -410,19 +417,6 @@ void AverageData(const Hierarchy& hierarchy, const Reader& reader, vtkPolyData* 
   }
 }
 
-/// An array of the levels like one that the points have.
-vtkDataArray* AddLike(vtkDataArray* array, vtkPolyData* levels)
-{
-  vtkSmartPointer<vtkDataArray> like;
-  like.TakeReference(array->NewInstance());
-  like->SetName(array->GetName());
-  like->SetNumberOfComponents(array->GetNumberOfComponents());
-  like->SetNumberOfTuples(levels->GetNumberOfPoints());
-  like->Fill(0.0);
-  levels->GetPointData()->AddArray(like);
-  return like;
-}
-
 /// The lines by which the levels' splats end, where points have some. They lie in the planes of their
 /// normals, and behind the lines the splats do not go on.
 void AddLines(const Hierarchy& hierarchy, vtkPolyData* points, vtkPolyData* levels)
@@ -438,7 +432,7 @@ void AddLines(const Hierarchy& hierarchy, vtkPolyData* points, vtkPolyData* leve
   planes = planes ? AddLike(planes, levels) : nullptr;
   if (vtkDataArray* folds = ArrayOf(data, vtkPointSplatArrays::Fold, 6))
   {
-    AddLike(folds, levels);
+    AddLike(folds, levels)->Fill(0.0);
   }
   vtkDataArray* to = AddLike(from, levels);
   vtkDataArray* radii = ArrayOf(levels->GetPointData(), vtkPointSplatArrays::Radius, 1);

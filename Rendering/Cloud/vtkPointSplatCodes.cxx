@@ -86,6 +86,23 @@ void TangentsOf(uint32_t planeCode, double s[3], double t[3])
   vtkMath::Cross(n, s, t);
 }
 
+void AxesOf(const uint32_t* splat, bool circular, double s[3], double t[3])
+{
+  if (circular)
+  {
+    float radius;
+    std::memcpy(&radius, splat + 3, sizeof(radius));
+    TangentsOf(splat[4], s, t);
+    vtkMath::MultiplyScalar(s, radius);
+    vtkMath::MultiplyScalar(t, radius);
+    return;
+  }
+  float axes[8];
+  std::memcpy(axes, splat + 8, sizeof(axes));
+  std::copy_n(axes, 3, s);
+  std::copy_n(axes + 4, 3, t);
+}
+
 uint32_t CodeBend(uint32_t planeCode, const double curvature[6], double radius)
 {
   double s[3];

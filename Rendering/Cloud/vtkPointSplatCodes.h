@@ -28,6 +28,8 @@ void DecodeNormal(uint32_t code, double n[3]);
 
 /// The tangents of circular splats in a plane, as vtkPointSplatProjection.glsl has them.
 void TangentsOf(uint32_t planeCode, double s[3], double t[3]);
+/// The axes of a splat of a cloud, as long as its radii. circular: it has one radius.
+void AxesOf(const uint32_t* splat, bool circular, double s[3], double t[3]);
 
 /**
  * The matrix K of vtkPointSplatProjection.glsl, the second fundamental form times the radius in the

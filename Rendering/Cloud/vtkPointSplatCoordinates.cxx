@@ -65,22 +65,12 @@ vtkIdType PointOf(const Splats& splats, vtkIdType i)
 /// The axes, in units of which uniforms and codes have a place on the splat.
 void AxesOf(const Splats& splats, vtkIdType i, glm::dvec3& first, glm::dvec3& second)
 {
-  const uint32_t* splat = splats.Data + splats.WordsPerSplat * static_cast<size_t>(i);
-  if (splats.Circular)
-  {
-    float radius;
-    std::memcpy(&radius, splat + 3, sizeof(radius));
-    double s[3];
-    double t[3];
-    vtkPointSplatCodes::TangentsOf(splat[4], s, t);
-    first = double(radius) * glm::dvec3(s[0], s[1], s[2]);
-    second = double(radius) * glm::dvec3(t[0], t[1], t[2]);
-    return;
-  }
-  float axes[8];
-  std::memcpy(axes, splat + 8, sizeof(axes));
-  first = glm::dvec3(axes[0], axes[1], axes[2]);
-  second = glm::dvec3(axes[4], axes[5], axes[6]);
+  double s[3];
+  double t[3];
+  vtkPointSplatCodes::AxesOf(
+    splats.Data + splats.WordsPerSplat * static_cast<size_t>(i), splats.Circular, s, t);
+  first = glm::dvec3(s[0], s[1], s[2]);
+  second = glm::dvec3(t[0], t[1], t[2]);
 }
 
 double ErrorOf(const Change& change, const Neighbour& n)

@@ -102,23 +102,6 @@ void Pack(const vtkPointSplatHierarchy::Splat& splat, uint32_t id, size_t words,
   }
 }
 
-/// The axes of a splat, as long as its radii.
-void ReadAxes(const uint32_t* splat, size_t words, double s[3], double t[3])
-{
-  float axes[8];
-  if (words == 8)
-  {
-    std::memcpy(axes, splat + 3, sizeof(float));
-    vtkPointSplatCodes::TangentsOf(splat[4], s, t);
-    vtkMath::MultiplyScalar(s, axes[0]);
-    vtkMath::MultiplyScalar(t, axes[0]);
-    return;
-  }
-  std::memcpy(axes, splat + 8, sizeof(axes));
-  std::copy_n(axes, 3, s);
-  std::copy_n(axes + 4, 3, t);
-}
-
 /// A splat's place and lines, for those that stand for it.
 vtkPointSplatLevelLines::Splat ReadLines(const uint32_t* splat, size_t words, const uint32_t* lines)
 {
@@ -130,7 +113,7 @@ vtkPointSplatLevelLines::Splat ReadLines(const uint32_t* splat, size_t words, co
   std::copy_n(place, 3, result.Position);
   double s[3];
   double t[3];
-  ReadAxes(splat, words, s, t);
+  vtkPointSplatCodes::AxesOf(splat, words == 8, s, t);
   double across[3];
   vtkMath::Cross(s, t, across);
   // The basis that is dual to the axes.
@@ -157,7 +140,7 @@ void PackLines(const vtkPointSplatHierarchy::Splat& above, const uint32_t* splat
   vtkPointSplatLevelLines::Find(below, disk, c);
   double s[3];
   double t[3];
-  ReadAxes(splat, words, s, t);
+  vtkPointSplatCodes::AxesOf(splat, words == 8, s, t);
   vtkPointSplatCodes::CodeLine(c, s, t, lines);
   vtkPointSplatCodes::CodeLine(c + 3, s, t, lines + 2);
 }

@@ -25,7 +25,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <initializer_list>
 
 namespace
@@ -510,21 +509,7 @@ void vtkPointSplatPacking::PackClipLines(
       const uint32_t* splat = splats + words * i;
       double s[3];
       double t[3];
-      if (circular)
-      {
-        float radius;
-        std::memcpy(&radius, splat + 3, sizeof(radius));
-        TangentsOf(splat[4], s, t);
-        vtkMath::MultiplyScalar(s, radius);
-        vtkMath::MultiplyScalar(t, radius);
-      }
-      else
-      {
-        float axes[8];
-        std::memcpy(axes, splat + 8, sizeof(axes));
-        std::copy_n(axes, 3, s);
-        std::copy_n(axes + 4, 3, t);
-      }
+      AxesOf(splat, circular, s, t);
       double c[6];
       const vtkPointSplatFolds folds = this->GetFolds(splat[7]);
       const int part = circular ? FindPart(folds, splat[4]) : -1;
