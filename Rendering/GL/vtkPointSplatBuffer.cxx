@@ -7,7 +7,14 @@
 namespace
 {
 // Buffers of no bytes cannot be bound or mapped.
-constexpr GLsizeiptr LeastBytes = 16;
+constexpr GLsizeiptr LeastBytes = 48;
+
+/// As many bytes, or a texel more: drivers for processors compile a program for each combination of its
+/// textures whose sizes are powers of two, and of others.
+GLsizeiptr NoPowerOfTwo(GLsizeiptr bytes)
+{
+  return (bytes & (bytes - 1)) == 0 ? bytes + 16 : bytes;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -29,7 +36,8 @@ bool vtkPointSplatBuffer::Reserve(GLsizeiptr bytes)
   if (grows)
   {
     // A quarter more, so that a number that creeps up does not make it grow each time.
-    this->Bytes = std::max(bytes + (this->Bytes > 0 ? bytes / 4 : 0), LeastBytes);
+    this->Bytes =
+      NoPowerOfTwo(std::max(bytes + (this->Bytes > 0 ? bytes / 4 : 0), LeastBytes));
     glBufferData(GL_COPY_WRITE_BUFFER, this->Bytes, nullptr, GL_DYNAMIC_COPY);
     if (this->Format != 0)
     {

@@ -63,8 +63,7 @@ void add(Span s, Span all)
   addFlat(s.flats, all.bents, end);
   addBent(s.bents, all.curveds, end);
 #ifdef CURVED
-  addCurved(s.curveds, curvedEnd(all), end);
-  addCurved(s.wides, all.wideEnd, end);
+  addCurved(s.curveds, curvedEnd(all), ivec2(s.wides, all.wideEnd), end);
 #endif
 #ifdef TRIANGLES
   addTriangles(s.triangles, all.end, end);

@@ -291,22 +291,37 @@ void addBent(int i, int end, float layerEnd)
 }
 
 #ifdef CURVED
-void seeCurved(inout int begin, int end)
+// The next of two lists, one after the other, each up to its end or to what lies behind a depth; i and
+// end are of the one that is walked, next of the other. False: both are done. One loop over both is half of
+// the code of two, which drivers for processors take long to compile.
+bool nextOf(inout int i, inout int end, inout ivec2 next, float limit, out uint entry)
+{
+  entry = texelFetch(Lists, i).r;
+  if (i >= end || leastDepth(entry) > limit)
+  {
+    i = next.x;
+    end = next.y;
+    next = ivec2(0);
+    entry = texelFetch(Lists, i).r;
+  }
+  return i < end && leastDepth(entry) <= limit;
+}
+
+// wide: of the block of tiles.
+void seeCurved(inout int begin, int end, inout int wideBegin, int wideEnd)
 {
   skipPeeled(begin, end);
+  skipPeeled(wideBegin, wideEnd);
   int i = begin;
-  if (i >= end)
+  ivec2 wide = ivec2(wideBegin, wideEnd);
+  if (i >= end && wide.x >= wide.y)
   {
     return;
   }
   float reach = DiskReach * DiskReach;
-  do
+  uint entry;
+  while (nextOf(i, end, wide, farthestHit(), entry))
   {
-    uint entry = texelFetch(Lists, i).r;
-    if (leastDepth(entry) > farthestHit())
-    {
-      break;
-    }
     int record = recordOf(entry);
     int at = record * RecordTexels;
     Head h = headOf(texelFetch(Records, at));
@@ -330,22 +345,18 @@ void seeCurved(inout int begin, int end)
       keepNearest(k, h, met, depth);
     }
     ++i;
-  } while (i < end);
+  }
 }
 
-void addCurved(int i, int end, float layerEnd)
+void addCurved(int i, int end, ivec2 wide, float layerEnd)
 {
-  if (i >= end)
+  if (i >= end && wide.x >= wide.y)
   {
     return;
   }
-  do
+  uint entry;
+  while (nextOf(i, end, wide, layerEnd, entry))
   {
-    uint entry = texelFetch(Lists, i).r;
-    if (leastDepth(entry) > layerEnd)
-    {
-      break;
-    }
     int record = recordOf(entry);
     int at = record * RecordTexels;
     Head h = headOf(texelFetch(Records, at));
@@ -370,6 +381,6 @@ void addCurved(int i, int end, float layerEnd)
       addCap(k, h, p, met, x.xy, -dot(x, cap.z), widened, cap.z.xy, n, true);
     }
     ++i;
-  } while (i < end);
+  }
 }
 #endif

@@ -21,10 +21,17 @@ const float CoordinateScale = 1024.0;
 // and this.
 const float LeastDisagreement = 1.0 / 512.0;
 
-vec2 firsts[2 * Pixels];  // a chart's first coordinates
-vec2 offs[2 * Pixels];    // sums of differences from these
-vec4 changes[2 * Pixels]; // sums of changes, by pixels along x and y
-float chartWeights[2 * Pixels];
+// Loops over Pixels index arrays of these, one a chart: indices that are computed, as 2 k + 1, would
+// leave the arrays in memory, and drivers for processors ten times as long to compile.
+struct Chart
+{
+  vec2 first;  // the first splat's coordinates
+  vec2 off;    // sum of differences from these
+  vec4 change; // sum of changes, by pixels along x and y
+  float weight;
+};
+Chart charts[Pixels];
+Chart secondCharts[Pixels];
 float bareWeights[Pixels]; // of splats without coordinates
 #endif
 #ifdef TANGENTS
@@ -155,12 +162,22 @@ vec2 differenceOf(SplatLook s, vec2 from)
   return s.repeats ? d - round(d) : d;
 }
 
-void addToChart(int chart, SplatLook s, float weight)
+// weight: 0 where the splat does not join the chart.
+void addToChart(inout Chart chart, SplatLook s, float weight)
 {
-  firsts[chart] = chartWeights[chart] > 0.0 ? firsts[chart] : s.at;
-  offs[chart] += round(weight * CoordinateScale * differenceOf(s, firsts[chart]));
-  changes[chart] += weight * s.pixels;
-  chartWeights[chart] += weight;
+  bool joins = weight > 0.0; // what a splat has that does not may be infinite
+  chart.first = joins && chart.weight == 0.0 ? s.at : chart.first;
+  chart.off +=
+    joins ? round(weight * CoordinateScale * differenceOf(s, chart.first)) : vec2(0.0);
+  chart.change += joins ? weight * s.pixels : vec4(0.0);
+  chart.weight += weight;
+}
+
+// Whether a chart is not there yet, or agrees with the splat.
+bool takes(Chart chart, SplatLook s)
+{
+  return chart.weight == 0.0 ||
+    all(lessThanEqual(abs(differenceOf(s, chart.first)), s.reach + LeastDisagreement));
 }
 #endif
 
@@ -168,23 +185,12 @@ void addToChart(int chart, SplatLook s, float weight)
 void addLook(int k, SplatLook s, float weight)
 {
 #ifdef COORDINATES
-  bareWeights[k] += s.known ? 0.0 : weight;
-  if (s.known && weight > 0.0)
-  {
-    vec2 bound = s.reach + LeastDisagreement;
-    bool first = chartWeights[2 * k] == 0.0 ||
-      all(lessThanEqual(abs(differenceOf(s, firsts[2 * k])), bound));
-    bool second = chartWeights[2 * k + 1] == 0.0 ||
-      all(lessThanEqual(abs(differenceOf(s, firsts[2 * k + 1])), bound));
-    if (first)
-    {
-      addToChart(2 * k, s, weight);
-    }
-    else if (second)
-    {
-      addToChart(2 * k + 1, s, weight);
-    }
-  }
+  float known = s.known ? weight : 0.0;
+  bool first = takes(charts[k], s);
+  bool second = !first && takes(secondCharts[k], s);
+  bareWeights[k] += weight - known;
+  addToChart(charts[k], s, first ? known : 0.0);
+  addToChart(secondCharts[k], s, second ? known : 0.0);
 #endif
 #ifdef TANGENTS
   tangents[k] += round(weight * s.tangent);
@@ -197,13 +203,8 @@ void addLook(int k, SplatLook s, float weight)
 void clearLooks(int k)
 {
 #ifdef COORDINATES
-  for (int chart = 2 * k; chart < 2 * k + 2; ++chart)
-  {
-    firsts[chart] = vec2(0.0);
-    offs[chart] = vec2(0.0);
-    changes[chart] = vec4(0.0);
-    chartWeights[chart] = 0.0;
-  }
+  charts[k] = Chart(vec2(0.0), vec2(0.0), vec4(0.0), 0.0);
+  secondCharts[k] = charts[k];
   bareWeights[k] = 0.0;
 #endif
 #ifdef TANGENTS
@@ -218,12 +219,11 @@ void clearLooks(int k)
 uvec4 coordinateTexel(int k)
 {
 #ifdef COORDINATES
-  // Not by an index that is computed: arrays would be no registers.
-  bool second = chartWeights[2 * k + 1] > chartWeights[2 * k];
-  float weight = second ? chartWeights[2 * k + 1] : chartWeights[2 * k];
-  vec2 first = second ? firsts[2 * k + 1] : firsts[2 * k];
-  vec2 sum = second ? offs[2 * k + 1] : offs[2 * k];
-  vec4 change = (second ? changes[2 * k + 1] : changes[2 * k]) / max(weight, 1.0);
+  bool second = secondCharts[k].weight > charts[k].weight;
+  float weight = second ? secondCharts[k].weight : charts[k].weight;
+  vec2 first = second ? secondCharts[k].first : charts[k].first;
+  vec2 sum = second ? secondCharts[k].off : charts[k].off;
+  vec4 change = (second ? secondCharts[k].change : charts[k].change) / max(weight, 1.0);
   vec2 at = first + sum / (CoordinateScale * max(weight, 1.0));
   return weight > bareWeights[k]
     ? uvec4(floatBitsToUint(at), packHalf2x16(change.xy), packHalf2x16(change.zw))

@@ -92,7 +92,6 @@ void see(inout Span s, Span all)
   seeFlat(s.flats, all.bents);
   seeBent(s.bents, all.curveds);
 #ifdef CURVED
-  seeCurved(s.curveds, curvedEnd(all));
-  seeCurved(s.wides, all.wideEnd);
+  seeCurved(s.curveds, curvedEnd(all), s.wides, all.wideEnd);
 #endif
 }
