@@ -219,13 +219,15 @@ void clearLooks(int k)
 uvec4 coordinateTexel(int k)
 {
 #ifdef COORDINATES
-  bool second = secondCharts[k].weight > charts[k].weight;
-  float weight = second ? secondCharts[k].weight : charts[k].weight;
-  vec2 first = second ? secondCharts[k].first : charts[k].first;
-  vec2 sum = second ? secondCharts[k].off : charts[k].off;
-  vec4 change = (second ? secondCharts[k].change : charts[k].change) / max(weight, 1.0);
-  vec2 at = first + sum / (CoordinateScale * max(weight, 1.0));
-  return weight > bareWeights[k]
+  Chart chart = charts[k];
+  if (secondCharts[k].weight > chart.weight)
+  {
+    chart = secondCharts[k];
+  }
+  float weight = max(chart.weight, 1.0);
+  vec4 change = chart.change / weight;
+  vec2 at = chart.first + chart.off / (CoordinateScale * weight);
+  return chart.weight > bareWeights[k]
     ? uvec4(floatBitsToUint(at), packHalf2x16(change.xy), packHalf2x16(change.zw))
     : uvec4(NoCoordinates);
 #else
