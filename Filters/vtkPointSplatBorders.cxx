@@ -35,15 +35,18 @@ constexpr float AwayCosine = -0.9f;
 constexpr double VoidMargin = 0.17;
 /// Of a random sampling alpha is no more than this, in spacings: NumberAtRandom neighbours are not farther off.
 constexpr float LargestAlpha = 5.0f;
-/// How far, in alphas, a cell reaches that is surely no gap in the sampling, and how many of these a
-/// border has at least.
+/// How far, in alphas, a cell reaches that is surely no gap in the sampling, of a random and of a regular one,
+/// and how many of these a border has at least.
 constexpr float SureReach = 2.0f;
+constexpr float RegularReach = 1.5f;
 constexpr int LeastSure = 8;
 /// Which of the spacings around is taken: a point's own one is larger at a border, where there are
 /// points to one side alone, and the least of all makes holes of uneven samplings.
 constexpr double SpacingQuantile = 0.75;
-/// Where cells are long in one place and not in another, alpha in the reaches of the cells around.
-constexpr float StretchedReach = 1.9f;
+/// Where cells are long in one place and not in another, alpha in the reaches of the cells around: of the median, since
+/// a third of these cells may be beside the same hole.
+constexpr float StretchedReach = 1.9f; // Testing/Cxx/TestSplatBorders.cxx
+constexpr double ReachQuantile = 0.5;
 /// Lines of one direction are one (14 degrees).
 constexpr float SameCosine = 0.97f;
 }
@@ -84,7 +87,7 @@ float vtkPointSplatBorders::GetAlpha(const Neighborhood& around) const
   return openings.empty()
     ? alpha
     : std::min(
-        alpha, StretchedReach * vtkPointSplatDisks::GetQuantile(openings, SpacingQuantile));
+        alpha, StretchedReach * vtkPointSplatDisks::GetQuantile(openings, ReachQuantile));
 }
 
 bool vtkPointSplatBorders::FindEnd(
@@ -130,7 +133,7 @@ bool vtkPointSplatBorders::FindEnd(
   end.Gap = disk.Gap;
   // A line as far off as its unit, whose vector is its normal.
   plane.SetLine(from + 0.5 * sector, 1.0f, end.Out);
-  end.Sure = reach > SureReach * alpha;
+  end.Sure = reach > (this->Disks.Regular ? RegularReach : SureReach) * alpha;
   for (int k = 0; k < 2; ++k)
   {
     end.Next[k] = around.Slots[next[k]];

@@ -8,7 +8,7 @@
  * alpha shape (Edelsbrunner, Kirkpatrick, Seidel 1983, On the Shape of a Set of Points in the
  * Plane), alpha being the distance from which on a vertex of a Voronoi cell lies in a hole
  * (vtkPointSplatDisks::HoleLimit, in the upper quartile of the spacings around). Where a regular sampling's
- * cells are long in one place and square in another, it is no more than twice what the cells around reach.
+ * cells are long in one place and square in another, it is no more than twice the median of what the cells around reach.
  *
  * 1. A candidate is looked at with its 32 nearest neighbours, or 128 where these lie in a row. Where
  *    just one run of its cell's vertices is farther than alpha, the surface ends between the two neighbours whose bisectors
@@ -16,7 +16,8 @@
  * 2. Points of other sheets that lie in that sector, within two spacings, say that the surface goes
  *    on there, at a crease, around a tube or past a seam: then it is no border.
  * 3. Points are linked where one is the next of the other. A chain is a border if a vertex is
- *    farther than twice alpha in at least eight of its points' cells: others are gaps in the sampling.
+ *    farther than twice alpha, or of a regular sampling one and a half times, in at least eight of its points' cells:
+ *    others are gaps in the sampling.
  * 4. The splat is clipped by the lines through the point and each of the next ones where the face
  *    between them has a convex corner. Where the corner is reflex, one line cuts across it, as far
  *    off as half of the way to the nearer of the next points, since a splat keeps what all of its

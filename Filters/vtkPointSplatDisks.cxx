@@ -41,6 +41,9 @@ constexpr float GapFactor = 3.0f;
 constexpr float HoleShare = 0.667f;
 /// And this with the least spacing around, which is that farther inside: where cells are even none reaches so far.
 constexpr float InsideShare = 0.9f;
+/// Where cells are long in one place and not in another: by how much one is longer than others around that may reach
+/// into a hole.
+constexpr float LeastStretch = 1.5f; // Testing/Cxx/TestSplatBorders.cxx
 /// How far the normal may turn from the centre to the rim of a disk: the kernel's rim, a half
 /// farther out, then stays within a tube's silhouette.
 constexpr float LargestBend = 0.6f;
@@ -351,9 +354,17 @@ bool vtkPointSplatDisks::MayEnd(Slot slot) const
   {
     return false;
   }
+  if (this->Stretched)
+  {
+    float least = std::numeric_limits<float>::max();
+    this->VisitWitnesses(slot, [&](Slot witness) {
+      least = this->Opening[witness] > 0 ? std::min(least, this->Opening[witness]) : least;
+    });
+    return opening == 0 || opening > LeastStretch * least;
+  }
   if (this->Regular)
   {
-    float inside = this->Stretched ? 0.0f : this->Spacing[slot];
+    float inside = this->Spacing[slot];
     this->VisitWitnesses(slot, [&](Slot witness) {
       const float spacing = this->Spacing[witness];
       inside = spacing > 0 ? std::min(inside, spacing) : inside;

@@ -56,7 +56,7 @@ public:
   /**
    * Whether the surface may end at a slot. Of a regular sampling: its cell is open, or may reach into a
    * hole by the spacing that there is farther inside, two thirds of that at a border, and by the least of those
-   * around, unless cells are stretched. Of a random one:
+   * around; if cells are stretched, it is open, or half as long again as another one around. Of a random one:
    * its cell is open, and that of some witness is not, as beside a border, along which others are open, and unlike in vegetation.
    */
   bool MayEnd(Slot slot) const;

@@ -7,9 +7,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <iostream>
+#include <random>
+#include <vector>
 
 namespace
 {
@@ -261,6 +264,70 @@ void OfStretchedSheets()
     "thin tube");
 }
 
+/// Of points up to `offset` beside a grid's, whose columns are `dense` times as close in the middle: round holes, with
+/// points all along them, are no gaps of the sampling.
+void OfHoles(double radius, double dense, double offset, const std::string& name)
+{
+  constexpr int size = 60;
+  constexpr double centers[2] = { 0.25 * size, 0.75 * size };
+  ScatteredFaces scene;
+  const double up[3] = { 0, 0, 1 };
+  // The integral of the distance of columns, which is 1 but for a bell curve about the middle.
+  const auto place = [&](double t) {
+    constexpr double width = 0.25 * size;
+    return t - (1 - 1 / dense) * width * std::sqrt(0.5 * vtkMath::Pi()) *
+      std::erf((t - 0.5 * size) / (width * std::sqrt(2.0)));
+  };
+  std::vector<bool> ofRing;
+  std::vector<std::array<double, 2>> holes;
+  for (const double x : centers)
+  {
+    for (const double y : centers)
+    {
+      holes.push_back({ place(x), y });
+      const int count = static_cast<int>(2 * vtkMath::Pi() * radius);
+      for (int k = 0; k < count; ++k)
+      {
+        const double turn = 2 * vtkMath::Pi() * k / count;
+        const double p[3] = { place(x) + radius * std::cos(turn), y + radius * std::sin(turn), 0 };
+        scene.Add(p, up, {});
+        ofRing.push_back(true);
+      }
+    }
+  }
+  std::mt19937 generator(1);
+  std::uniform_real_distribution<double> off(-offset, offset);
+  for (int j = 0; j < size; ++j)
+  {
+    for (int i = 0; i < size; ++i)
+    {
+      const double p[3] = { place(i + off(generator)), j + off(generator), 0 };
+      const bool free = std::all_of(holes.begin(), holes.end(), [&](const auto& hole) {
+        return std::hypot(p[0] - hole[0], p[1] - hole[1]) > radius + 0.6;
+      });
+      if (free)
+      {
+        scene.Add(p, up, {});
+        ofRing.push_back(false);
+      }
+    }
+  }
+  const Estimated splats(scene);
+  int missed = 0, wrong = 0;
+  for (vtkIdType id = 0; id < scene.GetNumberOfPoints(); ++id)
+  {
+    const double* p = scene.Points->GetPoint(id);
+    const double inside = std::min({ p[0] - place(0), place(size - 1) - p[0], p[1], size - 1 - p[1] });
+    const bool apart = inside > 3 && std::all_of(holes.begin(), holes.end(), [&](const auto& hole) {
+      return std::hypot(p[0] - hole[0], p[1] - hole[1]) > radius + 3;
+    });
+    missed += ofRing[id] && CountLines(splats, id) == 0;
+    wrong += apart && CountLines(splats, id) > 0;
+  }
+  Expect(missed == 0, name + ": " + std::to_string(missed) + " points at holes without a line");
+  Expect(wrong == 0, name + ": " + std::to_string(wrong) + " points without a hole with a line");
+}
+
 /// Even points all around.
 void OfClosedSurfaces()
 {
@@ -333,6 +400,8 @@ int TestSplatBorders(int, char*[])
   OfFlatSheet();
   OfBentSheet();
   OfStretchedSheets();
+  OfHoles(2.0, 1, 0.2, "small holes");
+  OfHoles(2.5, 6, 0.005, "holes among uneven columns");
   OfClosedSurfaces();
   OfRandomSheets(20);
   OfRandomSheets(1);
