@@ -24,6 +24,53 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
+/// What is kept of a volume's slices, whatever the scalars' type.
+struct vtkIsosurfaceEdgeLists
+{
+  /// From sample (I, J, slice) one step along an axis.
+  struct Edge
+  {
+    std::uint32_t I, J;
+    std::uint8_t Axis;
+    vtkIsosurfaceClass Isovalue;
+
+    bool operator<(const Edge& other) const
+    {
+      return std::tie(this->J, this->I, this->Axis, this->Isovalue) <
+        std::tie(other.J, other.I, other.Axis, other.Isovalue);
+    }
+  };
+  /// An outline that is bent, in the cell whose first sample is (I, J, slice), by its first edge.
+  struct Bent
+  {
+    std::uint32_t I, J;
+    vtkIsosurfaceClass Isovalue;
+    std::uint8_t Corner, Axis;
+    vtkIsosurfaceFill Fill;
+  };
+  struct Slice
+  {
+    std::vector<Edge> Edges;                 // sorted
+    std::vector<std::size_t> Rows;           // the first of each row
+    std::vector<float> Normals;              // of edges, for FillGaps
+    std::vector<float> Reaches[2];           // of edges, into the cells before this slice, and behind; 0: none
+    std::vector<Bent> Bents;                 // in the cells behind
+    std::vector<vtkIdType> First, FirstFill; // for each isovalue
+  };
+  /// Where the isosurface crosses an edge.
+  struct Crossing
+  {
+    double Along; // the edge, 0 to 1
+    double Gradient[3];
+    double Normal[3];
+  };
+  struct Scratch
+  {
+    std::vector<vtkIsosurfaceClass> Classes[2];
+    std::vector<bool> Visited; // of each isovalue, the cells of a slice
+  };
+};
+
 template <typename T>
 class vtkIsosurfaceEdges : public vtkIsosurfaceExtraction
 {
@@ -114,63 +161,24 @@ public:
   }
 
 private:
-  using Class = typename vtkIsosurfaceField<T>::Class;
-
-  /// From sample (I, J, slice) one step along an axis.
-  struct Edge
-  {
-    std::uint32_t I, J;
-    std::uint8_t Axis;
-    Class Isovalue;
-
-    bool operator<(const Edge& other) const
-    {
-      return std::tie(this->J, this->I, this->Axis, this->Isovalue) <
-        std::tie(other.J, other.I, other.Axis, other.Isovalue);
-    }
-  };
-  /// An outline that is bent, in the cell whose first sample is (I, J, slice), by its first edge.
-  struct Bent
-  {
-    std::uint32_t I, J;
-    Class Isovalue;
-    std::uint8_t Corner, Axis;
-    vtkIsosurfaceFill Fill;
-  };
-  struct Slice
-  {
-    std::vector<Edge> Edges;                 // sorted
-    std::vector<std::size_t> Rows;           // the first of each row
-    std::vector<float> Normals;              // of edges, for FillGaps
-    std::vector<float> Reaches[2];           // of edges, into the cells before this slice, and behind; 0: none
-    std::vector<Bent> Bents;                 // in the cells behind
-    std::vector<vtkIdType> First, FirstFill; // for each isovalue
-  };
-  /// Where the isosurface crosses an edge.
-  struct Crossing
-  {
-    double Along; // the edge, 0 to 1
-    double Gradient[3];
-    double Normal[3];
-  };
-  struct Scratch
-  {
-    std::vector<Class> Classes[2];
-    std::vector<T> Row;
-    std::vector<bool> Visited; // of each isovalue, the cells of a slice
-  };
+  using Class = vtkIsosurfaceClass;
+  using Edge = vtkIsosurfaceEdgeLists::Edge;
+  using Bent = vtkIsosurfaceEdgeLists::Bent;
+  using Slice = vtkIsosurfaceEdgeLists::Slice;
+  using Crossing = vtkIsosurfaceEdgeLists::Crossing;
+  using Scratch = vtkIsosurfaceEdgeLists::Scratch;
 
   void Sweep(vtkIdType begin, vtkIdType end, Scratch& scratch)
   {
     const vtkIdType* n = this->Field.Grid.Dimensions;
     const vtkIdType stride = this->Field.GetClassStride();
     std::vector<Class>*here = &scratch.Classes[0], *above = &scratch.Classes[1];
-    this->Field.Classify(begin, *here, scratch.Row);
+    this->Field.Classify(begin, *here);
     for (vtkIdType k = begin; k < end; ++k)
     {
       if (k + 1 < n[2])
       {
-        this->Field.Classify(k + 1, *above, scratch.Row);
+        this->Field.Classify(k + 1, *above);
       }
       Slice& slice = this->Slices[k];
       for (vtkIdType j = 0; j < n[1]; ++j)

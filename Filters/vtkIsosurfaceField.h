@@ -26,6 +26,9 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
+/// Of a sample: the number of isovalues that it reaches.
+using vtkIsosurfaceClass = std::uint8_t;
+
 /// What does not depend on the scalars' type.
 struct vtkIsosurfaceGrid
 {
@@ -122,7 +125,7 @@ template <typename T>
 class vtkIsosurfaceField
 {
 public:
-  using Class = std::uint8_t;
+  using Class = vtkIsosurfaceClass;
   /// What fits into Class.
   static constexpr int MaximumNumberOfIsovalues = 254;
 
@@ -168,11 +171,12 @@ public:
   vtkIdType GetClassStride() const { return (this->Grid.Dimensions[0] + 16) / 8 * 8; }
 
   /// The classes of slice k.
-  void Classify(vtkIdType k, std::vector<Class>& classes, std::vector<T>& row) const
+  void Classify(vtkIdType k, std::vector<Class>& classes) const
   {
     const vtkIdType* n = this->Grid.Dimensions;
     const vtkIdType stride = this->GetClassStride();
     classes.resize(stride * n[1]);
+    std::vector<T> row;
     for (vtkIdType j = 0; j < n[1]; ++j)
     {
       const T* values = this->GetPointer(0, j, k);

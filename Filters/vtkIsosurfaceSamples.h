@@ -19,6 +19,22 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
+/// What is kept of a volume's slabs, whatever the scalars' type.
+struct vtkIsosurfaceSlabs
+{
+  struct Slab
+  {
+    std::vector<vtkIsosurfaceThinning> Surfaces; // one for each isovalue
+    std::vector<vtkIdType> First;
+  };
+  struct Scratch
+  {
+    std::vector<vtkIsosurfaceClass> Classes[2];
+    std::vector<std::vector<vtkIsosurfaceThinning::Sample>> Candidates; // for each isovalue
+    vtkIsosurfaceDivision::Scratch Division;
+  };
+};
+
 template <typename T>
 class vtkIsosurfaceSamples : public vtkIsosurfaceExtraction
 {
@@ -89,21 +105,10 @@ public:
   }
 
 private:
-  using Class = typename vtkIsosurfaceField<T>::Class;
+  using Class = vtkIsosurfaceClass;
   using Sample = vtkIsosurfaceThinning::Sample;
-
-  struct Slab
-  {
-    std::vector<vtkIsosurfaceThinning> Surfaces; // one for each isovalue
-    std::vector<vtkIdType> First;
-  };
-  struct Scratch
-  {
-    std::vector<Class> Classes[2];
-    std::vector<T> Row;
-    std::vector<std::vector<Sample>> Candidates; // for each isovalue
-    vtkIsosurfaceDivision::Scratch Division;
-  };
+  using Slab = vtkIsosurfaceSlabs::Slab;
+  using Scratch = vtkIsosurfaceSlabs::Scratch;
 
   void FillSlab(vtkIdType s, Scratch& scratch)
   {
@@ -116,10 +121,10 @@ private:
     const vtkIdType begin = s * this->Thickness;
     const vtkIdType end = std::min(begin + this->Thickness, n[2] - 1);
     std::vector<Class>*here = &scratch.Classes[0], *above = &scratch.Classes[1];
-    this->Field.Classify(begin, *here, scratch.Row);
+    this->Field.Classify(begin, *here);
     for (vtkIdType k = begin; k < end; ++k)
     {
-      this->Field.Classify(k + 1, *above, scratch.Row);
+      this->Field.Classify(k + 1, *above);
       for (vtkIdType j = 0; j + 1 < n[1]; ++j)
       {
         this->SweepRow(j, k, here->data(), above->data(), scratch);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIsosurfaceScatter.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkIsosurfaceThinning.h"
 #include "vtkMath.h"
 

@@ -7,52 +7,30 @@
 #ifndef vtkPointSplatBatches_h
 #define vtkPointSplatBatches_h
 
-#include "vtkAlgorithm.h"
-#include "vtkFiltersPointSplattingConfigure.h"
+#include "vtkFiltersPointSplattingModule.h" // For export macro
 #include "vtkPointSplattingABI.h"
-#include "vtkSMPTools.h"
+#include "vtkType.h"
 
-#include <algorithm>
+#include <functional>
+
+class vtkAlgorithm;
 
 VTK_ABI_NAMESPACE_BEGIN
 
 namespace vtkPointSplatBatches
 {
 /// Whether somebody asked the algorithm to stop.
-inline bool IsAborted(vtkAlgorithm* self)
-{
-#if PointSplatting_HAVE_CHECK_ABORT
-  return self->CheckAbort();
-#else
-  return self->GetAbortExecute() != 0;
-#endif
-}
+VTKFILTERSPOINTSPLATTING_EXPORT bool IsAborted(vtkAlgorithm* self);
 
 /**
- * Runs functor(begin, end) over [0, count) like vtkSMPTools::For, in batches between
+ * Runs work(begin, end) over [0, count) like vtkSMPTools::For, in batches between
  * which the calling thread moves self's progress from `from` to `to` and looks whether
  * it is to stop. A batch is large enough to give each thread several times `grain`. Returns
- * false when it was stopped.
+ * false when it was stopped. No template, since VTK compiles a loop once for each way to run
+ * threads, and extractions have many.
  */
-template <typename Functor>
-bool For(
-  vtkAlgorithm* self, vtkIdType count, vtkIdType grain, double from, double to, Functor& functor)
-{
-  const vtkIdType numberOfBatches = 16;
-  const vtkIdType batch = std::max<vtkIdType>((count + numberOfBatches - 1) / numberOfBatches,
-    4 * grain * vtkSMPTools::GetEstimatedNumberOfThreads());
-  for (vtkIdType begin = 0; begin < count; begin += batch)
-  {
-    self->UpdateProgress(from + (to - from) * begin / count);
-    if (IsAborted(self))
-    {
-      return false;
-    }
-    vtkSMPTools::For(begin, std::min(begin + batch, count), grain, functor);
-  }
-  self->UpdateProgress(to);
-  return !IsAborted(self);
-}
+VTKFILTERSPOINTSPLATTING_EXPORT bool For(vtkAlgorithm* self, vtkIdType count, vtkIdType grain,
+  double from, double to, const std::function<void(vtkIdType, vtkIdType)>& work);
 }
 
 VTK_ABI_NAMESPACE_END

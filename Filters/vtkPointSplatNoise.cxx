@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatNoise.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkMath.h"
 #include "vtkPointSplatRobustSurface.h"
 

@@ -156,8 +156,8 @@ class TestStandIns(unittest.TestCase):
         self.check("shell_03", 3.5, 0.005, 45)
 
     def test_borders(self):
-        # 32.6 dB where disks reach past the holes' borders.
-        self.check("holed_ball", 4, 0.01, 34, views=1)
+        # 32.6 dB where disks reach past the holes' borders, 36.3 where small holes are closed.
+        self.check("holed_ball", 4, 0.01, 37, views=1)
 
     def test_borders_of_random_samplings(self):
         # 37 dB and a spill of 0.0076 where disks reach past the last points, 43.7 where they did by 0.3 spacings.
