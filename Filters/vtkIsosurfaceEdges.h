@@ -19,6 +19,7 @@
 #include "vtkPointSplatBatches.h"
 #include "vtkSMPThreadLocal.h"
 
+#include <algorithm>
 #include <array>
 #include <tuple>
 

@@ -17,6 +17,8 @@
 #include "vtkPointSplatBatches.h"
 #include "vtkSMPThreadLocal.h"
 
+#include <algorithm>
+
 VTK_ABI_NAMESPACE_BEGIN
 
 /// What is kept of a volume's slabs, whatever the scalars' type.

@@ -5,7 +5,9 @@
 #include "vtkAlgorithm.h"
 #include "vtkIsosurfaceThinning.h"
 #include "vtkMath.h"
+#include "vtkSMPTools.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 

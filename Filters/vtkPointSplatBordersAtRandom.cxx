@@ -4,6 +4,7 @@
 // The lines at which a random sampling's splats end.
 #include "vtkPointSplatBorders.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkMath.h"
 #include "vtkPointSplatBorderPlane.h"
 

@@ -6,6 +6,7 @@
 #include "vtkMath.h"
 #include "vtkPointSplatMirrored.h"
 #include "vtkSMPThreadLocal.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <atomic>

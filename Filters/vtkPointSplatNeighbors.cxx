@@ -4,6 +4,7 @@
 
 #include "vtkArrayDispatch.h"
 #include "vtkDataArrayRange.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>

@@ -32,6 +32,7 @@
 #include "vtkSMPThreadLocal.h"
 #include "vtkType.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <vector>

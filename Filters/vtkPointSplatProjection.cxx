@@ -19,7 +19,9 @@
 #include "vtkPointSplatSensors.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
