@@ -68,6 +68,7 @@ class TestApp(unittest.TestCase):
         self.page.evaluate("trame.state.update({file: '1: ball.vtp', array: 'one colour', "
                            "shadows: false, target_error: 256, local: false})")
         self.page.wait_for_timeout(1000)
+        self.wait_for_picture()
 
     def tearDown(self):
         self.assertEqual(self.troubles, [])
@@ -88,6 +89,10 @@ class TestApp(unittest.TestCase):
         self.page.wait_for_timeout(800)
         file = pathlib.Path(self.folder.name, "screen.png")
         return browser.screenshot(self.page, file, clip=VIEW).reshape(-1, 3)
+
+    def wait_for_picture(self):
+        """Where others use the machine, too, the page is there before anything is drawn."""
+        self.wait_for(lambda: (self.picture() < 240).any())
 
     def assert_changes(self, before, least):
         """At least this part of the picture becomes another one."""
@@ -170,6 +175,7 @@ class TestApp(unittest.TestCase):
         before = self.picture()
         self.page.locator("#local").click(force=True)
         self.page.wait_for_timeout(1500)
+        self.wait_for_picture()
         after = self.picture()
         self.page.locator("#local").click(force=True)
         drawn = (after < 240).any(axis=1).mean()
