@@ -6,13 +6,10 @@
 // clipping planes and up to their clip lines.
 
 #include "vtkPointSplatCap"
+#include "vtkPointSplatTileRays"
 
 uniform float ZNear;      // distance of the near plane; of parallel projection any
 uniform bool Parallel;
-uniform vec2 DepthRange;  // distances of the near plane, and of the far from it
-uniform vec4 PixelX;      // view coordinates to x w, in pixels
-uniform vec4 PixelY;
-uniform vec4 PixelW;
 
 // What both kinds have.
 struct Cap
@@ -184,26 +181,6 @@ void seeBent(inout int begin, int end)
   } while (i < end);
 }
 
-// Whether a point at a pixel is within the depth range, and not cut away.
-bool isWithin(int k, uint tag, float depth)
-{
-  bool within = depth > 0.0 && depth < DepthRange.y;
-#ifdef CLIPPING
-  // From the pixel, not from the splat: of one that is huge, rounding would leave nothing.
-  float z = -(depth + DepthRange.x);
-  vec2 across = (corner + offsetOf(k)) * (PixelW.z * z + PixelW.w) -
-    vec2(PixelX.z * z + PixelX.w, PixelY.z * z + PixelY.w);
-  vec4 position =
-    vec4(inverse(mat2(PixelX.x, PixelY.x, PixelX.y, PixelY.y)) * across, z, 1.0);
-  int count = itemClipPlaneCount(tag);
-  for (int i = 0; i < count; ++i)
-  {
-    within = within && dot(itemClipPlane(tag, i), position) >= 0.0;
-  }
-#endif
-  return within;
-}
-
 // The normal of a cap, and its changes along s and t.
 struct Normal
 {
@@ -245,7 +222,7 @@ void addCap(int k, Head h, Paint p, bool met, vec2 uv, float behind, Widened w, 
 #ifdef LOOKS
   placeCapLook(p.look, w.places, uv);
 #endif
-  share = !cut || isWithin(k, h.tag, h.depth + behind) ? share : 0.0;
+  share = !cut || isWithin(k, h.depth + behind) ? share : 0.0;
 #ifdef FACETS
   p.facet = n.centre;
 #endif
@@ -331,12 +308,13 @@ void seeCurved(inout int begin, int end, inout int wideBegin, int wideEnd)
     ClipLines lines = clipLinesOf(cap, record);
 #endif
     vec3 w = imageW(cap, h.depth);
+    cutRays(h.tag);
     for (int k = 0; k < Pixels; ++k)
     {
       vec3 x;
       bool met = meetCap(cap.a, cap.b, w, cap.bend, h.from + offsetOf(k), x);
       float depth = h.depth - dot(x, cap.z);
-      met = met && dot(x.xy, x.xy) <= reach && dot(x, w) > -1.0 && isWithin(k, h.tag, depth);
+      met = met && dot(x.xy, x.xy) <= reach && dot(x, w) > -1.0 && isWithin(k, depth);
 #ifdef CLIP_LINES
       vec2 products = clipProducts(lines, x.xy);
       met = met && isKept(lines, products);
@@ -373,6 +351,7 @@ void addCurved(int i, int end, ivec2 wide, float layerEnd)
 #ifdef CLIP_LINES
     p.lines = clipLinesOf(cap, record);
 #endif
+    cutRays(h.tag);
     for (int k = 0; k < Pixels; ++k)
     {
       vec3 x;

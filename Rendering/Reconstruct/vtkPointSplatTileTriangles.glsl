@@ -55,12 +55,13 @@ void seeTriangles(inout int begin, int end)
     int at = recordOf(entry) * RecordTexels;
     Head h = headOf(texelFetch(Records, at));
     Face face = faceOf(texelFetch(Records, at + 1), texelFetch(Records, at + 2));
+    cutRays(h.tag);
     for (int k = 0; k < Pixels; ++k)
     {
       vec3 shares;
       bool met = meetFace(face, h.from + offsetOf(k), shares);
       float depth = h.depth + dot(shares, face.depths);
-      keepNearest(k, h, met && isWithin(k, h.tag, depth), depth);
+      keepNearest(k, h, met && isWithin(k, depth), depth);
     }
     ++i;
   } while (i < end);
@@ -122,6 +123,7 @@ void addTriangles(int i, int end, float layerEnd)
 #ifdef FACETS
     p.facet = decodeNormal(codes.w);
 #endif
+    cutRays(h.tag);
     for (int k = 0; k < Pixels; ++k)
     {
       vec3 shares;
@@ -139,7 +141,7 @@ void addTriangles(int i, int end, float layerEnd)
         : shares.z > shares.x                            ? beside.w
                                                          : id0;
 #endif
-      float share = met && isWithin(k, h.tag, depth) ? room[k] : 0.0;
+      float share = met && isWithin(k, depth) ? room[k] : 0.0;
       addToLayer(k, h, p, share, 0.0, depth, normal);
     }
     ++i;
