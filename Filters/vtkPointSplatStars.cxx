@@ -148,15 +148,35 @@ bool vtkPointSplatStars::IsOutside(
   return borders.IsOutside(triangle[corner], middle);
 }
 
-/// Whether a triangle lies past a border or in a hole: all of its corners are on that, since another one would be
-/// a point of the surface there.
-bool vtkPointSplatStars::IsOutside(
-  const vtkPointSplatBorders& borders, const Triangle& triangle) const
+/// Whether a corner's cell is closed, and meets those of a triangle's other corners nowhere, by which the triangle is none,
+/// though points are about as dense there: just where they are sparser the surface may go on to that corner.
+bool vtkPointSplatStars::IsAway(const Cloud& cloud, const Triangle& triangle, int corner) const
 {
-  return std::all_of(triangle.begin(), triangle.end(),
-           [&borders](Site corner) { return borders.IsEnd(corner); }) &&
-    (this->IsOutside(borders, triangle, 0) || this->IsOutside(borders, triangle, 1) ||
-      this->IsOutside(borders, triangle, 2));
+  const Site site = triangle[corner];
+  const double most = 2.0 * cloud.Disks->Opening[site];
+  double x[3], y[3];
+  this->GetPosition(site, x);
+  bool away = most > 0;
+  for (const Site other : { triangle[(corner + 1) % 3], triangle[(corner + 2) % 3] })
+  {
+    this->GetPosition(other, y);
+    away = away && vtkMath::Distance2BetweenPoints(x, y) > most * most &&
+      cloud.Disks->Spacing[site] < Sparser * cloud.Disks->Spacing[other];
+  }
+  return away;
+}
+
+/// Whether a triangle lies past a border or in a hole: all of its corners are on that, since another one would be
+/// a point of the surface there, unless it is away.
+bool vtkPointSplatStars::IsOutside(const Cloud& cloud, const Triangle& triangle) const
+{
+  bool ends = true, outside = false;
+  for (int k = 0; k < 3; ++k)
+  {
+    ends = ends && (cloud.Borders->IsEnd(triangle[k]) || this->IsAway(cloud, triangle, k));
+    outside = outside || this->IsOutside(*cloud.Borders, triangle, k);
+  }
+  return ends && outside;
 }
 
 std::vector<vtkPointSplatStars::Site> vtkPointSplatStars::FindContinued(const Cloud& cloud) const
@@ -302,7 +322,7 @@ bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
   {
     std::copy_if(local.begin(), local.end(), std::back_inserter(this->Triangles),
       [&](const Triangle& triangle) {
-        return !IsOverCrease(cloud, triangle) && !this->IsOutside(*cloud.Borders, triangle) &&
+        return !IsOverCrease(cloud, triangle) && !this->IsOutside(cloud, triangle) &&
           !(cloud.MayBend && this->HasTwoSides(cloud, triangle));
       });
   }

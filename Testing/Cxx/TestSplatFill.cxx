@@ -349,6 +349,54 @@ void TestRing()
   Expect(inside == 0, std::to_string(inside) + " fill points are in a ring's opening");
 }
 
+/// Three rings of points about holes in a sheet whose columns are up to twelve times as dense in its middle. Of a hole's border some
+/// neighbours are points of the second ring across it, whose own cells are closed and small.
+void TestHoles()
+{
+  constexpr int size = 60;
+  constexpr double radius = 3, step = 0.4, width = 0.25 * size;
+  const auto place = [](double t) {
+    return t - (1 - 1.0 / 12) * width * std::sqrt(0.5 * vtkMath::Pi()) *
+      std::erf((t - 0.5 * size) / (width * std::sqrt(2.0)));
+  };
+  const double centers[4][2] = { { place(15), 15 }, { place(15), 45 }, { place(45), 15 }, { place(45), 45 } };
+  const auto isWithin = [&centers](const double x[3], double reach) {
+    return std::any_of(centers, centers + 4,
+      [&](const double c[2]) { return std::hypot(x[0] - c[0], x[1] - c[1]) < reach; });
+  };
+  Gathered sheet;
+  const auto add = [&sheet](double u, double v) {
+    const double x[3] = { u, v, 0 }, n[3] = { 0, 0, 1 };
+    sheet.Add(x, n);
+  };
+  for (const auto& center : centers)
+  {
+    for (int ring = 0; ring < 3; ++ring)
+    {
+      const int points = ring == 0 ? 18 : 37;
+      for (int k = 0; k < points; ++k)
+      {
+        const double turn = 2 * vtkMath::Pi() * k / points, r = radius + step * ring;
+        add(center[0] + r * std::cos(turn), center[1] + r * std::sin(turn));
+      }
+    }
+  }
+  for (int k = 0; k < size * size; ++k)
+  {
+    const double x[3] = { place(k % size), static_cast<double>(k / size), 0 };
+    if (!isWithin(x, radius + 2 * step + 0.6))
+    {
+      add(x[0], x[1]);
+    }
+  }
+  int inside = 0;
+  for (const std::array<double, 3>& x : Filled(sheet.Cloud).GetPlaces())
+  {
+    inside += isWithin(x.data(), 0.9 * radius);
+  }
+  Expect(inside == 0, std::to_string(inside) + " fill points are in holes among uneven columns");
+}
+
 /**
  * A cube of which one face is five times as dense as others: fill points bevel its edges by no more than a mesh of the
  * points would, whose edges are about 0.05 long.
@@ -493,6 +541,7 @@ int TestSplatFill(int, char*[])
   TestArrays();
   TestNotch();
   TestRing();
+  TestHoles();
   TestCreases();
   TestGhosts();
   TestBadInput();
