@@ -20,7 +20,7 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 // Those that are fitted by hand are from Testing/Accuracy/fit_constants.py.
-/// Of a random sampling: what is no gap of it is seen from farther.
+/// Of a random sampling, or where gaps are as wide: what is no gap is seen from farther.
 constexpr int NumberAtRandom = 64;
 /// Where so many nearest ones lie in a row, four times as many are looked at, which reach the next row
 /// of points that are thirty times as dense along rows.
@@ -33,7 +33,8 @@ constexpr float VoidReach = 2.0f;
 constexpr float AwayCosine = -0.9f;
 /// How far into the sector they are (10 degrees).
 constexpr double VoidMargin = 0.17;
-/// Of a random sampling alpha is no more than this, in spacings: NumberAtRandom neighbours are not farther off.
+/// But where cells are long in one place and not in another alpha is no more than this, in spacings: NumberAtRandom
+/// neighbours are not farther off.
 constexpr float LargestAlpha = 5.0f;
 /// How far, in alphas, a cell reaches that is surely no gap in the sampling, of a random and of a regular one,
 /// and how many of these a border has at least.
@@ -57,7 +58,12 @@ vtkPointSplatBorders::vtkPointSplatBorders(const vtkPointSplatNeighbors& neighbo
   , Normals(normals)
   , Usual(usual)
   , Disks(disks)
-  , Number(disks.Regular ? NumberOfNeighbors : NumberAtRandom)
+  , Limit(disks.Stretched ? disks.BorderLimit : std::min(disks.BorderLimit, LargestAlpha))
+  // What is no wider than gaps that are closed is one of these.
+  , LeastReach(disks.Regular
+        ? std::max(RegularReach, std::min(disks.HoleLimit, LargestAlpha) / this->Limit)
+        : SureReach)
+  , Wide(!disks.Stretched && this->LeastReach * this->Limit > LargestAlpha)
 {
 }
 
@@ -81,9 +87,7 @@ float vtkPointSplatBorders::GetAlpha(const Neighborhood& around) const
   {
     return 0;
   }
-  const float limit =
-    this->Disks.Regular ? this->Disks.HoleLimit : std::min(this->Disks.HoleLimit, LargestAlpha);
-  const float alpha = limit * vtkPointSplatDisks::GetQuantile(spacings, SpacingQuantile);
+  const float alpha = this->Limit * vtkPointSplatDisks::GetQuantile(spacings, SpacingQuantile);
   return openings.empty()
     ? alpha
     : std::min(
@@ -133,7 +137,7 @@ bool vtkPointSplatBorders::FindEnd(
   end.Gap = disk.Gap;
   // A line as far off as its unit, whose vector is its normal.
   plane.SetLine(from + 0.5 * sector, 1.0f, end.Out);
-  end.Sure = reach > (this->Disks.Regular ? RegularReach : SureReach) * alpha;
+  end.Sure = reach > this->LeastReach * alpha;
   for (int k = 0; k < 2; ++k)
   {
     end.Next[k] = around.Slots[next[k]];
@@ -231,18 +235,18 @@ bool vtkPointSplatBorders::Find(
       return round > 1;
     }
     vtkPointSplatDisk disk;
-    disk.Estimate(around, this->Normals, elliptical, this->Usual, this->Disks.HoleLimit);
+    disk.Estimate(around, this->Normals, elliptical, this->Usual, this->Disks.BorderLimit);
     End end;
     if (this->FindEnd(around, disk, end))
     {
       ends.push_back(end);
-      // What is a gap of a random sampling may be wider than these neighbours are far.
-      return end.Sure || this->Disks.Regular;
+      // What is a gap may be wider than these neighbours are far.
+      return end.Sure || !this->Wide;
     }
     return round > 0 || !disk.InRow(NumberInRow);
   };
   const double progress = self->GetProgress();
-  if (!this->Neighbors.Visit(self, progress, progress, this->Number, find,
+  if (!this->Neighbors.Visit(self, progress, progress, this->Wide ? NumberAtRandom : NumberOfNeighbors, find,
         [&](Slot s) { return candidates[s] != 0; }))
   {
     return false;
@@ -285,7 +289,7 @@ bool vtkPointSplatBorders::IsOutside(Slot slot, const float direction[3]) const
 
 bool vtkPointSplatBorders::IsVoid(const Neighborhood& around, const End& end) const
 {
-  const float far = SureReach * this->GetAlpha(around);
+  const float far = this->LeastReach * this->GetAlpha(around);
   if (around.Count == 0 || !(around.SquaredDistance[around.Count - 1] >= far * far))
   {
     return false;

@@ -7,7 +7,7 @@
  * An internal helper of vtkPointSplatEstimation; see the stages there. The border is that of the
  * alpha shape (Edelsbrunner, Kirkpatrick, Seidel 1983, On the Shape of a Set of Points in the
  * Plane), alpha being the distance from which on a vertex of a Voronoi cell lies in a hole
- * (vtkPointSplatDisks::HoleLimit, in the upper quartile of the spacings around). Where a regular sampling's
+ * (vtkPointSplatDisks::BorderLimit, in the upper quartile of the spacings around). Where a regular sampling's
  * cells are long in one place and square in another, it is no more than twice the median of what the cells around reach.
  *
  * 1. A candidate is looked at with its 32 nearest neighbours, or 128 where these lie in a row. Where
@@ -16,8 +16,8 @@
  * 2. Points of other sheets that lie in that sector, within two spacings, say that the surface goes
  *    on there, at a crease, around a tube or past a seam: then it is no border.
  * 3. Points are linked where one is the next of the other. A chain is a border if a vertex is
- *    farther than twice alpha, or of a regular sampling one and a half times, in at least eight of its points' cells:
- *    others are gaps in the sampling.
+ *    farther than twice alpha, or of a regular sampling than one and a half times alpha and than gaps that are closed, in at least
+ *    eight of its points' cells: others are gaps in the sampling.
  * 4. The splat is clipped by the lines through the point and each of the next ones where the face
  *    between them has a convex corner. Where the corner is reflex, one line cuts across it, as far
  *    off as half of the way to the nearer of the next points, since a splat keeps what all of its
@@ -27,8 +27,8 @@
  *    Splats farther inside that reach over the border, as where points are denser across it than along,
  *    are clipped by the lines of the nearest points on it, as are its points beside its corners.
  * 6. Random samplings may end somewhere between their last points and the surface's border. There alpha
- *    is as wide as the gaps that are closed, and candidates are looked at with 64 neighbours, or where the
- *    gap is wider than these reach with the nearest points of the leaves around. Each splat that reaches
+ *    is as wide as the gaps that are closed, and candidates, as where alpha is that wide in a regular one, are looked at with 64
+ *    neighbours, or where the gap is wider than these reach with the nearest points of the leaves around. Each splat that reaches
  *    over the border ends at one line across the mean of the ways out of the surface there, past the
  *    outermost point beside it by as much as the last points scatter about a parabola: not at all where
  *    these are the vertices of a mesh's border.
@@ -150,7 +150,9 @@ private:
   const float* Normals;
   float Usual;
   const vtkPointSplatDisks& Disks;
-  int Number; // of neighbours that are looked at
+  float Limit;      // alpha in spacings
+  float LeastReach; // in alphas, of a cell that is no gap of the sampling
+  bool Wide;        // whether that is farther than NumberOfNeighbors reach
   std::vector<End> Ends; // in order of slots
   std::vector<End> Rim;  // the same, as they were found
 };

@@ -185,7 +185,7 @@ void vtkPointSplatDisks::TrustNormals()
   });
 }
 
-void vtkPointSplatDisks::FindHoleLimit()
+void vtkPointSplatDisks::FindLimits()
 {
   std::vector<float> sizes = GetSamples(this->Opening.size(), [this](std::size_t s) {
     return this->Opening[s] > 0 ? this->Opening[s] / this->Spacing[s] : 0.0f;
@@ -195,13 +195,18 @@ void vtkPointSplatDisks::FindHoleLimit()
     return;
   }
   const float usual = GetQuantile(sizes, 0.5), large = GetQuantile(sizes, 0.95);
-  const float t = std::clamp(
-    (large / usual - RegularSpread) / (IrregularSpread - RegularSpread), 0.0f, 1.0f);
-  this->HoleLimit = large * (HoleFactor + t * (GapFactor - HoleFactor));
-  const float local = this->GetLocalSpread();
+  const auto factor = [](float spread) {
+    const float t = (spread - RegularSpread) / (IrregularSpread - RegularSpread);
+    return HoleFactor + std::clamp(t, 0.0f, 1.0f) * (GapFactor - HoleFactor);
+  };
+  const float spread = large / usual, local = this->GetLocalSpread();
+  this->HoleLimit = large * factor(spread);
   this->Even = local < EvenSpread;
-  this->Stretched = t > 0 && local < StretchedSpread;
-  this->Regular = t < 1 || this->Stretched;
+  this->Stretched = spread > RegularSpread && local < StretchedSpread;
+  // Of meshes whose sizes differ from place to place points next to one another are as regular as of others.
+  const float beside = this->Stretched ? spread : std::min(spread, local);
+  this->BorderLimit = large * factor(beside);
+  this->Regular = beside < IrregularSpread || this->Stretched;
 }
 
 /// Calls visit(witness) for each that a slot has.
@@ -370,7 +375,7 @@ bool vtkPointSplatDisks::MayEnd(Slot slot) const
       inside = spacing > 0 ? std::min(inside, spacing) : inside;
     });
     return opening == 0 ||
-      opening > this->HoleLimit * std::max(HoleShare * this->Spacing[slot], InsideShare * inside);
+      opening > this->BorderLimit * std::max(HoleShare * this->Spacing[slot], InsideShare * inside);
   }
   return opening == 0 && this->HasClosedWitness(slot);
 }

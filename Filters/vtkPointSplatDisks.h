@@ -71,9 +71,10 @@ public:
   bool AgreeWitnesses(Slot slot, const std::vector<unsigned char>& marks) const;
 
   /**
-   * Finds HoleLimit, Stretched, and whether the sampling is as regular as a mesh's vertices are.
+   * Finds both limits, Stretched, and whether the sampling is as regular as a mesh's vertices are: all over, or from one point
+   * to the next, as where a mesh is coarser in one place than in another. Random samplings differ as much there as all over.
    */
-  void FindHoleLimit();
+  void FindLimits();
 
   /**
    * The two lines that clip a disk on a tube whose points are farther apart along it than it is wide: it
@@ -127,6 +128,7 @@ public:
   vtkPointSplatLargeArray<float> Curvatures; // tensors, if circular
   /// The distance of a cell's vertex, in spacings, past which it lies in a hole of the surface.
   float HoleLimit = std::numeric_limits<float>::max();
+  float BorderLimit = std::numeric_limits<float>::max(); // the same for it to be one that splats end at
   bool Regular = false;
   bool Even = false; // sizes next to one another are the same
   bool Stretched = false; // regular, with cells that are long in one place and not in another

@@ -440,7 +440,7 @@ bool vtkPointSplatEstimates::FindDisks()
     return false;
   }
   // Again where that tells more: neighbours across holes and normals that are not the surface's.
-  disks.FindHoleLimit();
+  disks.FindLimits();
   if (disks.Stretched)
   {
     // Where points are sparse is no less known than where they are dense.

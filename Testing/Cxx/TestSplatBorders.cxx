@@ -264,6 +264,48 @@ void OfStretchedSheets()
     "thin tube");
 }
 
+/// The integral of the distance of columns, which is 1 but for a bell curve about the middle, where they are dense times as
+/// dense.
+double PlaceColumn(double t, int size, double dense)
+{
+  const double width = 0.25 * size;
+  return t - (1 - 1 / dense) * width * std::sqrt(0.5 * vtkMath::Pi()) *
+    std::erf((t - 0.5 * size) / (width * std::sqrt(2.0)));
+}
+
+/**
+ * A sheet of points that are off the places of uneven columns, as those of a mesh that is coarser where it may be: what
+ * its cells reach differs by far from place to place, and little from one to the next. Its border is one all the same.
+ */
+void OfUnevenColumns(double dense)
+{
+  constexpr int size = 60;
+  ScatteredFaces scene;
+  const double up[3] = { 0, 0, 1 };
+  std::mt19937 generator(1);
+  std::uniform_real_distribution<double> off(-0.2, 0.2);
+  std::vector<bool> ofRim;
+  for (int j = 0; j < size; ++j)
+  {
+    for (int i = 0; i < size; ++i)
+    {
+      const bool inner = i > 0 && j > 0 && i < size - 1 && j < size - 1;
+      const double x = i + (inner ? off(generator) : 0), y = j + (inner ? off(generator) : 0);
+      const double p[3] = { PlaceColumn(x, size, dense), y, 0 };
+      scene.Add(p, up, {});
+      ofRim.push_back(!inner);
+    }
+  }
+  const Estimated splats(scene);
+  int missed = 0;
+  for (vtkIdType id = 0; id < scene.GetNumberOfPoints(); ++id)
+  {
+    missed += ofRim[id] && CountLines(splats, id) == 0;
+  }
+  Expect(missed == 0,
+    "columns up to " + std::to_string(dense) + " times as dense: " + std::to_string(missed) + " points of the border without a line");
+}
+
 /// Of points up to `offset` beside a grid's, whose columns are `dense` times as close in the middle: round holes, with
 /// points all along them, are no gaps of the sampling.
 void OfHoles(double radius, double dense, double offset, const std::string& name)
@@ -272,12 +314,7 @@ void OfHoles(double radius, double dense, double offset, const std::string& name
   constexpr double centers[2] = { 0.25 * size, 0.75 * size };
   ScatteredFaces scene;
   const double up[3] = { 0, 0, 1 };
-  // The integral of the distance of columns, which is 1 but for a bell curve about the middle.
-  const auto place = [&](double t) {
-    constexpr double width = 0.25 * size;
-    return t - (1 - 1 / dense) * width * std::sqrt(0.5 * vtkMath::Pi()) *
-      std::erf((t - 0.5 * size) / (width * std::sqrt(2.0)));
-  };
+  const auto place = [&](double t) { return PlaceColumn(t, size, dense); };
   std::vector<bool> ofRing;
   std::vector<std::array<double, 2>> holes;
   for (const double x : centers)
@@ -402,6 +439,8 @@ int TestSplatBorders(int, char*[])
   OfStretchedSheets();
   OfHoles(2.0, 1, 0.2, "small holes");
   OfHoles(2.5, 6, 0.005, "holes among uneven columns");
+  OfUnevenColumns(10);
+  OfUnevenColumns(16);
   OfClosedSurfaces();
   OfRandomSheets(20);
   OfRandomSheets(1);
