@@ -9,11 +9,13 @@ namespace
 // Buffers of no bytes cannot be bound or mapped.
 constexpr GLsizeiptr LeastBytes = 48;
 
-/// As many bytes, or a texel more: drivers for processors compile a program for each combination of its
-/// textures whose sizes are powers of two, and of others.
-GLsizeiptr NoPowerOfTwo(GLsizeiptr bytes)
+/// So many bytes or a few more. Drivers for processors compile a program for each combination of its textures whose
+/// sizes are powers of two, and of others; and, since they take a part of a buffer's size for a texture's last mipmap
+/// level, of those whose second lowest byte is 0, as of buffers of less than 256 bytes.
+GLsizeiptr LikeMost(GLsizeiptr bytes)
 {
-  return (bytes & (bytes - 1)) == 0 ? bytes + 16 : bytes;
+  const GLsizeiptr more = (bytes & 0xff00) == 0 ? bytes + 256 : bytes;
+  return (more & (more - 1)) == 0 ? more + 16 : more;
 }
 }
 
@@ -37,7 +39,7 @@ bool vtkPointSplatBuffer::Reserve(GLsizeiptr bytes)
   {
     // A quarter more, so that a number that creeps up does not make it grow each time.
     this->Bytes =
-      NoPowerOfTwo(std::max(bytes + (this->Bytes > 0 ? bytes / 4 : 0), LeastBytes));
+      LikeMost(std::max(bytes + (this->Bytes > 0 ? bytes / 4 : 0), LeastBytes));
     glBufferData(GL_COPY_WRITE_BUFFER, this->Bytes, nullptr, GL_DYNAMIC_COPY);
     if (this->Format != 0)
     {

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Splats that are kept on the card in parts are gathered from there run by run, as a processor would
 // copy them: runs across parts, of all numbers of words that splats have, in any order, and more of them than
-// there is room for. The mapper does so with more points than a test can have.
+// there is room for. The mapper does so with more points than a test can have. And buffers' sizes are none for which
+// drivers for processors compile programs anew.
 #include "Expect.h"
 
 #include "vtkEGLHeadlessRenderWindow.h"
@@ -119,6 +120,21 @@ void CheckWords(size_t words)
   store.Release();
   Expect(!store.IsKept(), what + "kept after it was released");
 }
+
+void CheckSizes()
+{
+  for (const GLsizeiptr bytes : { 1, 48, 192, 255, 256, 4096, 32768, 65536, 65600, 262144, 262160, 1 << 20 })
+  {
+    vtkPointSplatBuffer buffer(GL_RGBA32UI);
+    buffer.Reserve(bytes);
+    const GLsizeiptr size = buffer.GetSize();
+    const std::string what = std::to_string(bytes) + " bytes are " + std::to_string(size);
+    Expect(size >= bytes && size <= bytes + 320, what);
+    Expect((size & (size - 1)) != 0, what + ", a power of two");
+    Expect((size & 0xff00) != 0, what + ", whose second lowest byte is 0");
+    buffer.Release();
+  }
+}
 }
 
 int TestSplatsStore(int, char*[])
@@ -133,6 +149,7 @@ int TestSplatsStore(int, char*[])
     {
       CheckWords(words);
     }
+    CheckSizes();
     // Main memory is the card's where Mesa draws: nothing is kept twice there.
     Expect(!vtkPointSplatContext::IsSoftware() || !vtkPointSplatStore::CanKeep(1),
       "a software renderer keeps splats twice");
