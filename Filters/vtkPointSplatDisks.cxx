@@ -19,7 +19,8 @@ constexpr float LoneRadius = 0.1f;
 constexpr float LargestRatio = 2.5f;
 /// Where samplings are as regular as meshes' (the 95th percentile of the disks' sizes, in
 /// spacings, is below RegularSpread medians), a disk of more than HoleFactor such percentiles
-/// reaches over a hole; where they are random (IrregularSpread medians), over a gap to be closed.
+/// reaches over a hole; where they are random (IrregularSpread medians), over a gap to be closed. Where splats are to end, that
+/// percentile of sizes over those next to them counts if it is less: it is 1.5 and more of random samplings alone.
 /// A mesh whose cells are long in one place and square in another is regular too: sizes next to one
 /// another have next to no spread (StretchedSpread).
 constexpr float RegularSpread = 1.25f;

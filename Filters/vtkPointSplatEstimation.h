@@ -103,7 +103,7 @@
  *    triangle's width. Without given normals, or where IsRough(), creases are not looked for:
  *    estimated normals turn over the width of their neighbourhood, as on a fillet. Points without, as
  *    degenerate triangles of an isosurface leave some, say nothing of the others while most have one.
- *    *Borders*: where the sampling is as regular as a mesh's vertices, the surface ends between the
+ *    *Borders*: where the sampling is as regular as a mesh's vertices, all over or from one point to the next, the surface ends between the
  *    points that its outline and its holes go through, and lines through these clip their splats, and
  *    those beside that would reach over (vtkPointSplatBorders.h). A mesh ends at edges that one triangle alone has. Random samplings
  *    end somewhere between their last points and the surface's border: there a line a little past the
