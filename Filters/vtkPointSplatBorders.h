@@ -152,7 +152,7 @@ private:
   const vtkPointSplatDisks& Disks;
   float Limit;      // alpha in spacings
   float LeastReach; // in alphas, of a cell that is no gap of the sampling
-  bool Wide;        // whether that is farther than NumberOfNeighbors reach
+  bool Wide;        // whether that may be farther than NumberOfNeighbors reach
   std::vector<End> Ends; // in order of slots
   std::vector<End> Rim;  // the same, as they were found
 };

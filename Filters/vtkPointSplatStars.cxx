@@ -170,13 +170,11 @@ bool vtkPointSplatStars::IsAway(const Cloud& cloud, const Triangle& triangle, in
 /// a point of the surface there, unless it is away.
 bool vtkPointSplatStars::IsOutside(const Cloud& cloud, const Triangle& triangle) const
 {
-  bool ends = true, outside = false;
-  for (int k = 0; k < 3; ++k)
-  {
-    ends = ends && (cloud.Borders->IsEnd(triangle[k]) || this->IsAway(cloud, triangle, k));
-    outside = outside || this->IsOutside(*cloud.Borders, triangle, k);
-  }
-  return ends && outside;
+  const auto corners = { 0, 1, 2 };
+  return std::all_of(corners.begin(), corners.end(),
+           [&](int k) { return cloud.Borders->IsEnd(triangle[k]) || this->IsAway(cloud, triangle, k); }) &&
+    std::any_of(corners.begin(), corners.end(),
+      [&](int k) { return this->IsOutside(*cloud.Borders, triangle, k); });
 }
 
 std::vector<vtkPointSplatStars::Site> vtkPointSplatStars::FindContinued(const Cloud& cloud) const

@@ -4,6 +4,7 @@
 // nothing else, however dense it is in one direction. Lengths are in spacings.
 #include "Expect.h"
 #include "ScatteredFaces.h"
+#include "UnevenColumns.h"
 
 #include <algorithm>
 #include <array>
@@ -262,15 +263,6 @@ void OfStretchedSheets()
                 },
                 15, 40, true, 0.07 },
     "thin tube");
-}
-
-/// The integral of the distance of columns, which is 1 but for a bell curve about the middle, where they are dense times as
-/// dense.
-double PlaceColumn(double t, int size, double dense)
-{
-  const double width = 0.25 * size;
-  return t - (1 - 1 / dense) * width * std::sqrt(0.5 * vtkMath::Pi()) *
-    std::erf((t - 0.5 * size) / (width * std::sqrt(2.0)));
 }
 
 /**

@@ -5,6 +5,7 @@
 #include "Expect.h"
 #include "Gathered.h"
 #include "RimmedDisc.h"
+#include "UnevenColumns.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkDoubleArray.h"
@@ -354,11 +355,8 @@ void TestRing()
 void TestHoles()
 {
   constexpr int size = 60;
-  constexpr double radius = 3, step = 0.4, width = 0.25 * size;
-  const auto place = [](double t) {
-    return t - (1 - 1.0 / 12) * width * std::sqrt(0.5 * vtkMath::Pi()) *
-      std::erf((t - 0.5 * size) / (width * std::sqrt(2.0)));
-  };
+  constexpr double radius = 3, step = 0.4;
+  const auto place = [](double t) { return PlaceColumn(t, size, 12); };
   const double centers[4][2] = { { place(15), 15 }, { place(15), 45 }, { place(45), 15 }, { place(45), 45 } };
   const auto isWithin = [&centers](const double x[3], double reach) {
     return std::any_of(centers, centers + 4,
