@@ -387,8 +387,8 @@ void vtkPointSplatPacking::Estimate(
     good = part.Run(projection, 0.4, 0.6);
     projected->SetInputConnection(projection->GetOutputPort());
     good = good && part.Run(projected, 0.6, 1.0);
-    // Noise agrees once it is projected. What does not are layers that lie upon one another.
-    this->Projected = good && !projected->IsContradicted();
+    // Noise lies on one surface once it is projected. What does not are layers that lie upon one another.
+    this->Projected = good && !projected->IsCrumpled();
     if (this->Projected)
     {
       estimation = projected;

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 // By default a noisy cloud is drawn where vtkPointSplatProjection moves its points, and layers that lie upon one
-// another are drawn where they are: they contradict one another as noise does, but do so still once they are projected.
+// another are drawn where they are: they contradict one another as noise does, but do so still, and are rough still, once
+// they are projected.
 #include "SplatScene.h"
 
 #include <string>
@@ -11,6 +12,14 @@ namespace
 using namespace SplatScene;
 
 constexpr int Count = 2000; // points on the unit sphere
+constexpr int Rows = 120;   // of points on the wall
+
+/// One standard deviation, at random.
+double Gaussian(vtkMinimalStandardRandomSequence* random)
+{
+  const double u = random->GetNextValue(), v = random->GetNextValue();
+  return std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * M_PI * v);
+}
 
 /// Points of even density, in shells. noise: the standard deviation of their radii.
 vtkSmartPointer<vtkPolyData> MakeShells(int shells, double apart, double noise)
@@ -29,11 +38,31 @@ vtkSmartPointer<vtkPolyData> MakeShells(int shells, double apart, double noise)
       const double z = 1.0 - (2.0 * i + 1.0) / count, across = std::sqrt(1.0 - z * z);
       const double angle = M_PI * (1.0 + std::sqrt(5.0)) * i; // a turn's golden section on
       const double n[3] = { across * std::cos(angle), across * std::sin(angle), z };
-      const double u = random->GetNextValue(), v = random->GetNextValue();
-      const double r = radius + noise * std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * M_PI * v);
+      const double r = radius + noise * Gaussian(random);
       points->InsertNextPoint(r * n[0], r * n[1], r * n[2]);
       normals->InsertNextTuple(n);
     }
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->GetPointData()->SetNormals(normals);
+  return data;
+}
+
+/// A slanting wall as a depth camera sees it from far away: rows of points, one unit apart, with noise and in steps.
+vtkSmartPointer<vtkPolyData> MakeWall(double slope, double noise, double step)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  vtkNew<vtkMinimalStandardRandomSequence> random;
+  random->SetSeed(1);
+  const double across = std::sqrt(1.0 + slope * slope);
+  for (int i = 0; i < Rows * Rows; ++i)
+  {
+    const double x = i % Rows, y = i / Rows, depth = slope * x + noise * Gaussian(random);
+    points->InsertNextPoint(x, y, step > 0.0 ? step * std::round(depth / step) : depth);
+    normals->InsertNextTuple3(-slope / across, 0.0, 1.0 / across);
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
@@ -76,5 +105,11 @@ int TestSplatsNoise(int, char*[])
   const Picture layered = Draw(layers, true, choices);
   checks.Expect(!isProjected(), "layers as given");
   checks.AtMost(LargestDifference(layered, Draw(layers, false, choices)), 0, "layers as given");
+
+  const Picture even = Draw(MakeWall(0.3, 0.0, 0.0), true, choices);
+  const auto steps = MakeWall(0.3, 1.0, 3.0);
+  const Picture settled = Draw(steps, true, choices);
+  checks.Expect(isProjected(), "a wall in steps projected");
+  checks.AtLeast(Psnr(even, settled), Psnr(even, Draw(steps, false, choices)) + 4.0, "psnr of the wall projected");
   return checks.Result();
 }
