@@ -34,11 +34,6 @@ constexpr double FarthestMove = 0.5;
 /// Beyond so many times its size a cube's number has no meaning in a double.
 constexpr double FarthestCube = 1e15;
 
-double GetDot(const double a[3], const double b[3])
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /// Makes a vector a unit one, however long or short it is; false where it has no direction.
 bool Normalize(double x[3])
 {
@@ -267,7 +262,7 @@ bool vtkIsosurfaceScatter::Approach(double isovalue, double limit, Point& point)
     {
       return false;
     }
-    const double move = value.Difference / GetDot(value.Gradient, direction);
+    const double move = value.Difference / vtkMath::Dot(value.Gradient, direction);
     double moved[3];
     for (int c = 0; c < 3; ++c)
     {
@@ -351,7 +346,7 @@ vtkIsosurfaceScatter::Point vtkIsosurfaceScatter::PlaceBeside(
   std::copy(start, start + 3, point.Position);
   const bool settled =
     this->Approach(isovalue, FarthestMove * RingRadius * from.Distance, point) &&
-    GetDot(point.Gradient, from.Gradient) > 0;
+    vtkMath::Dot(point.Gradient, from.Gradient) > 0;
   point.HasGap = !settled;
   point.Usable = settled && this->Field->Surrounds(point.Nearest, point.Position);
   point.Distance = this->GetDistance(point.Nearest);
@@ -403,7 +398,7 @@ void vtkIsosurfaceScatter::Shape(
     {
       element = -element;
     }
-    splat.Bend(value.Hessian, -GetDot(value.Gradient, splat.Normal));
+    splat.Bend(value.Hessian, -vtkMath::Dot(value.Gradient, splat.Normal));
   }
 }
 
