@@ -388,7 +388,7 @@ void vtkPointSplatPacking::Estimate(
     projected->SetInputConnection(projection->GetOutputPort());
     good = good && part.Run(projected, 0.6, 1.0);
     // Noise lies on one surface once it is projected. What does not are layers that lie upon one another.
-    this->Projected = good && !projected->IsCrumpled();
+    this->Projected = good && !projected->IsCrumpled(estimation->GetContradiction());
     if (this->Projected)
     {
       estimation = projected;
