@@ -5,6 +5,9 @@
 // they are projected.
 #include "SplatScene.h"
 
+#include "vtkMath.h"
+
+#include <cmath>
 #include <string>
 
 namespace
@@ -14,10 +17,9 @@ using namespace SplatScene;
 constexpr int Count = 2000; // points on the unit sphere
 constexpr int Rows = 120;   // of points on the wall
 
-/// One standard deviation, at random.
-double Gaussian(vtkMinimalStandardRandomSequence* random)
+/// Of unit deviation, from two uniform numbers between 0 and 1 (Box, Muller 1958).
+double Gaussian(double u, double v)
 {
-  const double u = random->GetNextValue(), v = random->GetNextValue();
   return std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * M_PI * v);
 }
 
@@ -38,7 +40,8 @@ vtkSmartPointer<vtkPolyData> MakeShells(int shells, double apart, double noise)
       const double z = 1.0 - (2.0 * i + 1.0) / count, across = std::sqrt(1.0 - z * z);
       const double angle = M_PI * (1.0 + std::sqrt(5.0)) * i; // a turn's golden section on
       const double n[3] = { across * std::cos(angle), across * std::sin(angle), z };
-      const double r = radius + noise * Gaussian(random);
+      const double u = random->GetNextValue(), v = random->GetNextValue();
+      const double r = radius + noise * Gaussian(u, v);
       points->InsertNextPoint(r * n[0], r * n[1], r * n[2]);
       normals->InsertNextTuple(n);
     }
@@ -49,25 +52,21 @@ vtkSmartPointer<vtkPolyData> MakeShells(int shells, double apart, double noise)
   return data;
 }
 
-/// A slanting wall as a depth camera sees it from far away: rows of points, one unit apart, with noise and in steps.
-vtkSmartPointer<vtkPolyData> MakeWall(double slope, double noise, double step)
+/// A slanting wall, as it is or as a depth camera sees it from far away: rows of points, one unit apart, with noise and in steps.
+vtkSmartPointer<vtkPolyData> MakeWall(bool seen)
 {
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkFloatArray> normals;
-  normals->SetNumberOfComponents(3);
-  vtkNew<vtkMinimalStandardRandomSequence> random;
-  random->SetSeed(1);
-  const double across = std::sqrt(1.0 + slope * slope);
-  for (int i = 0; i < Rows * Rows; ++i)
-  {
-    const double x = i % Rows, y = i / Rows, depth = slope * x + noise * Gaussian(random);
-    points->InsertNextPoint(x, y, step > 0.0 ? step * std::round(depth / step) : depth);
-    normals->InsertNextTuple3(-slope / across, 0.0, 1.0 / across);
-  }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  data->GetPointData()->SetNormals(normals);
-  return data;
+  constexpr double slope = 0.3, step = 3.0;
+  int i = 0;
+  return RandomCloud(Rows * Rows, [&](double u, double v, double* p, double* n) {
+    p[0] = i % Rows;
+    p[1] = i / Rows;
+    p[2] = seen ? step * std::round((slope * p[0] + Gaussian(u, v)) / step) : slope * p[0];
+    n[0] = -slope;
+    n[1] = 0.0;
+    n[2] = 1.0;
+    vtkMath::Normalize(n);
+    ++i;
+  });
 }
 
 /// Draws a cloud, and says in choices how.
@@ -106,8 +105,8 @@ int TestSplatsNoise(int, char*[])
   checks.Expect(!isProjected(), "layers as given");
   checks.AtMost(LargestDifference(layered, Draw(layers, false, choices)), 0, "layers as given");
 
-  const Picture even = Draw(MakeWall(0.3, 0.0, 0.0), true, choices);
-  const auto steps = MakeWall(0.3, 1.0, 3.0);
+  const Picture even = Draw(MakeWall(false), true, choices);
+  const auto steps = MakeWall(true);
   const Picture settled = Draw(steps, true, choices);
   checks.Expect(isProjected(), "a wall in steps projected");
   checks.AtLeast(Psnr(even, settled), Psnr(even, Draw(steps, false, choices)) + 4.0, "psnr of the wall projected");
