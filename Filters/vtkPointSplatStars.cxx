@@ -28,7 +28,7 @@ constexpr float FlatTurn = 0.2f;
 /// How many times larger than its size asks for a disk may be where the surface bends: it would stand off that.
 constexpr float LargeDisk = 1.4f;
 /// Normals of two faces part by more than this cosine (20 degrees), and where points are too few for the crease between
-/// them to be found, so that just the ends of both are, by this (60 degrees).
+/// them to be found from both, by this (60 degrees): else the surface may bend from one to the other.
 constexpr float CreaseCosine = 0.94f;
 constexpr float EndsCosine = 0.5f;
 /// A corner faces a side of a triangle from this cosine on, and is across the triangle from that on: of the triangles of
@@ -83,7 +83,8 @@ void vtkPointSplatStars::RaiseSizes(float least)
   }
 }
 
-/// Whether a triangle connects two faces one of which ends at a line, and does not go on behind it.
+/// Whether a triangle connects two faces that end at lines, and do not go on behind them. Of one alone the line may be that
+/// on its other side.
 bool vtkPointSplatStars::IsOverCrease(const Cloud& cloud, const Triangle& triangle)
 {
   for (int k = 0; k < 3; ++k)
@@ -97,7 +98,8 @@ bool vtkPointSplatStars::IsOverCrease(const Cloud& cloud, const Triangle& triang
     const float* m = cloud.Normals + std::size_t(3) * b;
     const float cosine = std::abs(vtkMath::Dot(n, m));
     if (!folded &&
-      (((splats[0] || splats[1]) && cosine < CreaseCosine) || (ends && cosine < EndsCosine)))
+      ((splats[0] && splats[1] && cosine < CreaseCosine) ||
+        ((splats[0] || splats[1] || ends) && cosine < EndsCosine)))
     {
       return true;
     }

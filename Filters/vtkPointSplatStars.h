@@ -20,8 +20,9 @@
  *    Those are not looked at any more about which, as far as stars may reach, all is flat.
  * 3. Their stars are found once more: the triangles between a site and neighbours that are next to each other
  *    around it (Delaunay's in the tangent plane), but for those that reach over holes or lie past borders, and those
- *    over creases, where splats end at lines. All corners of one past a border are on this, or not in the triangle by their
- *    own stars: of a hole's border some neighbours are points behind that across it. Sites where all is flat, as far as the disk reaches, and no neighbour
+ *    over creases at which both splats end at lines, or one does and normals turn by much. All corners of one past a
+ *    border are on this, or not in the triangle by their own stars: of a hole's border some neighbours are points behind
+ *    that across it. Sites where all is flat, as far as the disk reaches, and no neighbour
  *    is so small that it bounds this, are not uneven: there one large disk harms nothing. Of their triangles those count
  *    that such a disk covers by half: a corner's own disk is small, since all points that it was made from lie to one
  *    side, and the surface does not end there. What is a hole goes by
