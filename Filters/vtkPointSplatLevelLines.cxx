@@ -22,7 +22,7 @@ constexpr double LeastAlike = 0.7;
 // Radii: what splats below may lie beyond an edge, which bends and is known as well as they are.
 constexpr double MostBeyond = 0.1;
 // Radii: an edge through the centre is so far from it.
-constexpr double LeastDistance = 1e-6;
+constexpr double LeastEdgeDistance = 1e-6;
 
 /// A line in the plane of the splat above: how far from its centre, and the direction out of the face.
 struct LevelEdge
@@ -106,7 +106,7 @@ void vtkPointSplatLevelLines::Find(
     {
       continue;
     }
-    const double distance = std::max(edge.GetDistance(), LeastDistance * above.Radius);
+    const double distance = std::max(edge.GetDistance(), LeastEdgeDistance * above.Radius);
     for (int k = 0; k < 3; ++k)
     {
       line[k] = edge.Direction[k] / distance;
