@@ -286,10 +286,11 @@ public:
   vtkGetMacro(NumberOfPointsAlone, vtkIdType);
 
   /**
-   * The share of points, of every 32nd, whose neighbours do not lie on one surface: by their given
+   * The share of points, of every 32nd, whose 24 neighbours do not lie on one surface: by their
    * normals they are off it by more than 0.15 of their mean distance, and their positions off any
    * plane. Points of bodies that are smaller than what is looked at, a quarter of whose neighbours and more face
-   * away, are none of these. 0 where most normals were estimated, and for meshes.
+   * away, are none of these. 0 for meshes, for 24 points and fewer, and where most normals were estimated unless it is
+   * more than 0.7: these are off where the surface turns within a few points, too.
    */
   vtkGetMacro(Noise, double);
 
@@ -319,7 +320,8 @@ public:
 
   /**
    * Whether the cloud is one for vtkPointSplatProjection: rough, and by contradictions rather than
-   * relief.
+   * relief. Of points without normals those of noise of 0.3 spacings and more are, of which 0.9 and more are rough, of scans
+   * upon one another, and the two sides of a sheet that is no thicker than its points are apart.
    */
   bool IsNoisy() const { return vtkPointSplatEstimation::IsNoisy(this->Noise, this->Contradiction); }
   static bool IsNoisy(double noise, double contradiction)

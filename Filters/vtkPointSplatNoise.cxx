@@ -134,6 +134,10 @@ vtkPointSplatNoise::Shares vtkPointSplatNoise::Measure(
   };
   vtkSMPThreadLocal<Counts> counts;
   auto measure = [&](const vtkPointSplatNeighbors::Neighborhood& around, int) {
+    if (around.Count < ProjectionNeighbors)
+    {
+      return true; // the cloud is a body that is no larger than what is looked at
+    }
     vtkPointSplatRobustSurface surface(Bandwidth, Bandwidth);
     surface.Gather(around, normals);
     surface.FindNormal();

@@ -357,9 +357,19 @@ void AddPoints(Scene& scene, const Options& options, const std::string& name, vt
     if (estimation->IsNoisy() && !options.Project)
     {
       // As the mapper does by itself where it estimates.
-      points = Project(points, vtkPointSplatProjection::Keep, options.Quiet);
-      estimation->SetInputData(points);
+      const double contradiction = estimation->GetContradiction();
+      const auto projected = Project(points, vtkPointSplatProjection::Keep, options.Quiet);
+      estimation->SetInputData(projected);
       estimation->Update();
+      if (estimation->IsCrumpled(contradiction))
+      {
+        estimation->SetInputData(points);
+        estimation->Update();
+      }
+      else
+      {
+        points = projected;
+      }
     }
     drawn = estimation->GetOutput();
   }

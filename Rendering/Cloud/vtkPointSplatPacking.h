@@ -48,8 +48,7 @@ public:
 
   /**
    * The arrays of a block, what is missing estimated; sizes only if they are needed, and points
-   * with given normals, whose sizes are not, projected where they are noise, and fill points made with sizes, if
-   * that is asked for.
+   * whose sizes are not given projected where they are noise, and fill points made with sizes, if that is asked for.
    * owner: whose errors they are; an algorithm's progress and AbortExecute are the estimation's.
    */
   struct Wanted

@@ -432,6 +432,11 @@ def overlapping_scans(noise=0.3, scans=6, step=0.012):
     return StandIn("overlapping scans", cloud, distance, step, mesh)
 
 
+def without_normals(standin):
+    p = vtk_to_numpy(standin.cloud.GetPoints().GetData())
+    return StandIn(standin.name + ", no normals", polydata(p, None), standin.distance, standin.spacing, standin.mesh)
+
+
 ALL = {
     "tubes_edges": lambda: tubes_and_specks("edges"),
     "tubes_contour": lambda: tubes_and_specks("contour"),
@@ -463,4 +468,5 @@ ALL = {
     "graded_dish": graded_dish,
     "spray": spray,
     "scans": overlapping_scans,
+    "scans_bare": lambda: without_normals(overlapping_scans()),
 }

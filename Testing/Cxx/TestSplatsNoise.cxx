@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
-// By default a noisy cloud is drawn where vtkPointSplatProjection moves its points, and layers that lie upon one
+// By default a noisy cloud, with or without normals, is drawn where vtkPointSplatProjection moves its points, and layers that lie upon one
 // another are drawn where they are: they contradict one another as noise does, but do so still, and are rough still, once
 // they are projected.
 #include "SplatScene.h"
 
 #include "vtkMath.h"
+#include "vtkPlatonicSolidSource.h"
 
 #include <cmath>
 #include <string>
@@ -69,6 +70,14 @@ vtkSmartPointer<vtkPolyData> MakeWall(bool seen)
   });
 }
 
+/// A cloud's points alone.
+vtkSmartPointer<vtkPolyData> WithoutNormals(vtkPolyData* cloud)
+{
+  auto bare = vtkSmartPointer<vtkPolyData>::New();
+  bare->SetPoints(cloud->GetPoints());
+  return bare;
+}
+
 /// Draws a cloud, and says in choices how.
 Picture Draw(vtkPolyData* cloud, bool projects, std::string& choices)
 {
@@ -99,6 +108,19 @@ int TestSplatsNoise(int, char*[])
   const Picture given = Draw(noisy, false, choices);
   checks.Expect(!isProjected(), "switched off");
   checks.AtLeast(Psnr(smooth, projected), Psnr(smooth, given) + 5.0, "psnr of the noisy sphere projected");
+
+  const auto bare = WithoutNormals(noisy);
+  const Picture guessed = Draw(bare, true, choices);
+  checks.Expect(isProjected(), "a noisy sphere without normals projected");
+  checks.AtLeast(Psnr(smooth, guessed), Psnr(smooth, Draw(bare, false, choices)) + 3.0,
+    "psnr of the noisy sphere without normals projected");
+  Draw(WithoutNormals(MakeShells(1, 0, 0)), true, choices);
+  checks.Expect(!isProjected(), "a smooth sphere without normals as given");
+  vtkNew<vtkPlatonicSolidSource> solid;
+  solid->SetSolidTypeToIcosahedron();
+  solid->Update();
+  Draw(WithoutNormals(solid->GetOutput()), true, choices);
+  checks.Expect(!isProjected(), "twelve points as given");
 
   const auto layers = MakeShells(3, 1.6 * spacing, 0);
   const Picture layered = Draw(layers, true, choices);
