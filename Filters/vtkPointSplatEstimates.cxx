@@ -32,9 +32,6 @@ using Slot = vtkPointSplatNeighbors::Slot;
 /// The sixth neighbour's distance, of the third one's, for points at random in a plane (1.43) and a
 /// little: it is the neighbour of another body where most bodies have few points.
 constexpr float SixthPerThird = 1.5f;
-/// From which share of points off their neighbours' surface on estimated normals tell noise: those of 12 neighbours are off
-/// it, too, where the surface turns within these. Of coarse meshes' vertices up to 0.65 are, of noise of 0.3 spacings 0.9.
-constexpr double LeastGuessedNoise = 0.7; // Testing/Cxx/TestSplatsNoise.cxx
 /// Of how many leaves of the search tree, at least, the usual spacing is found.
 constexpr Slot UsualLeaves = 512;
 }
@@ -240,13 +237,10 @@ bool vtkPointSplatEstimates::FindNormals()
   // A mesh is one surface, whatever its normals say.
   if (this->Fans.IsEmpty())
   {
-    const vtkPointSplatNoise::Shares found =
-      vtkPointSplatNoise::Measure(this->Self, this->Neighbors, this->SlotNormals.data());
-    if (!this->Guessed || found.Noisy > LeastGuessedNoise)
-    {
-      this->Noise = found.Noisy;
-      this->Contradiction = found.Contradicted;
-    }
+    const vtkPointSplatNoise::Shares found = vtkPointSplatNoise::Measure(
+      this->Self, this->Neighbors, this->SlotNormals.data(), this->Guessed);
+    this->Noise = found.Noisy;
+    this->Contradiction = found.Contradicted;
   }
   return true;
 }

@@ -23,6 +23,10 @@ constexpr float Bandwidth = 0.5f;
 /// deviate by less than a tenth of their spacing are no noise, whatever the normals say.
 constexpr double LeastFlatness = 0.07;
 
+/// From which share of points off their neighbours' surface on estimated normals tell noise: those of 12 neighbours are off
+/// it, too, where the surface turns within these. Of coarse meshes' vertices up to 0.65 are, of noise of 0.3 spacings 0.9.
+constexpr double LeastGuessedNoise = 0.7; // Testing/Cxx/TestSplatsNoise.cxx
+
 /// Of the neighbours of a point of a surface, its noise and all, about none face the other way.
 constexpr double MostAway = 0.25; // Testing/Cxx/TestSplatApart.cxx
 
@@ -123,7 +127,7 @@ bool HasContradiction(
 }
 
 vtkPointSplatNoise::Shares vtkPointSplatNoise::Measure(
-  vtkAlgorithm* self, const vtkPointSplatNeighbors& neighbors, const float* normals)
+  vtkAlgorithm* self, const vtkPointSplatNeighbors& neighbors, const float* normals, bool guessed)
 {
   using Slot = vtkPointSplatNeighbors::Slot;
   struct Counts
@@ -159,7 +163,8 @@ vtkPointSplatNoise::Shares vtkPointSplatNoise::Measure(
     sum.Contradicted += own.Contradicted;
   }
   const double all = static_cast<double>(std::max<vtkIdType>(sum.All, 1));
-  return { sum.Noisy / all, sum.Contradicted / all };
+  const Shares found{ sum.Noisy / all, sum.Contradicted / all };
+  return guessed && found.Noisy <= LeastGuessedNoise ? Shares{} : found;
 }
 
 VTK_ABI_NAMESPACE_END

@@ -35,9 +35,10 @@ struct Shares
 };
 
 /**
- * Looks at a sample of the slots, one leaf of the search tree in 32. normals: 3 floats a slot.
+ * Looks at a sample of the slots, one leaf of the search tree in 32. normals: 3 floats a slot. guessed:
+ * whether most of these were estimated; then shares are 0 that do not tell noise from where the surface turns.
  */
-Shares Measure(vtkAlgorithm* self, const vtkPointSplatNeighbors& neighbors, const float* normals);
+Shares Measure(vtkAlgorithm* self, const vtkPointSplatNeighbors& neighbors, const float* normals, bool guessed);
 }
 
 VTK_ABI_NAMESPACE_END

@@ -279,6 +279,16 @@ vtkSmartPointer<vtkDataSet> Project(vtkDataSet* points, int outliers, bool quiet
   return projection->GetOutput();
 }
 
+vtkSmartPointer<vtkPointSplatEstimation> Estimate(vtkDataSet* points, bool quiet)
+{
+  auto estimation = vtkSmartPointer<vtkPointSplatEstimation>::New();
+  estimation->SetInputData(points);
+  estimation->FillGapsOn();
+  ShowProgress(estimation, "normals and splat sizes", quiet);
+  estimation->Update();
+  return estimation;
+}
+
 /// Whether a window does not wait for the points' sizes, and the mapper estimates them while it draws
 /// some of the points.
 bool AreShownAtOnce(const Options& options, vtkDataSet* points)
@@ -346,36 +356,27 @@ void AddPoints(Scene& scene, const Options& options, const std::string& name, vt
   {
     points = Project(points, vtkPointSplatProjection::Remove, options.Quiet);
   }
-  vtkNew<vtkPointSplatEstimation> estimation;
+  vtkSmartPointer<vtkPointSplatEstimation> estimation;
   vtkSmartPointer<vtkDataSet> drawn = points;
   if (!AreShownAtOnce(options, points))
   {
-    estimation->SetInputData(points);
-    estimation->FillGapsOn();
-    ShowProgress(estimation, "normals and splat sizes", options.Quiet);
-    estimation->Update();
+    estimation = Estimate(points, options.Quiet);
     if (estimation->IsNoisy() && !options.Project)
     {
       // As the mapper does by itself where it estimates.
-      const double contradiction = estimation->GetContradiction();
       const auto projected = Project(points, vtkPointSplatProjection::Keep, options.Quiet);
-      estimation->SetInputData(projected);
-      estimation->Update();
-      if (estimation->IsCrumpled(contradiction))
-      {
-        estimation->SetInputData(points);
-        estimation->Update();
-      }
-      else
+      const auto again = Estimate(projected, options.Quiet);
+      if (!again->IsCrumpled(estimation->GetContradiction()))
       {
         points = projected;
+        estimation = again;
       }
     }
     drawn = estimation->GetOutput();
   }
   Surface& surface = AddSurface(scene, options, name, drawn);
   surface.Normals = normals;
-  surface.NumberOfFillPoints = static_cast<vtkIdType>(estimation->GetFillPoints().size());
+  surface.NumberOfFillPoints = estimation ? static_cast<vtkIdType>(estimation->GetFillPoints().size()) : 0;
 
   ColourPoints(scene, options, surface, points);
   // What colours without normals come from, cameras and laser scanners, has seen them in the light.
