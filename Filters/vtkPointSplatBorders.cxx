@@ -137,7 +137,16 @@ bool vtkPointSplatBorders::FindEnd(
   end.Gap = disk.Gap;
   // A line as far off as its unit, whose vector is its normal.
   plane.SetLine(from + 0.5 * sector, 1.0f, end.Out);
-  end.Sure = reach > this->LeastReach * alpha;
+  // Where cells are long in one place and not in another a spacing does not tell how far they reach.
+  float least = alpha;
+  disk.VisitTriangles([&](int a, int b, float circumscribed) {
+    for (const int corner : { a, b })
+    {
+      const float inside = this->Disks.Stretched ? 0 : this->Disks.GetSpacingInside(around.Slots[corner]);
+      least = circumscribed < reach ? least : std::max(least, this->Limit * inside);
+    }
+  });
+  end.Sure = reach > this->LeastReach * least;
   for (int k = 0; k < 2; ++k)
   {
     end.Next[k] = around.Slots[next[k]];
@@ -235,7 +244,12 @@ bool vtkPointSplatBorders::Find(
       return round > 1;
     }
     vtkPointSplatDisk disk;
-    disk.Estimate(around, this->Normals, elliptical, this->Usual, this->Disks.BorderLimit);
+    const bool closed =
+      disk.Estimate(around, this->Normals, elliptical, this->Usual, this->Disks.BorderLimit);
+    if (round == 0 && !closed && this->Disks.Opening[around.Center] > 0)
+    {
+      return false;
+    }
     End end;
     if (this->FindEnd(around, disk, end))
     {

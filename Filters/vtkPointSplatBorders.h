@@ -10,14 +10,16 @@
  * (vtkPointSplatDisks::BorderLimit, in the upper quartile of the spacings around). Where a regular sampling's
  * cells are long in one place and square in another, it is no more than twice the median of what the cells around reach.
  *
- * 1. A candidate is looked at with its 32 nearest neighbours, or 128 where these lie in a row. Where
+ * 1. A candidate is looked at with its 32 nearest neighbours, or 128 where these lie in a row, or to one side alone of
+ *    a cell that is closed, since they are denser there. Where
  *    just one run of its cell's vertices is farther than alpha, the surface ends between the two neighbours whose bisectors
  *    lead into that run and out of it: they are the next points along the border.
  * 2. Points of other sheets that lie in that sector, within two spacings, say that the surface goes
  *    on there, at a crease, around a tube or past a seam: then it is no border.
  * 3. Points are linked where one is the next of the other. A chain is a border if a vertex is
  *    farther than twice alpha, or of a regular sampling than one and a half times alpha and than gaps that are closed, in at least
- *    eight of its points' cells: others are gaps in the sampling.
+ *    eight of its points' cells: others are gaps in the sampling. So are cells that are no wider than that by the
+ *    spacing at their farthest vertex, as where points become sparser from one row to the next.
  * 4. The splat is clipped by the lines through the point and each of the next ones where the face
  *    between them has a convex corner. Where the corner is reflex, one line cuts across it, as far
  *    off as half of the way to the nearer of the next points, since a splat keeps what all of its
@@ -99,6 +101,10 @@ public:
    * disk's plane. Returns false where it is not within reach, or its direction is known.
    */
   static bool AddLine(const float line[3], const float place[3], const float n[3], Lines& lines);
+
+  /// From how many spacings on what is open is surely no gap of a regular sampling; 0 of a random one, whose gaps
+  /// vtkPointSplatDisks::HoleLimit bounds.
+  float GetWidestGap() const { return this->Disks.Regular ? this->LeastReach * this->Limit : 0.0f; }
 
   /// Adds the lines, if any, of points that have none to the array of clip lines, of 6 components,
   /// which is made if it has no tuples. slotOf: of each point.

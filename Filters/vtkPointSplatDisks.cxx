@@ -38,9 +38,7 @@ constexpr float NearestShare = 0.6f;
 constexpr float MostSteepness = 4;
 constexpr float HoleFactor = 1.3f;
 constexpr float GapFactor = 3.0f;
-/// At a regular sampling's border the spacing is larger than farther inside: of HoleLimit counts this.
-constexpr float HoleShare = 0.667f;
-/// And this with the least spacing around, which is that farther inside: where cells are even none reaches so far.
+/// Of HoleLimit counts HoleShare at a border, and this with the least spacing around, which is that farther inside: where cells are even none reaches so far.
 constexpr float InsideShare = 0.9f;
 /// Where cells are long in one place and not in another: by how much one is longer than others around that may reach
 /// into a hole.
@@ -376,7 +374,7 @@ bool vtkPointSplatDisks::MayEnd(Slot slot) const
       inside = spacing > 0 ? std::min(inside, spacing) : inside;
     });
     return opening == 0 ||
-      opening > this->BorderLimit * std::max(HoleShare * this->Spacing[slot], InsideShare * inside);
+      opening > this->BorderLimit * std::max(this->GetSpacingInside(slot), InsideShare * inside);
   }
   return opening == 0 && this->HasClosedWitness(slot);
 }

@@ -60,6 +60,8 @@ public:
    * its cell is open, and that of some witness is not, as beside a border, along which others are open, and unlike in vegetation.
    */
   bool MayEnd(Slot slot) const;
+  /// Of the spacing at a border, which is larger than farther inside, what that is.
+  float GetSpacingInside(Slot slot) const { return HoleShare * this->Spacing[slot]; }
   /// The radius that a disk has where it closes the gaps around; and whether that is too much for those beside.
   float GetReach(Slot slot) const { return std::max(this->Length[slot], this->Gap[slot]); }
   bool IsTooLarge(Slot slot) const { return this->GetReach(slot) > this->GetBound(slot); }
@@ -135,6 +137,8 @@ public:
 
 private:
   static constexpr std::size_t MostSamples = std::size_t(1) << 20;
+  /// At a regular sampling's border the spacing is larger than farther inside: of HoleLimit counts this.
+  static constexpr float HoleShare = 0.667f;
   /// The neighbours, by rank, that bound a disk.
   static constexpr int NumberOfWitnesses = 4;
   template <typename Visitor>

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -218,6 +219,33 @@ bool vtkPointSplatStars::IsHalfCovered(const Cloud& cloud, const Triangle& trian
       [&](Site corner) { return cloud.Creases->HasTwins(corner); });
 }
 
+/// Whether a site's cell reaches into a gap that its disk does not close, and that no border surrounds.
+bool vtkPointSplatStars::IsBesideGap(const Cloud& cloud, Site site)
+{
+  const vtkPointSplatDisks& disks = *cloud.Disks;
+  const float opening = disks.Opening[site];
+  return opening > disks.HoleLimit * disks.Spacing[site] &&
+    opening <= cloud.Borders->GetWidestGap() * disks.NearSpacing[site] && !cloud.Borders->IsEnd(site);
+}
+
+/// Whether a triangle that is wide enough to reach over a hole lies in such a gap. Normals of its corners that part by
+/// much are those of several sides of a small body.
+bool vtkPointSplatStars::IsOverGap(const Cloud& cloud, const Triangle& triangle, float circumscribed)
+{
+  float densest = std::numeric_limits<float>::max();
+  for (int k = 0; k < 3; ++k)
+  {
+    const float* n = cloud.Normals + std::size_t(3) * triangle[k];
+    const float* m = cloud.Normals + std::size_t(3) * triangle[(k + 1) % 3];
+    if (cloud.Borders->IsEnd(triangle[k]) || std::abs(vtkMath::Dot(n, m)) < EndsCosine)
+    {
+      return false;
+    }
+    densest = std::min(densest, cloud.Disks->NearSpacing[triangle[k]]);
+  }
+  return circumscribed <= cloud.Borders->GetWidestGap() * densest;
+}
+
 void vtkPointSplatStars::FindUneven(const Cloud& cloud)
 {
   constexpr Site leafSize = vtkPointSplatNeighbors::LeafSize;
@@ -238,11 +266,12 @@ void vtkPointSplatStars::FindUneven(const Cloud& cloud)
     {
       const float reach = disks.GetReach(s);
       const bool bends = IsBent(disks.Turn[s], reach);
+      const bool gap = IsBesideGap(cloud, s);
       const bool uneven = this->Sizes[s] > 0 && !(*cloud.Creased)[s] && !disks.IsAlone(s) &&
-        (this->Uneven[s] || disks.HasSmallWitness(s, this->Sizes) ||
+        (this->Uneven[s] || gap || disks.HasSmallWitness(s, this->Sizes) ||
           (cloud.MayBend && this->StandsOff(s, disks.Turn[s], reach)));
       // Of an open cell it is not known how far its star reaches.
-      bool flat = uneven && !bends && !disks.IsTooLarge(s) && disks.Opening[s] > 0;
+      bool flat = uneven && !bends && !gap && !disks.IsTooLarge(s) && disks.Opening[s] > 0;
       if (flat)
       {
         // Two points whose cells meet are no farther apart than twice the way to where they do.
@@ -281,7 +310,7 @@ bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
     bool bends = IsBent(disks.Turn[around.Center], reach) || disks.IsTooLarge(around.Center);
     std::vector<Triangle>& local = found.Local();
     const std::size_t before = local.size();
-    std::vector<Triangle> halfCovered;
+    std::vector<Triangle> uncovered; // those that one large disk does not cover
     float longest2 = 0;
     disk.VisitTriangles([&](int a, int b, float circumscribed) {
       Triangle triangle{ { around.Center, around.Slots[a], around.Slots[b] } };
@@ -292,14 +321,15 @@ bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
         bends = bends || IsBent(disks.Turn[corner], reach);
       }
       // A hole has no points, and is no larger than usual where any corner's points are so sparse.
-      if (circumscribed <= disks.HoleLimit * spacing)
+      const bool wide = circumscribed > disks.HoleLimit * spacing;
+      if (!wide || IsOverGap(cloud, triangle, circumscribed))
       {
         longest2 = std::max({ longest2, around.SquaredDistance[a], around.SquaredDistance[b] });
         std::sort(triangle.begin(), triangle.end());
         local.push_back(triangle);
-        if (this->IsHalfCovered(cloud, triangle))
+        if (wide || this->IsHalfCovered(cloud, triangle))
         {
-          halfCovered.push_back(triangle);
+          uncovered.push_back(triangle);
         }
       }
     });
@@ -308,9 +338,9 @@ bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
     if (!bends)
     {
       local.resize(before);
-      local.insert(local.end(), halfCovered.begin(), halfCovered.end());
+      local.insert(local.end(), uncovered.begin(), uncovered.end());
     }
-    return sure || (!bends && halfCovered.empty());
+    return sure || (!bends && uncovered.empty());
   };
   const double progress = self->GetProgress();
   if (!cloud.Neighbors->VisitWidely(self, progress, progress, cloud.Count, find,

@@ -15,7 +15,7 @@
  *    within that, it is the distance within which they turn by so much, and at least LeastBent of the former.
  *    No size is less than a Grain (vtkPointSplatSheet.h) of the median.
  * 2. *Uneven* sites are those with a neighbour in their star that is farther than FarNeighbor sizes, or, of
- *    a cloud, some witness of less than half of their size, or, where normals tell that the surface bends, a disk of
+ *    a cloud, those beside a gap that their disk does not close (3.), some witness of less than half of their size, or, where normals tell that the surface bends, a disk of
  *    more than LargeDisk times the radius that their size asks for. Even samplings have none of them, random ones some percent.
  *    Those are not looked at any more about which, as far as stars may reach, all is flat.
  * 3. Their stars are found once more: the triangles between a site and neighbours that are next to each other
@@ -24,9 +24,12 @@
  *    border are on this, or not in the triangle by their own stars: of a hole's border some neighbours are points behind
  *    that across it. Sites where all is flat, as far as the disk reaches, and no neighbour
  *    is so small that it bounds this, are not uneven: there one large disk harms nothing. Of their triangles those count
- *    that such a disk covers by half: a corner's own disk is small, since all points that it was made from lie to one
- *    side, and the surface does not end there. What is a hole goes by
- *    the spacing of the corner whose nearest points are sparsest: a ring of dense points has no lid. Nor does a triangle
+ *    that such a disk covers by half, since a corner's own disk is small where all points that it was made from lie to one
+ *    side and the surface does not end there, and those over gaps. What is a hole goes by
+ *    the spacing of the corner whose nearest points are sparsest: a ring of dense points has no lid. But what no border
+ *    surrounds (vtkPointSplatBorders.h), and is no wider than a border is sure to be by the densest corner's, is a gap
+ *    of a regular sampling, as where a scanner saw nothing and its mesh was closed; normals of the corners part by
+ *    less than 60 degrees there. Nor does a triangle
  *    count whose corners face both of its sides, where normals tell that: it leads from a body to the next one. No size is
  *    more than the longest edge of its triangles, or if there are none than its spacing: a star may reach to another body in
  *    the same plane, as from an animal's sole to the next.
@@ -124,6 +127,8 @@ private:
 
   bool IsOpen(const Cloud& cloud, Site site) const;
   bool IsHalfCovered(const Cloud& cloud, const Triangle& triangle) const;
+  static bool IsBesideGap(const Cloud& cloud, Site site);
+  static bool IsOverGap(const Cloud& cloud, const Triangle& triangle, float circumscribed);
   void FindUneven(const Cloud& cloud);
   void Grade();
 

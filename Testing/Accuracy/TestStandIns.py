@@ -208,6 +208,19 @@ class TestStandIns(unittest.TestCase):
             self.assertEqual(found["holes"], 0, name)
             self.assertLess(found["spill"], 0.001, name)
 
+    def test_graded_faces(self):
+        # 25 dB and 365 hole pixels where rows that become sparser were borders.
+        found = likeness.compare(standins.graded_disc(), 384, 4)
+        self.assertGreater(min(found["psnr"]), 45)
+        self.assertEqual(found["holes"], 0)
+        self.assertLess(found["spill"], 0.001)
+
+    def test_gaps(self):
+        # 42 to 50 dB where gaps without a border stayed open: the ball's other side was seen in them.
+        found = likeness.compare(standins.gappy_ball(), 384, 4)
+        self.assertGreater(min(found["psnr"]), 54)
+        self.assertEqual(found["holes"], 0)
+
     def test_gap_beside_dense_points(self):
         # 36 dB where disks of the sparse row filled half of the gap, and those of the dense row, whose nearest points are all on one
         # side, did not fill the other.

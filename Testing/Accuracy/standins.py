@@ -62,6 +62,18 @@ def belted(ratio=8):
     return StandIn("belted", vertices(mesh), distance, spacing, mesh)
 
 
+def gappy_ball(gaps=40, missing=1.5, jitter=0.2, seed=7):
+    """A scanned ball that was closed: about eight of a mesh's vertices are missing in so many places."""
+    rng = np.random.default_rng(seed)
+    mesh = sphere_mesh(6 * 60 * 60, 1.0)
+    places, spacing = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float), math.pi / 2 / 60
+    centres = unit(rng.normal(size=(gaps, 3)))
+    moved = unit(places + rng.uniform(-jitter, jitter, places.shape) * spacing)
+    near = np.linalg.norm(places[:, None] - centres, axis=2).min(1) < missing * spacing
+    return StandIn("ball with gaps", polydata(moved[~near], moved[~near]),
+                   lambda p: np.abs(np.linalg.norm(p, axis=1) - 1), spacing, mesh)
+
+
 # Machined part -------------------------------------------------------------------------------
 
 # Corners of the part's outline with interior angles from 30 to 150 degrees (and reflex ones), and
@@ -275,6 +287,47 @@ def rimmed_disc(rim=0.1):
     return StandIn("disc with a dense rim", polydata(points, normals), distance, 0.015, mesh)
 
 
+def graded_disc(growth=1.7, spacing=0.04, rim=0.15, seed=1):
+    """What remeshing by curvature makes of a body with flat faces: on those rows of points are growth times as far
+    apart as the ones before, up to six times as far as on the round rim. A ball beside it, whose points
+    are evenly spaced, has most of the points."""
+    rng = np.random.default_rng(seed)
+    steps = round(math.pi * rim / spacing)
+    rings = [(1 + (k + 0.5) / steps, spacing) for k in range(steps)]
+    step, inwards = spacing, 1.0
+    while inwards > 0.5 * step:
+        rings += [(inwards, step), (3 - inwards, step)]
+        step = min(growth * step, 6 * spacing)
+        inwards -= 0.87 * step
+    u, v = [np.zeros(2)], [np.array([0.0, 3.0])]
+    for place, apart in rings:
+        radius = disc_surface(rim, np.zeros(1), np.array([place]))[0, 0]
+        count = round(2 * math.pi * radius / apart)
+        places = np.arange(count) + rng.uniform(-0.15, 0.15, count) + rng.uniform()
+        u.append(2 * math.pi * places / count)
+        on_face = abs(place - 1.5) > 0.5
+        v.append(place + on_face * apart * rng.uniform(-0.15, 0.15, count))
+    u, v = np.concatenate(u), np.clip(np.concatenate(v), 0, 3)
+    turn = math.pi * (np.clip(v - 1, 0, 1) - 0.5)
+    normals = np.stack([np.cos(turn) * np.cos(u), np.cos(turn) * np.sin(u), np.sin(turn)], -1)
+    at = np.array([0, 0, 1.2])
+    ball = sphere_mesh(6 * 40 * 40, 0.6, at)
+    places = vtk_to_numpy(ball.GetPoints().GetData())
+    append = vtkAppendPolyData()
+    append.AddInputData(ball)
+    append.AddInputData(
+        parametric(lambda u, v: disc_surface(rim, u, v), 400, 120, (0, 2 * math.pi), (0.001, 2.999)))
+    append.Update()
+
+    def distance(p):
+        r = np.hypot(p[:, 0], p[:, 1])
+        to_disc = np.abs(np.hypot(np.maximum(r - 1, 0), p[:, 2]) - rim)
+        return np.minimum(to_disc, np.abs(np.linalg.norm(p - at, axis=1) - 0.6))
+    cloud = polydata(np.concatenate([disc_surface(rim, u, v), places]),
+                     np.concatenate([normals, (places - at) / 0.6]))
+    return StandIn("disc with graded faces", cloud, distance, spacing, append.GetOutput())
+
+
 def along_grid_lines(ratio=8, count=60000):
     """A solver's wall: points along lines, ratio times as dense along them as from line to line."""
     def wall(u, v):
@@ -458,11 +511,13 @@ ALL = {
     "shell_03": lambda: thin_shell(0.3),
     "shell_1": lambda: thin_shell(1.0),
     "holed_ball": holed_ball,
+    "gappy_ball": gappy_ball,
     "drapery": drapery,
     "drapery_vertices": drapery_vertices,
     "rounded_ring": rounded_ring,
     "rimmed_disc": rimmed_disc,
     "thin_disc": lambda: rimmed_disc(0.02),
+    "graded_disc": graded_disc,
     "grid_lines": along_grid_lines,
     "grid_lines_20": lambda: along_grid_lines(20),
     "graded_dish": graded_dish,
