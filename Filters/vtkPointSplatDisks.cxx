@@ -38,7 +38,8 @@ constexpr float NearestShare = 0.6f;
 constexpr float MostSteepness = 4;
 constexpr float HoleFactor = 1.3f;
 constexpr float GapFactor = 3.0f;
-/// Of HoleLimit counts HoleShare at a border, and this with the least spacing around, which is that farther inside: where cells are even none reaches so far.
+/// Of HoleLimit counts HoleShare at a border, and this with the least spacing around, which is that farther inside: where
+/// cells are even none reaches so far.
 constexpr float InsideShare = 0.9f;
 /// Where cells are long in one place and not in another: by how much one is longer than others around that may reach
 /// into a hole.

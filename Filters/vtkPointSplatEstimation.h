@@ -115,8 +115,9 @@
  *    the disk would be 1.4 times as large as distances to the neighbours ask for, no round disk covers
  *    what is around a point and does not stand off the surface. There disks are as small as the densest part and
  *    the bend ask for, graded from point to point (vtkPointSplatStars.h), and fill points lie between those that are
- *    farther apart than that (vtkPointSplatRefinement.h), with normals between theirs; so they do in holes of a regular sampling
- *    that no border surrounds, since these are gaps. Without it disks are as large as gaps are. Even samplings have no fill points, random ones few; noise (IsNoisy()) of points at random does not count as bend,
+ *    farther apart than that (vtkPointSplatRefinement.h), with normals between theirs; so they do in holes of a regular
+ *    sampling that no border surrounds, since these are gaps. Without it disks are as large as gaps are. Even samplings
+ *    have no fill points, random ones few; noise (IsNoisy()) of points at random does not count as bend,
  *    nor do steps that normals do not follow (vtkPointSplatDisks::TrustNormals()).
  * 7. *Bound.* No disk is larger than two and a half times those of its neighbours, which keeps
  *    outliers small. A point with no neighbour of its own sheet is a body alone, and so are points

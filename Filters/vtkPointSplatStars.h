@@ -15,9 +15,10 @@
  *    within that, it is the distance within which they turn by so much, and at least LeastBent of the former.
  *    No size is less than a Grain (vtkPointSplatSheet.h) of the median.
  * 2. *Uneven* sites are those with a neighbour in their star that is farther than FarNeighbor sizes, or, of
- *    a cloud, those beside a gap that their disk does not close (3.), some witness of less than half of their size, or, where normals tell that the surface bends, a disk of
- *    more than LargeDisk times the radius that their size asks for. Even samplings have none of them, random ones some percent.
- *    Those are not looked at any more about which, as far as stars may reach, all is flat.
+ *    a cloud, those beside a gap that their disk does not close (3.), those with some witness of less than half of their
+ *    size, or, where normals tell that the surface bends, those with a disk of more than LargeDisk times the radius that
+ *    their size asks for. Even samplings have none of them, random ones some percent. Those are not looked at any more
+ *    about which, as far as stars may reach, all is flat, but for those beside gaps.
  * 3. Their stars are found once more: the triangles between a site and neighbours that are next to each other
  *    around it (Delaunay's in the tangent plane), but for those that reach over holes or lie past borders, and those
  *    over creases at which both splats end at lines, or one does and normals turn by much. All corners of one past a
