@@ -41,6 +41,8 @@ constexpr float LargestAlpha = 5.0f;
 constexpr float SureReach = 2.0f;
 constexpr float RegularReach = 1.5f;
 constexpr int LeastSure = 8;
+/// What is as far as the farthest vertex, but for rounding.
+constexpr float FarthestShare = 0.999f;
 /// Which of the spacings around is taken: a point's own one is larger at a border, where there are
 /// points to one side alone, and the least of all makes holes of uneven samplings.
 constexpr double SpacingQuantile = 0.75;
@@ -137,13 +139,14 @@ bool vtkPointSplatBorders::FindEnd(
   end.Gap = disk.Gap;
   // A line as far off as its unit, whose vector is its normal.
   plane.SetLine(from + 0.5 * sector, 1.0f, end.Out);
-  // Where cells are long in one place and not in another a spacing does not tell how far they reach.
   float least = alpha;
   disk.VisitTriangles([&](int a, int b, float circumscribed) {
-    for (const int corner : { a, b })
+    // Where cells are long in one place and not in another a spacing does not tell how far they reach.
+    if (circumscribed >= FarthestShare * reach && !this->Disks.Stretched)
     {
-      const float inside = this->Disks.Stretched ? 0 : this->Disks.GetSpacingInside(around.Slots[corner]);
-      least = circumscribed < reach ? least : std::max(least, this->Limit * inside);
+      const float inside = std::max(this->Disks.GetSpacingInside(around.Slots[a]),
+        this->Disks.GetSpacingInside(around.Slots[b]));
+      least = std::max(least, this->Limit * inside);
     }
   });
   end.Sure = reach > this->LeastReach * least;

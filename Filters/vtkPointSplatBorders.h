@@ -19,7 +19,8 @@
  * 3. Points are linked where one is the next of the other. A chain is a border if a vertex is
  *    farther than twice alpha, or of a regular sampling than one and a half times alpha and than gaps that are closed, in at least
  *    eight of its points' cells: others are gaps in the sampling. So are cells that are no wider than that by the
- *    spacing at their farthest vertex, as where points become sparser from one row to the next.
+ *    spacing at their farthest vertex, as where points become sparser from one row to the next, unless cells are long in one
+ *    place and square in another.
  * 4. The splat is clipped by the lines through the point and each of the next ones where the face
  *    between them has a convex corner. Where the corner is reflex, one line cuts across it, as far
  *    off as half of the way to the nearer of the next points, since a splat keeps what all of its
