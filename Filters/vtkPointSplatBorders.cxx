@@ -249,6 +249,7 @@ bool vtkPointSplatBorders::Find(
     vtkPointSplatDisk disk;
     const bool closed =
       disk.Estimate(around, this->Normals, elliptical, this->Usual, this->Disks.BorderLimit);
+    // A cell that more neighbours closed: these are denser, and to one side.
     if (round == 0 && !closed && this->Disks.Opening[around.Center] > 0)
     {
       return false;

@@ -245,8 +245,7 @@ float vtkPointSplatDisks::GetLocalSpread() const
 bool vtkPointSplatDisks::GetTubeLines(Slot slot, float clip[6]) const
 {
   const float opening = this->Opening[slot];
-  if (!this->Even || !this->Cut[slot] || opening == 0 ||
-    opening > this->HoleLimit * this->Spacing[slot])
+  if (!this->Even || !this->Cut[slot] || opening == 0 || this->MayReachHole(slot))
   {
     return false;
   }

@@ -60,6 +60,8 @@ public:
    * its cell is open, and that of some witness is not, as beside a border, along which others are open, and unlike in vegetation.
    */
   bool MayEnd(Slot slot) const;
+  /// Whether a closed cell is so wide that it may reach into a hole.
+  bool MayReachHole(Slot slot) const { return this->Opening[slot] > this->HoleLimit * this->Spacing[slot]; }
   /// Of the spacing at a border, which is larger than farther inside, what that is.
   float GetSpacingInside(Slot slot) const { return HoleShare * this->Spacing[slot]; }
   /// The radius that a disk has where it closes the gaps around; and whether that is too much for those beside.

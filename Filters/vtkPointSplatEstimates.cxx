@@ -458,7 +458,7 @@ bool vtkPointSplatEstimates::FindDisks()
     {
       again[s] = this->Searched[s] && !sparse[s] &&
         ((this->Misled[s] && !disks.Whole[s]) || this->IsHemmed(s) ||
-          disks.Opening[s] > disks.HoleLimit * disks.Spacing[s] ||
+          disks.MayReachHole(s) ||
           (disks.Stretched && disks.Opening[s] == 0));
       std::copy_n(this->Searched[s] ? disks.Planes.data() + std::size_t(3) * s : this->GetSlotNormal(s),
         3, this->SheetNormals.data() + std::size_t(3) * s);

@@ -223,9 +223,8 @@ bool vtkPointSplatStars::IsHalfCovered(const Cloud& cloud, const Triangle& trian
 bool vtkPointSplatStars::IsBesideGap(const Cloud& cloud, Site site)
 {
   const vtkPointSplatDisks& disks = *cloud.Disks;
-  const float opening = disks.Opening[site];
-  return opening > disks.HoleLimit * disks.Spacing[site] &&
-    opening <= cloud.Borders->GetWidestGap() * disks.NearSpacing[site] && !cloud.Borders->IsEnd(site);
+  return disks.MayReachHole(site) &&
+    disks.Opening[site] <= cloud.Borders->GetWidestGap() * disks.NearSpacing[site] && !cloud.Borders->IsEnd(site);
 }
 
 /// Whether a triangle that is wide enough to reach over a hole lies in such a gap. Normals of its corners that part by

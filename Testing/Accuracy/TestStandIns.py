@@ -200,34 +200,30 @@ class TestStandIns(unittest.TestCase):
         self.assertGreater(min(found["psnr"]), 26)
         self.assertLess(found["spill"], 0.001)  # 0.0016 where borders along rows were not seen
 
+    def check_whole(self, standin, psnr, size=300, views=3):
+        """That splats draw a surface without holes, and nothing beside it."""
+        found = likeness.compare(standin, size, views)
+        self.assertGreater(min(found["psnr"]), psnr, standin.name)
+        self.assertEqual(found["holes"], 0, standin.name)
+        self.assertLess(found["spill"], 0.001, standin.name)
+
     def test_uneven(self):
         # 4 to 18 dB where disks of the faces' points stand out over the rim.
         for name in ("rimmed_disc", "thin_disc"):
-            found = likeness.compare(standins.ALL[name](), 300, 3)
-            self.assertGreater(min(found["psnr"]), 45, name)
-            self.assertEqual(found["holes"], 0, name)
-            self.assertLess(found["spill"], 0.001, name)
+            self.check_whole(standins.ALL[name](), 45)
 
     def test_graded_faces(self):
         # 25 dB and 365 hole pixels where rows that become sparser were borders.
-        found = likeness.compare(standins.graded_disc(), 384, 4)
-        self.assertGreater(min(found["psnr"]), 45)
-        self.assertEqual(found["holes"], 0)
-        self.assertLess(found["spill"], 0.001)
+        self.check_whole(standins.graded_disc(), 45, 384, 4)
 
     def test_gaps(self):
         # 42 to 50 dB where gaps without a border stayed open: the ball's other side was seen in them.
-        found = likeness.compare(standins.gappy_ball(), 384, 4)
-        self.assertGreater(min(found["psnr"]), 54)
-        self.assertEqual(found["holes"], 0)
+        self.check_whole(standins.gappy_ball(), 54, 384, 4)
 
     def test_gap_beside_dense_points(self):
         # 36 dB where disks of the sparse row filled half of the gap, and those of the dense row, whose nearest points are all on one
         # side, did not fill the other.
-        found = likeness.compare(standins.rounded_ring(), 300, 3)
-        self.assertGreater(min(found["psnr"]), 41)
-        self.assertEqual(found["holes"], 0)
-        self.assertLess(found["spill"], 0.001)
+        self.check_whole(standins.rounded_ring(), 41)
 
     def test_overlapping_scans(self):
         found = likeness.compare(standins.overlapping_scans(), 300, 4)

@@ -247,6 +247,20 @@ def disc_surface(rim, u, v):
     return np.stack([r * np.cos(u), r * np.sin(u), rim * np.sin(turn) + 0 * u], -1)
 
 
+def disc_normals(u, v):
+    turn = math.pi * (np.clip(v - 1, 0, 1) - 0.5)
+    return np.stack([np.cos(turn) * np.cos(u), np.cos(turn) * np.sin(u), np.sin(turn)], -1)
+
+
+def disc_mesh(rim):
+    return parametric(lambda u, v: disc_surface(rim, u, v), 400, 120, (0, 2 * math.pi), (0.001, 2.999))
+
+
+def to_disc(rim, p):
+    r = np.hypot(p[:, 0], p[:, 1])
+    return np.abs(np.hypot(np.maximum(r - 1, 0), p[:, 2]) - rim)
+
+
 def rounded_ring(resolution=120):
     """VTK's own superquadric: on its flat faces a row of points is four times as far off as the ones before, that
     are dense all about."""
@@ -266,8 +280,6 @@ def rounded_ring(resolution=120):
 
 def rimmed_disc(rim=0.1):
     """What modelling programs make of flat things: ten thousand vertices on the rim, fifty on the faces."""
-    def surface(u, v):
-        return disc_surface(rim, u, v)
     around, across = np.meshgrid(np.arange(400) * 2 * math.pi / 400, np.linspace(1, 2, 25))
     u, v = [around.ravel()], [across.ravel()]
     for ring in (1, 2):
@@ -275,16 +287,10 @@ def rimmed_disc(rim=0.1):
             u.append(np.arange(8 * ring) * 2 * math.pi / (8 * ring))
             v.append(np.full(8 * ring, v0))
     u, v = np.concatenate(u), np.concatenate(v)
-    turn = math.pi * (np.clip(v - 1, 0, 1) - 0.5)
-    normals = np.stack([np.cos(turn) * np.cos(u), np.cos(turn) * np.sin(u), np.sin(turn)], -1)
-    points = np.concatenate([surface(u, v), [[0, 0, -rim], [0, 0, rim]]])
-    normals = np.concatenate([normals, [[0, 0, -1], [0, 0, 1]]])
-
-    def distance(p):
-        r = np.hypot(p[:, 0], p[:, 1])
-        return np.abs(np.hypot(np.maximum(r - 1, 0), p[:, 2]) - rim)
-    mesh = parametric(surface, 400, 120, (0, 2 * math.pi), (0.001, 2.999))
-    return StandIn("disc with a dense rim", polydata(points, normals), distance, 0.015, mesh)
+    points = np.concatenate([disc_surface(rim, u, v), [[0, 0, -rim], [0, 0, rim]]])
+    normals = np.concatenate([disc_normals(u, v), [[0, 0, -1], [0, 0, 1]]])
+    return StandIn("disc with a dense rim", polydata(points, normals), lambda p: to_disc(rim, p), 0.015,
+                   disc_mesh(rim))
 
 
 def graded_disc(growth=1.7, spacing=0.04, rim=0.15, seed=1):
@@ -308,23 +314,18 @@ def graded_disc(growth=1.7, spacing=0.04, rim=0.15, seed=1):
         on_face = abs(place - 1.5) > 0.5
         v.append(place + on_face * apart * rng.uniform(-0.15, 0.15, count))
     u, v = np.concatenate(u), np.clip(np.concatenate(v), 0, 3)
-    turn = math.pi * (np.clip(v - 1, 0, 1) - 0.5)
-    normals = np.stack([np.cos(turn) * np.cos(u), np.cos(turn) * np.sin(u), np.sin(turn)], -1)
     at = np.array([0, 0, 1.2])
     ball = sphere_mesh(6 * 40 * 40, 0.6, at)
     places = vtk_to_numpy(ball.GetPoints().GetData())
     append = vtkAppendPolyData()
     append.AddInputData(ball)
-    append.AddInputData(
-        parametric(lambda u, v: disc_surface(rim, u, v), 400, 120, (0, 2 * math.pi), (0.001, 2.999)))
+    append.AddInputData(disc_mesh(rim))
     append.Update()
 
     def distance(p):
-        r = np.hypot(p[:, 0], p[:, 1])
-        to_disc = np.abs(np.hypot(np.maximum(r - 1, 0), p[:, 2]) - rim)
-        return np.minimum(to_disc, np.abs(np.linalg.norm(p - at, axis=1) - 0.6))
+        return np.minimum(to_disc(rim, p), np.abs(np.linalg.norm(p - at, axis=1) - 0.6))
     cloud = polydata(np.concatenate([disc_surface(rim, u, v), places]),
-                     np.concatenate([normals, (places - at) / 0.6]))
+                     np.concatenate([disc_normals(u, v), (places - at) / 0.6]))
     return StandIn("disc with graded faces", cloud, distance, spacing, append.GetOutput())
 
 
