@@ -73,12 +73,27 @@ class TestMeasures(unittest.TestCase):
         rim[tuple(np.argwhere(measures.outline(truth))[0])] = False
         self.assertEqual(measures.holes(rim, truth), 0)
 
+    def test_openings(self):
+        # A slope before a wall.
+        truth = np.tile(np.linspace(5.0, 6.0, 61), (61, 1))
+        truth[:20] = 9.0
+        self.assertEqual(measures.openings(truth, truth, 0.01), 0)
+        torn = truth.copy()
+        torn[40, 28:31] = 9.0
+        self.assertEqual(measures.openings(torn, truth, 0.01), 3)
+        # Where the wall is seen beside it, the slope may end.
+        torn = truth.copy()
+        torn[20:22] = 9.0
+        self.assertEqual(measures.openings(torn, truth, 0.01), 0)
+        self.assertEqual(measures.openings(truth - 1.0, truth, 0.01), 0)
+
     def test_grown_and_inner(self):
         dot = np.zeros((9, 9), bool)
         dot[4, 4] = True
         self.assertEqual(measures.grown(dot).sum(), 9)
         self.assertEqual(measures.grown(dot, 2).sum(), 25)
         np.testing.assert_array_equal(measures.inner(measures.grown(dot, 2), 2), dot)
+        np.testing.assert_array_equal(measures.grown(np.float32([[1, 2, 5, 4, 3]])), [[2, 5, 5, 5, 4]])
 
     def test_layers(self):
         truth = np.zeros((10, 10), int)

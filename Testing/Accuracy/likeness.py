@@ -7,27 +7,30 @@ same surface, and how well its splats' sizes fit the surface.
 
 The mesh is drawn supersampled 3 x 3 as the truth, and once more as it is. psnr: in dB over the
 pixels three inside the silhouette; gap: by how much the plain mesh's is higher; holes: of these
-pixels those where nothing is drawn though all nine samples of the mesh show it; spill: pixels drawn more than two outside the silhouette, over
-its area; close up: the psnr of the last view; gap of field: the gap where the truth is a finer mesh of the same
-surface, supersampled likewise, as there is for some stand-ins and for files (meshes.py).
+pixels those where nothing is drawn though all nine samples of the mesh show it; openings: pixels that
+show something behind the mesh, by more than a hundredth of its diagonal (of opaque ones); spill: pixels
+drawn more than two outside the silhouette, over its area; close up: the psnr of the last view; gap of
+field: the gap where the truth is a finer mesh of the same surface, supersampled likewise, as there is
+for some stand-ins and for files (meshes.py).
 """
 import argparse
 import os
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import vtkFloatArray, vtkUnsignedCharArray
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 import pointsplatting
 
 from drawing import save, window
-from measures import grown, inner, psnr
+from measures import grown, inner, openings, psnr
 import meshes
 import standins
 
 BACKGROUND = (0.1, 0.2, 0.4)
 ELEVATIONS = (-20, 15, 40, 5)
 SAMPLES = 3
+BEHIND = 0.01  # of the diagonal
 
 
 class View:
@@ -69,6 +72,14 @@ class View:
         self.window.GetPixelData(0, 0, self.size - 1, self.size - 1, 0, pixels, 0)
         return vtk_to_numpy(pixels).reshape(self.size, self.size, 3).astype(np.float32)
 
+    def depth(self):
+        """Of what was drawn, along the line of sight."""
+        found = vtkFloatArray()
+        self.window.GetZbufferData(0, 0, self.size - 1, self.size - 1, found)
+        found = vtk_to_numpy(found).reshape(self.size, self.size).astype(float)
+        near, far = self.renderer.GetActiveCamera().GetClippingRange()
+        return near * far / (far - found * (far - near))
+
 
 def of_mesh(mesh):
     mapper = vtkPolyDataMapper()
@@ -83,13 +94,14 @@ def of_cloud(cloud):
 
 
 def compare(standin, size=512, views=4, opacity=1.0, pictures=None):
-    """The figures, as a dictionary: psnr and gap a view, holes of all views, the largest spill."""
+    """The figures, as a dictionary: psnr and gap a view, holes and openings of all views, the largest
+    spill."""
     fine = View(of_mesh(standin.mesh), SAMPLES * size, opacity)
     plain = View(of_mesh(standin.mesh), size, opacity)
     splats = View(of_cloud(standin.cloud), size, opacity)
     field = View(of_mesh(standin.fine()), SAMPLES * size, opacity) if standin.fine else None
     background = np.round(255 * np.array(BACKGROUND))
-    found = {"psnr": [], "gap": [], "holes": 0, "spill": 0.0}
+    found = {"psnr": [], "gap": [], "holes": 0, "openings": 0, "spill": 0.0}
     if field:
         found["gap of field"] = []
 
@@ -108,6 +120,9 @@ def compare(standin, size=512, views=4, opacity=1.0, pictures=None):
         inside = inner(covered, 3)
         judged = inside & is_drawn
         found["holes"] += int((inside & whole & ~is_drawn).sum())
+        if opacity == 1:
+            found["openings"] += openings(
+                splats.depth(), plain.depth(), BEHIND * standin.mesh.GetLength())
         spill = (is_drawn & ~grown(covered, 2)).sum() / max(1, covered.sum())
         found["spill"] = max(found["spill"], float(spill))
         both = [psnr(picture, truth, judged) or 0.0 for picture in drawn[1:]]
@@ -177,7 +192,8 @@ def main():
             line += ", radii %s, off %.4f" % (" ".join("%.2f" % r for r in fit["radii"]), fit["off"])
         if standin.mesh:
             found = compare(standin, options.size, 4, options.opacity, options.pictures)
-            line += ", psnr {psnr}, gap {gap}, holes {holes}, spill {spill:.4f}".format(**found)
+            line += ", psnr {psnr}, gap {gap}, holes {holes}, openings {openings}".format(**found)
+            line += ", spill {spill:.4f}".format(**found)
             if standin.fine:
                 line += ", gap of field {gap of field}".format(**found)
         print(line, flush=True)

@@ -4,16 +4,17 @@
 import numpy as np
 
 
-def grown(mask, by=1):
-    """A mask and all pixels at most so many steps, diagonal ones too, from it."""
+def grown(values, by=1):
+    """The greatest value at most so many steps, diagonal ones too, from each pixel: of a mask, it and
+    all pixels so near to it."""
     for _ in range(by):
-        wider = mask.copy()
-        wider[1:] |= mask[:-1]
-        wider[:-1] |= mask[1:]
-        mask = wider.copy()
-        mask[:, 1:] |= wider[:, :-1]
-        mask[:, :-1] |= wider[:, 1:]
-    return mask
+        wider = values.copy()
+        np.maximum(wider[1:], values[:-1], out=wider[1:])
+        np.maximum(wider[:-1], values[1:], out=wider[:-1])
+        values = wider.copy()
+        np.maximum(values[:, 1:], wider[:, :-1], out=values[:, 1:])
+        np.maximum(values[:, :-1], wider[:, 1:], out=values[:, :-1])
+    return values
 
 
 def inner(mask, by=2):
@@ -96,6 +97,13 @@ def silhouette(covered, truth):
 def holes(covered, truth):
     """Pixels not covered whose 3 x 3 neighbourhood truly is."""
     return int((inner(truth, 1) & ~covered).sum())
+
+
+def openings(depth, truth, least):
+    """Pixels where one sees what is behind the surface, be it another one: farther from the eye, by the
+    least difference, than all that truly is within two pixels. The background's depth is that of the
+    far plane."""
+    return int((depth > grown(truth, 2) + least).sum())
 
 
 def spill(covered, truth):
