@@ -16,11 +16,11 @@ top=$(cd "$(dirname "$0")" && pwd)
 if [ "${1:-}" = --paraview ]; then
   shift
   . "$top/Module/ParaView/setup.sh"
-  { install_paraview && use_paraview && build_paraview; } >&2
+  { install_paraview; use_paraview; build_paraview; } >&2
   run_paraview "$@"
   exit
 fi
 
 # Out of the way of what splatview says itself.
-{ install_packages && build "$top/build" programs; } >&2
+{ install_packages; build "$top/build" programs; } >&2
 exec "$top/build/bin/splatview" "$@"
