@@ -53,6 +53,7 @@ struct Face
   Vector Normal{ { 0.0, 0.0, 0.0 } };
   Vector Along; // the first edge
   Vector Across;
+  std::vector<std::array<double, 2>> Flat; // the corners along and across
 
   Face(const std::vector<Vector>& corners, const std::array<unsigned char, 3>& colour)
     : Corners(corners)
@@ -65,23 +66,26 @@ struct Face
     this->Normal = Unit(this->Normal);
     this->Along = Unit(Sum(this->Corner(1), -1.0, this->Corner(0)));
     this->Across = Cross(this->Normal, this->Along);
+    for (const Vector& corner : corners)
+    {
+      this->Flat.push_back({ Dot(corner, this->Along), Dot(corner, this->Across) });
+    }
   }
   const Vector& Corner(size_t i) const { return this->Corners[i % this->Corners.size()]; }
 
   /// Whether a point of the plane is inside: edges that a ray from it along the first one crosses.
   bool Contains(const Vector& p) const
   {
+    const double along = Dot(p, this->Along);
+    const double across = Dot(p, this->Across);
     bool inside = false;
-    for (size_t i = 0; i < this->Corners.size(); ++i)
+    for (size_t i = 0, last = this->Flat.size() - 1; i < this->Flat.size(); last = i++)
     {
-      const Vector a = Sum(this->Corner(i), -1.0, p);
-      const Vector b = Sum(this->Corner(i + 1), -1.0, p);
-      const double from = Dot(a, this->Across);
-      const double to = Dot(b, this->Across);
-      if ((from > 0.0) != (to > 0.0))
+      const auto& a = this->Flat[last];
+      const auto& b = this->Flat[i];
+      if ((a[1] > across) != (b[1] > across))
       {
-        const double start = Dot(a, this->Along);
-        inside ^= start + from / (from - to) * (Dot(b, this->Along) - start) > 0.0;
+        inside ^= a[0] + (a[1] - across) / (a[1] - b[1]) * (b[0] - a[0]) > along;
       }
     }
     return inside;

@@ -11,6 +11,7 @@
 #include "vtkLookupTable.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkPBRIrradianceTexture.h"
+#include "vtkPBRLUTTexture.h"
 #include "vtkPBRPrefilterTexture.h"
 #include "vtkTexture.h"
 
@@ -164,6 +165,7 @@ void AddEnvironment(vtkRenderer* renderer, bool harmonics)
   auto own = static_cast<vtkOpenGLRenderer*>(renderer);
   own->SetUseSphericalHarmonics(harmonics);
   // Without a GPU VTK takes minutes for as many as it has by default.
+  own->GetEnvMapLookupTable()->SetLUTSamples(64);
   own->GetEnvMapIrradiance()->SetIrradianceSize(16);
   own->GetEnvMapIrradiance()->SetIrradianceStep(0.1f);
   own->GetEnvMapPrefiltered()->SetPrefilterMaxSamples(64);

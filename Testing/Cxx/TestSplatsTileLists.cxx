@@ -180,6 +180,10 @@ int TestSplatsTileLists(int, char*[])
     }
     TestSame(checks, name + ", large splats", scene);
     // No multiple of tiles, and larger than before.
+    for (vtkPointSplatMapper* mapper : { scene.Mappers[0].Get(), scene.Mappers[1].Get() })
+    {
+      mapper->SetRadiusScale(1);
+    }
     scene.Win.Win->SetSize(Size + 61, Size - 37);
     TestSame(checks, name + ", resized", scene);
   }

@@ -7,7 +7,7 @@
 // RunsPerWindow cases: where a finding does not come again with --case, it does with --first
 // and the multiple of that before it.
 //
-// ctest runs a minute of seed 1, and no further than the cases that have been seen to pass: a
+// ctest runs half a minute of seed 1, and no further than the cases that have been seen to pass: a
 // faster machine finds nothing there that a slower one does not, and what fails there failed by
 // a change. New cases are for runs by hand, over night say, with seeds of one's own and a
 // build of PointSplatting_SANITIZE:
