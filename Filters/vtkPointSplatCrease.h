@@ -47,6 +47,7 @@ struct vtkPointSplatFaces
 
   const float* Normals = nullptr; // 3 a slot, unit length
   const float* Tensors = nullptr; // 6 a slot, or null: none is known
+  const float* Spacings = nullptr; // a slot: of the nearest ones, of whatever face
   /// Of the slots that were looked at closely: their numbers, in order of slots.
   std::vector<Slot> Numbers; // a slot; None for others
   std::vector<float> Fitted; // 6 a number

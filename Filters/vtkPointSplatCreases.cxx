@@ -80,14 +80,15 @@ float GetNextRow(
 }
 }
 
-vtkPointSplatCreases::vtkPointSplatCreases(const vtkPointSplatNeighbors& neighbors,
-  const float* normals, const float* tensors, float usual, bool elliptical)
+vtkPointSplatCreases::vtkPointSplatCreases(const vtkPointSplatNeighbors& neighbors, const float* normals,
+  const float* tensors, const float* spacings, float usual, bool elliptical)
   : Neighbors(neighbors)
   , Usual(usual)
   , Elliptical(elliptical)
 {
   this->Faces.Normals = normals;
   this->Faces.Tensors = tensors;
+  this->Faces.Spacings = spacings;
 }
 
 /// Fits the faces of slots that are wanted and have none yet; those that do not end are not wanted. A row of points is

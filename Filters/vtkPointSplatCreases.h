@@ -19,7 +19,8 @@
  *    their mirror images and its own at the lines: then it is as large as it would be if the face
  *    went on, and what lies between the points and the line is covered as the rest is, since of a
  *    point and its image the point itself is nearer to what is on its side. Points on the lines
- *    with averaged normals count among them, since they have a part of their splat on each face.
+ *    with averaged normals count among them, since they have a part of their splat on each face, but for
+ *    those that are much denser than the face's points are far: their splats are as small as the denser face's.
  *    Where the neighbours on a face are those of one row, along an edge whose other face is denser than the next
  *    row is near, more neighbours are looked at, and the distance of that row is the spacing on this face.
  *    The same where a point on the edge, with an average of normals, is on a sparser face than the others.
@@ -82,9 +83,10 @@ public:
     bool Hidden = false;   // whether it may end at a face that has no points among the neighbours
   };
 
-  /// normals: 3 floats a slot, unit length; tensors: 6, or null; usual: as in vtkPointSplatSheet.
+  /// normals: 3 floats a slot, unit length; tensors: 6, or null; spacings: one, of the nearest points, of whatever
+  /// face; usual: as in vtkPointSplatSheet.
   vtkPointSplatCreases(const vtkPointSplatNeighbors& neighbors, const float* normals,
-    const float* tensors, float usual, bool elliptical);
+    const float* tensors, const float* spacings, float usual, bool elliptical);
 
   /// candidates: of each slot, whether it is one. Returns false if self was aborted.
   bool Find(vtkAlgorithm* self, double from, double to,

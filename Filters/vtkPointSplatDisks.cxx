@@ -49,6 +49,10 @@ constexpr float LeastStretch = 1.5f; // Testing/Cxx/TestSplatBorders.cxx
 constexpr float LargestBend = 0.6f;
 /// What is left of a disk at least, however much the surface bends: noise may look like it.
 constexpr float LeastShare = 0.75f;
+/// The cosine (45 degrees) between planes from which on a neighbour is beyond a crease, ...
+constexpr float OwnFace = 0.7f;
+/// ... and how many times denser it must be there not to bound a disk: of even samplings none is.
+constexpr float Denser = 3.0f;
 /// The radius of a body alone, of the distance to what is nearest.
 constexpr float BodyRadius = 0.5f;
 }
@@ -155,6 +159,15 @@ void vtkPointSplatDisks::Set(const vtkPointSplatCreases::Splat& splat)
     {
       this->Axes[6 * s + c] = splat.Axis1[c];
       this->Axes[6 * s + 3 + c] = ratio * splat.Axis2[c];
+    }
+  }
+  for (int w = 0; w < NumberOfWitnesses && this->Axes.empty(); ++w)
+  {
+    Slot& witness = this->Witnesses[NumberOfWitnesses * s + w];
+    if (witness != vtkPointSplatNeighbors::None && splat.Spacing > Denser * this->NearSpacing[witness] &&
+      std::abs(vtkMath::Dot(splat.Normal, this->Planes.data() + std::size_t(3) * witness)) < OwnFace)
+    {
+      witness = vtkPointSplatNeighbors::None;
     }
   }
   this->Length[s] = std::min(splat.Length1, largest);

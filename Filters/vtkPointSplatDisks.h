@@ -39,7 +39,7 @@ public:
   void TrustNormals();
   /// Takes over what a mesh's triangles say, of circular disks.
   void Set(Slot slot, const vtkPointSplatFans::Disk& disk);
-  /// Takes over what was found at creases.
+  /// Takes over what was found at creases. Points beyond them that are much denser bound no disk.
   void Set(const vtkPointSplatCreases::Splat& splat);
 
   /// The radius at which a disk bends as much as it may.

@@ -536,7 +536,7 @@ bool vtkPointSplatEstimates::FindCreases(Twins twins)
 {
   this->Creases = std::make_unique<vtkPointSplatCreases>(this->Neighbors,
     this->SlotNormals.data(), this->Elliptical ? nullptr : this->Disks->Curvatures.data(),
-    this->Usual, this->Elliptical);
+    this->Disks->NearSpacing.data(), this->Usual, this->Elliptical);
   if (!this->Given || !(this->Fans.IsEmpty() || this->MeshAlone) || this->IsRough())
   {
     return true;

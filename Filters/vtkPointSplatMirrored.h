@@ -26,7 +26,8 @@ public:
   static constexpr int Capacity = vtkPointSplatNeighbors::MaximumNumberOfNeighbors;
   float Normals[3 * (Capacity + 1)]; // 3 a slot: the centre's, and those of the neighbours
 
-  /// Adds the points on the lines whose normals are averages: they have a part on this face.
+  /// Adds the points on the lines whose normals are averages: they have a part on this face. Not those that are so
+  /// dense, on another face, that their splats end before half of the way to the centre: that is the centre's to cover.
   void AddMeeting(const Neighborhood& around, const vtkPointSplatFaces& faces, const float n[3],
     const vtkPointSplatCrease& crease, float spacing)
   {
@@ -39,7 +40,9 @@ public:
       }
       for (int l = 0; l < crease.Count; ++l)
       {
-        if (vtkPointSplatCrease::IsOn(crease.Lines[l], x, spacing))
+        const vtkPointSplatCrease::Line& line = crease.Lines[l];
+        if (line.Distance <= LargestWay * faces.Spacings[around.Slots[i]] &&
+          vtkPointSplatCrease::IsOn(line, x, spacing))
         {
           this->Add(x, n);
           break;
@@ -87,6 +90,8 @@ public:
 private:
   /// How far, in spacings, a point on an edge may be off a face that meets there.
   static constexpr float OffFace = 0.15f;
+  /// How far from the centre, in its own spacings, a point on an edge may be: splats reach as far as their spacing.
+  static constexpr float LargestWay = 2.0f;
 
   struct Point
   {

@@ -159,6 +159,12 @@ class TestStandIns(unittest.TestCase):
         # 41.3 dB where lines of disks of a tenth of a pixel's width had faded by half.
         self.assertGreater(likeness.compare(standins.ALL["part_random"](), 100, 3)["psnr"][2], 42)
 
+    def test_dense_edges_of_sparse_faces(self):
+        # 57 where the points beyond an edge, or on it, were to cover what a sparse face's disks did not reach.
+        found = likeness.compare(standins.ALL["part_vertices"](), 384, 4)
+        self.assertLess(found["openings"], 20)
+        self.assertEqual(found["holes"], 0)
+
     def test_thin_shell(self):
         self.check("shell_03", 3.5, 0.005, 45)
 
