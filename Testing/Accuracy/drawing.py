@@ -27,6 +27,22 @@ def window(width, height):
     return made
 
 
+def depth(window, renderer):
+    """Of the frame that a renderer last drew in all of a window: before the eye, infinite where there is
+    nothing."""
+    values = vtkFloatArray()
+    width, height = window.GetSize()
+    window.GetZbufferData(0, 0, width - 1, height - 1, values)
+    z = vtk_to_numpy(values).reshape(height, width).astype(float)
+    camera = renderer.GetActiveCamera()
+    near, far = camera.GetClippingRange()
+    if camera.GetParallelProjection():
+        found = near + z * (far - near)
+    else:
+        found = near * far / (far - z * (far - near))
+    return np.where(z < 1, found, np.inf)
+
+
 def save(path, picture):
     image = vtkImageData()
     image.SetDimensions(picture.shape[1], picture.shape[0], 1)
@@ -115,17 +131,7 @@ class Drawing:
 
     def depth(self):
         """Of the frame last drawn: before the eye, infinite where there is nothing."""
-        values = vtkFloatArray()
-        last = self.size - 1
-        self.window.GetZbufferData(0, 0, last, last, values)
-        z = vtk_to_numpy(values).reshape(self.size, self.size).astype(float)
-        camera = self.renderer.GetActiveCamera()
-        near, far = camera.GetClippingRange()
-        if camera.GetParallelProjection():
-            depth = near + z * (far - near)
-        else:
-            depth = near * far / (far - z * (far - near))
-        return np.where(z < 1, depth, np.inf)
+        return depth(self.window, self.renderer)
 
     def drawn_with(self, lights, change):
         """A frame with other lights, and properties changed by `change`; all is put back."""

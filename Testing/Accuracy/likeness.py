@@ -18,11 +18,11 @@ import os
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkFloatArray, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 import pointsplatting
 
-from drawing import save, window
+from drawing import depth, save, window
 from measures import grown, inner, openings, psnr
 import meshes
 import standins
@@ -72,14 +72,6 @@ class View:
         self.window.GetPixelData(0, 0, self.size - 1, self.size - 1, 0, pixels, 0)
         return vtk_to_numpy(pixels).reshape(self.size, self.size, 3).astype(np.float32)
 
-    def depth(self):
-        """Of what was drawn, along the line of sight."""
-        found = vtkFloatArray()
-        self.window.GetZbufferData(0, 0, self.size - 1, self.size - 1, found)
-        found = vtk_to_numpy(found).reshape(self.size, self.size).astype(float)
-        near, far = self.renderer.GetActiveCamera().GetClippingRange()
-        return near * far / (far - found * (far - near))
-
 
 def of_mesh(mesh):
     mapper = vtkPolyDataMapper()
@@ -121,8 +113,8 @@ def compare(standin, size=512, views=4, opacity=1.0, pictures=None):
         judged = inside & is_drawn
         found["holes"] += int((inside & whole & ~is_drawn).sum())
         if opacity == 1:
-            found["openings"] += openings(
-                splats.depth(), plain.depth(), BEHIND * standin.mesh.GetLength())
+            depths = [depth(view.window, view.renderer) for view in (splats, plain)]
+            found["openings"] += openings(*depths, BEHIND * standin.mesh.GetLength())
         spill = (is_drawn & ~grown(covered, 2)).sum() / max(1, covered.sum())
         found["spill"] = max(found["spill"], float(spill))
         both = [psnr(picture, truth, judged) or 0.0 for picture in drawn[1:]]

@@ -101,8 +101,7 @@ def holes(covered, truth):
 
 def openings(depth, truth, least):
     """Pixels where one sees what is behind the surface, be it another one: farther from the eye, by the
-    least difference, than all that truly is within two pixels. The background's depth is that of the
-    far plane."""
+    least difference, than all that truly is within two pixels. The background's depth is infinite."""
     return int((depth > grown(truth, 2) + least).sum())
 
 

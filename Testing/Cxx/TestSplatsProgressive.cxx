@@ -237,14 +237,16 @@ void TestMoving(vtkPolyData* data)
   } while (scene.Mapper->IsProgressing() &&
     std::chrono::steady_clock::now() - begin < std::chrono::minutes(3));
   std::cout << "all that move after frames: " << frame << "\n";
-  draw(frame++);
-  const Picture moving = draw(frame++);
-  Expect(!scene.Mapper->IsProgressing() && scene.Tells("sizes of an earlier frame"), "all that move are drawn");
-  Scene script(data, false);
-  script.Win.Renderer->GetActiveCamera()->DeepCopy(scene.Win.Renderer->GetActiveCamera());
-  const double psnr = Psnr(moving, script.Win.Draw());
-  std::cout << "moving, against new sizes: " << psnr << " dB\n";
-  Expect(psnr > 40.0, "moving points look as with new sizes");
+  for (int i = 0; i < 2; ++i)
+  {
+    const Picture moving = draw(frame++);
+    Expect(!scene.Mapper->IsProgressing() && scene.Tells("sizes of an earlier frame"), "all that move are drawn");
+    Scene script(data, false);
+    script.Win.Renderer->GetActiveCamera()->DeepCopy(scene.Win.Renderer->GetActiveCamera());
+    const double psnr = Psnr(moving, script.Win.Draw());
+    std::cout << "moving, against new sizes: " << psnr << " dB\n";
+    Expect(psnr > 40.0, "moving points look as with new sizes");
+  }
   data->GetPoints()->DeepCopy(rest);
   data->GetPoints()->Modified();
 }
