@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatBodies.h"
 
+#include "vtkPointSplatRows.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,15 +11,6 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-/// Points lie on a curve if the second variance is less than this part of the first: 12 neighbours
-/// on a circle of a hundred points have 0.008, rows of a surface six times as dense along them as
-/// across have more than 0.1.
-constexpr float CurveVariance = 0.03f;
-/// Tighter curves are seen in their nearest six, if the sphere about twice as many has nearly twice
-/// the radius, as on a curve (2) and not in a plane (1.4).
-constexpr int FewNeighbors = 6;
-constexpr float FewVariance = 0.05f;
-constexpr float CurveGrowth = 1.7f;
 /// Points fill a volume if the third variance is more than this part of their sum, and the mean
 /// squared cosine of the normals with their neighbours' is less than that. In a volume nine of ten
 /// points are so, and on a plane with noise of 0.3 spacings 2 of 1000, of 0.5 spacings 40.
@@ -40,72 +33,6 @@ vtkPointSplatBodies::vtkPointSplatBodies(Slot slots)
 {
 }
 
-void vtkPointSplatBodies::GetVariances(
-  const Neighborhood& around, int count, float variances[3])
-{
-  double sum[3] = { 0, 0, 0 }, m[6] = { 0, 0, 0, 0, 0, 0 };
-  for (int i = 0; i < count; ++i)
-  {
-    const double d[3] = { around.X[i], around.Y[i], around.Z[i] };
-    for (int c = 0; c < 3; ++c)
-    {
-      sum[c] += d[c];
-      m[c] += d[c] * d[c];
-      m[3 + c] += d[c] * d[(c + 1) % 3];
-    }
-  }
-  const double n = count + 1; // the centre is one of them
-  for (int c = 0; c < 3; ++c)
-  {
-    m[c] = (m[c] - sum[c] * sum[c] / n) / n;
-    m[3 + c] = (m[3 + c] - sum[c] * sum[(c + 1) % 3] / n) / n;
-  }
-  // Eigenvalues by the trigonometric solution of the characteristic polynomial.
-  const double mean = (m[0] + m[1] + m[2]) / 3;
-  const double x = m[0] - mean, y = m[1] - mean, z = m[2] - mean;
-  const double off = m[3] * m[3] + m[4] * m[4] + m[5] * m[5];
-  const double p = std::sqrt((x * x + y * y + z * z + 2 * off) / 6);
-  const double det = x * (y * z - m[4] * m[4]) - m[3] * (m[3] * z - m[4] * m[5]) +
-    m[5] * (m[3] * m[4] - y * m[5]);
-  const double cosine = p > 0 ? std::clamp(det / (2 * p * p * p), -1.0, 1.0) : 1.0;
-  const double angle = std::acos(cosine) / 3, third = 2 * 3.14159265358979323846 / 3;
-  for (int k = 0; k < 3; ++k)
-  {
-    // The angle is at most a sixth of a turn: so the next is the least, and the last between.
-    const double turned = angle + (k == 0 ? 0 : k == 1 ? 2 * third : third);
-    variances[k] = static_cast<float>(std::max(mean + 2 * p * std::cos(turned), 0.0));
-  }
-}
-
-bool vtkPointSplatBodies::IsCurve(const Neighborhood& around, int count)
-{
-  count = std::min(count, around.Count);
-  if (count < 2)
-  {
-    return false;
-  }
-  float variances[3];
-  GetVariances(around, count, variances);
-  if (variances[1] < CurveVariance * variances[0])
-  {
-    return true;
-  }
-  if (count < 2 * FewNeighbors ||
-    around.SquaredDistance[2 * FewNeighbors - 1] <
-      CurveGrowth * CurveGrowth * around.SquaredDistance[FewNeighbors - 1])
-  {
-    return false;
-  }
-  return IsRow(around);
-}
-
-bool vtkPointSplatBodies::IsRow(const Neighborhood& around)
-{
-  float variances[3];
-  GetVariances(around, std::min(FewNeighbors, around.Count), variances);
-  return variances[1] < FewVariance * variances[0];
-}
-
 bool vtkPointSplatBodies::IsPartOfCurve(Slot slot, const vtkPointSplatDisks& disks) const
 {
   return (this->OnCurve[slot] || this->InRow[slot]) &&
@@ -116,10 +43,10 @@ void vtkPointSplatBodies::Look(const Neighborhood& around, const float* normals)
 {
   const Slot s = around.Center;
   this->Guessed[s] = 1;
-  this->OnCurve[s] = IsCurve(around, around.Count);
-  this->InRow[s] = IsRow(around);
   float variances[3];
-  GetVariances(around, around.Count, variances);
+  vtkPointSplatRows::GetVariances(around, around.Count, variances);
+  this->OnCurve[s] = vtkPointSplatRows::IsCurve(around, around.Count, variances);
+  this->InRow[s] = vtkPointSplatRows::IsRow(around);
   const float* n = normals + std::size_t(3) * s;
   float cosine2 = 0;
   for (int i = 0; i < around.Count; ++i)
@@ -143,8 +70,11 @@ void vtkPointSplatBodies::Look(const Neighborhood& around, const float* normals)
 
 void vtkPointSplatBodies::LookAtRow(const Neighborhood& around, int nearest)
 {
-  this->OnCurve[around.Center] = IsCurve(around, nearest);
-  this->InRow[around.Center] = IsRow(around);
+  const int count = std::min(nearest, around.Count);
+  float variances[3];
+  vtkPointSplatRows::GetVariances(around, count, variances);
+  this->OnCurve[around.Center] = vtkPointSplatRows::IsCurve(around, count, variances);
+  this->InRow[around.Center] = vtkPointSplatRows::IsRow(around);
 }
 
 void vtkPointSplatBodies::AddRow(

@@ -9,7 +9,8 @@
  *
  * 1. Points without given normals are looked at with their nearest neighbours, whose variances
  *    along their principal axes tell. On a curve the second is next to nothing, and with the
- *    neighbours' neighbours too, since a few points at random may lie in a row. In a volume the
+ *    neighbours' neighbours too, since a few points at random may lie in a row. (Those in rows that are a surface's are
+ *    taken for given, vtkPointSplatRows.h.) In a volume the
  *    third is not much less than the others, the planes that fit neighbouring points have little to
  *    do with one another, and both is so with most of the neighbours as well, since thick noise
  *    about a surface has such places too. An outlier is farther from the others than these are from one
@@ -69,13 +70,6 @@ private:
     float Length;                // by its nearest neighbours alone
   };
 
-  /// The variances along the principal axes, the greatest first, of the centre and so many
-  /// neighbours.
-  static void GetVariances(const Neighborhood& around, int count, float variances[3]);
-  static bool IsCurve(const Neighborhood& around, int count);
-
-  /// Whether the nearest few alone lie in a row.
-  static bool IsRow(const Neighborhood& around);
   bool IsPartOfCurve(Slot slot, const vtkPointSplatDisks& disks) const;
 
   std::vector<unsigned char> OnCurve;

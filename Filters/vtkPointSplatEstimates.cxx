@@ -206,6 +206,7 @@ bool vtkPointSplatEstimates::FindNormals()
     missing += unknown;
   });
   this->Guessed = missing > given;
+  this->Trusted = this->Known;
   if (missing > 0)
   {
     vtkPointSplatNormals fitted(this->Neighbors, this->SlotNormals.data(), this->Known);
@@ -220,6 +221,10 @@ bool vtkPointSplatEstimates::FindNormals()
     if (!fitted.Fit(this->Self, 0.1, 0.4, this->Self->GetNumberOfNeighbors(), consistent))
     {
       return false;
+    }
+    for (Slot s = 0; s < slots; ++s)
+    {
+      this->Trusted[s] = this->Known[s] || fitted.IsInRows(s);
     }
     if (consistent && !sensors.IsEmpty())
     {
@@ -275,7 +280,7 @@ float vtkPointSplatEstimates::GetUsualSpacing() const
 /// Whether points of other sheets may hide those of a slot's own: no neighbour counts, or most are of others.
 bool vtkPointSplatEstimates::IsHemmed(Slot s) const
 {
-  return this->Known[s] &&
+  return this->Trusted[s] &&
     (this->Disks->IsAlone(s) || (this->Disks->Few[s] && this->Disks->Opening[s] == 0));
 }
 
@@ -292,7 +297,7 @@ bool vtkPointSplatEstimates::Measure(const Neighborhood& around, int round)
     (disk.Sheet.Uneven &&
       vtkPointSplatCrease::IsLikely(
         around, this->SlotNormals.data(), this->GetSlotNormal(s), disk.Sheet.Spacing));
-  if (round == 0 && !this->Known[s])
+  if (round == 0 && !this->Trusted[s])
   {
     this->Bodies->Look(around, this->SlotNormals.data());
   }
@@ -313,7 +318,7 @@ bool vtkPointSplatEstimates::Measure(const Neighborhood& around, int round)
     if (round == 1)
     {
       const bool inRow = disk.InRow(count);
-      if (inRow && this->Known[s])
+      if (inRow && this->Trusted[s])
       {
         this->Bodies->LookAtRow(around, count);
       }
@@ -321,7 +326,7 @@ bool vtkPointSplatEstimates::Measure(const Neighborhood& around, int round)
     }
     return true;
   }
-  if (round > 0 && disk.Sheet.IsFewAfar && !this->Known[s])
+  if (round > 0 && disk.Sheet.IsFewAfar && !this->Trusted[s])
   {
     // Estimated normals of a row agree with the next row's by chance: this may be where the surface goes on, as beside a
     // dense edge, but does not say how far one disk reaches.

@@ -113,6 +113,7 @@ private:
   vtkPointSplatNeighbors Neighbors;
   vtkPointSplatLargeArray<float> SlotNormals;
   std::vector<unsigned char> Known; // slots with given normals
+  std::vector<unsigned char> Trusted; // the same, or with those of a surface in rows: whose sheet they tell
   std::vector<std::atomic<bool>> Searched; // slots with a point that is no triangle's corner
   float Median = 0; // spacing
   float Usual = 0; // the same, where it tells what is sparse

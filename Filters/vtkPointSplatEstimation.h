@@ -40,7 +40,9 @@
  * searched for if all points are such and have normals):
  * 1. *Neighbours.* For each point the NumberOfNeighbors nearest ones, found for all points at
  *    once. Of points at the same position one takes part, and the others share its result.
- * 2. *Normals*, where the input has none: the axis of least variance of the neighbours.
+ * 2. *Normals*, where the input has none: the axis of least variance of the neighbours. Where these lie in a row, of scan
+ *    lines as of a solver's grid, that is any; there farther neighbours tell, if rows side by side lie in a surface, and
+ *    where noise takes points off their row, four times as many (vtkPointSplatRows.h).
  * 3. *Orientation* of the normals from stage 2, either towards the Viewpoint, or consistently:
  *    along a minimum spanning tree over the neighbours (Hoppe et al. 1992, Surface
  *    Reconstruction from Unorganized Points, section 3.3), in which the normal is carried on

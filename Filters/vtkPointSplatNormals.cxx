@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatNormals.h"
 
+#include "vtkPointSplatRows.h"
+#include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -126,26 +129,70 @@ void vtkPointSplatNormals::FitPlane(
 
 bool vtkPointSplatNormals::Fit(vtkAlgorithm* self, double from, double to, int k, bool keepGraph)
 {
+  using Neighborhood = vtkPointSplatNeighbors::Neighborhood;
+  const Slot slots = this->Neighbors.GetNumberOfSlots();
   if (keepGraph)
   {
-    this->Graph.assign(
-      std::size_t(NumberOfEdges) * this->Neighbors.GetNumberOfSlots(), vtkPointSplatNeighbors::None);
+    this->Graph.assign(std::size_t(NumberOfEdges) * slots, vtkPointSplatNeighbors::None);
   }
-  auto fit = [this, keepGraph](const vtkPointSplatNeighbors::Neighborhood& around, int) {
-    if (keepGraph)
+  std::vector<unsigned char> inRow(slots, 0);
+  vtkSMPThreadLocal<std::vector<vtkPointSplatRows::Plane>> found;
+  const auto fit = [&](const Neighborhood& around, int round) {
+    const Slot s = around.Center;
+    float* normal = this->Normals + std::size_t(3) * s;
+    if (round == 0 && keepGraph)
     {
       std::copy(around.Slots, around.Slots + std::min(around.Count, +NumberOfEdges),
-        this->Graph.data() + std::size_t(NumberOfEdges) * around.Center);
+        this->Graph.data() + std::size_t(NumberOfEdges) * s);
     }
-    if (this->Known[around.Center])
+    if (this->Known[s])
     {
       return true;
     }
-    vtkPointSplatNormals::FitPlane(
-      around, this->Normals + std::size_t(3) * around.Center);
-    return true;
+    if (round == 2)
+    {
+      vtkPointSplatRows::Plane plane;
+      if (vtkPointSplatRows::Fit(around, plane))
+      {
+        found.Local().push_back(plane);
+      }
+      return true;
+    }
+    float variances[3];
+    vtkPointSplatRows::GetVariances(around, around.Count, variances);
+    inRow[s] = inRow[s] || vtkPointSplatRows::IsCurve(around, around.Count, variances);
+    if (round == 0)
+    {
+      vtkPointSplatNormals::FitPlane(around, normal);
+      return !inRow[s] && !vtkPointSplatRows::IsLong(variances);
+    }
+    vtkPointSplatRows::FitThick(around, variances, normal);
+    return !inRow[s];
   };
-  return this->Neighbors.Visit(self, from, to, k, fit);
+  if (!this->Neighbors.VisitWidely(self, from, to, k, fit, [](Slot) { return true; }))
+  {
+    return false;
+  }
+  std::vector<vtkPointSplatRows::Plane> planes;
+  for (const std::vector<vtkPointSplatRows::Plane>& local : found)
+  {
+    planes.insert(planes.end(), local.begin(), local.end());
+  }
+  vtkPointSplatRows::KeepSurfaces(planes, inRow, this->Normals);
+  this->InRows.assign(slots, 0);
+  for (const vtkPointSplatRows::Plane& plane : planes)
+  {
+    this->InRows[plane.At] = 1;
+    if (keepGraph)
+    {
+      // Else rows had nothing to do with one another.
+      static_assert(vtkPointSplatRows::NumberOfBeside < NumberOfEdges);
+      std::copy(plane.Beside, std::end(plane.Beside),
+        this->Graph.data() + std::size_t(NumberOfEdges) * (plane.At + std::size_t(1)) -
+          vtkPointSplatRows::NumberOfBeside);
+    }
+  }
+  return true;
 }
 
 /// Makes of the k nearest neighbours, which need not be mutual, edges in both directions.

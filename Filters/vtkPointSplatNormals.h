@@ -17,6 +17,8 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkPointSplatNormals
 {
 public:
+  using Slot = vtkPointSplatNeighbors::Slot;
+
   /// Normals, 3 floats a slot, are read and written; known[slot] says which are given.
   vtkPointSplatNormals(const vtkPointSplatNeighbors& neighbors, float* normals,
     const std::vector<unsigned char>& known);
@@ -28,9 +30,12 @@ public:
 
   /**
    * Fits planes to the k nearest neighbours of each slot without normal, and keeps the
-   * graph of the neighbours if it is to be oriented. Returns false if aborted.
+   * graph of the neighbours if it is to be oriented. Where these lie in a row, a surface of rows side by side tells the
+   * normal, if there is one (vtkPointSplatRows.h). Returns false if aborted.
    */
   bool Fit(vtkAlgorithm* self, double from, double to, int k, bool keepGraph);
+  /// Whether a slot's normal was fitted to rows side by side.
+  bool IsInRows(Slot slot) const { return this->InRows[slot] != 0; }
 
   /// Turns what was fitted the same way within a surface; given normals decide first.
   void OrientConsistently();
@@ -41,7 +46,6 @@ public:
   void OrientToSensors(const vtkPointSplatSensors& sensors);
 
 private:
-  using Slot = vtkPointSplatNeighbors::Slot;
   static constexpr int NumberOfEdges = 10; // of the graph, for each slot
 
   /// Turns what is not known to the position x that target(slot, x) gives, where it gives one, and
@@ -58,6 +62,7 @@ private:
   const vtkPointSplatNeighbors& Neighbors;
   float* Normals;
   const std::vector<unsigned char>& Known;
+  std::vector<unsigned char> InRows; // for each slot
   std::vector<Slot> Graph;           // NumberOfEdges for each slot, then None
   std::vector<vtkIdType> Offsets;    // into Edges, for each slot, both directions
   std::vector<Slot> Edges;

@@ -29,6 +29,7 @@ PARTS = ("part_random", "part_vertices")
 PLATES = ("ribbed_plate", "ribbed_plate_2")
 DISCS = ("rimmed_disc", "thin_disc")
 BENT = ("tubes_edges", "drapery_vertices")
+ROWS = ("grid_lines_bare", "grid_lines_20_bare", "grid_lines_noisy")
 ISOSURFACES = ("tubes_points", "cut_points", "gear_points")
 # The file in Filters, the values to try, and the stand-ins that tell.
 CONSTANTS = {
@@ -61,6 +62,11 @@ CONSTANTS = {
     "FarTurn": ("vtkPointSplatSheet.cxx", (0.3, 0.4, 0.5, 0.65), ("thick_slices", "shell_03")),
     "EdgeTurn": ("vtkPointSplatSheet.cxx", (0.2, 0.3, 0.5), ("thick_slices", "shell_03")),
     "FarOffset": ("vtkPointSplatSheet.cxx", (0.05, 0.1, 0.2), ("tubes_edges", "grid_lines")),
+    "PlaneReach": ("vtkPointSplatRows.cxx", (1.5, 2.1, 3.0), ROWS),
+    "LargestVariance": ("vtkPointSplatRows.cxx", (0.03, 0.05, 0.1, 0.2), ROWS),
+    "BesideCosine": ("vtkPointSplatRows.cxx", (0.7, 0.8, 0.9), ROWS),
+    "LongVariance": ("vtkPointSplatRows.cxx", (0.1, 0.15, 0.2, 0.3), ROWS + ("part_vertices_bare",)),
+    "FlatVariance": ("vtkPointSplatRows.cxx", (0.01, 0.03, 0.06, 0.08), ROWS + ("part_vertices_bare",)),
     "LargestTurn": ("vtkIsosurfaceSplat.cxx", (0.4, 0.6, 0.8), ("tubes_points", "cut_points")),
     "LeastOfReach": ("vtkIsosurfaceSplat.cxx", (0.65, 0.75, 0.85), ("tubes_points", "cut_points")),
     "BentCosine": ("vtkIsosurfaceFill.cxx", (0.95, 0.97, 0.98), ISOSURFACES),

@@ -329,8 +329,9 @@ def graded_disc(growth=1.7, spacing=0.04, rim=0.15, seed=1):
     return StandIn("disc with graded faces", cloud, distance, spacing, append.GetOutput())
 
 
-def along_grid_lines(ratio=8, count=60000):
-    """A solver's wall: points along lines, ratio times as dense along them as from line to line."""
+def along_grid_lines(ratio=8, count=60000, noise=0.0):
+    """A solver's wall, or a scanner's: points along lines, ratio times as dense along them as from line to line; noise:
+    of how far they are off the wall, in their distances along a line."""
     def wall(u, v):
         r = 0.5 + 0.12 * np.cos(2.5 * v) + 0.04 * np.cos(4 * u)
         return np.stack([r * np.cos(u), r * np.sin(u), v + 0.0 * u], -1)
@@ -339,7 +340,9 @@ def along_grid_lines(ratio=8, count=60000):
     rows = int(math.sqrt(count / ratio * 2.6 / 3.1))
     u = np.linspace(*extent[0], int(count / rows), endpoint=False)
     u, v = np.meshgrid(u, np.linspace(*extent[1], rows))
-    cloud = polydata(wall(u, v).reshape(-1, 3), normals_of(wall, u, v).reshape(-1, 3))
+    p, n = wall(u, v).reshape(-1, 3), normals_of(wall, u, v).reshape(-1, 3)
+    off = np.random.default_rng(5).normal(0, noise * 2.6 / rows / ratio, (len(p), 1))
+    cloud = polydata(p + off * n, n)
     mesh = parametric(wall, 900, 700, *extent)
     return StandIn("along grid lines", cloud, to_parametric(wall, *extent), 2.6 / rows, mesh)
 
@@ -505,6 +508,7 @@ ALL = {
     "belted_6": lambda: belted(6),
     "thick_slices": thick_slices,
     "part_vertices": machined_part,
+    "part_vertices_bare": lambda: without_normals(machined_part()),
     "part_random": lambda: machined_part(True),
     "ribbed_plate": ribbed_plate,
     "ribbed_plate_2": lambda: ribbed_plate(2.0),
@@ -521,6 +525,9 @@ ALL = {
     "graded_disc": graded_disc,
     "grid_lines": along_grid_lines,
     "grid_lines_20": lambda: along_grid_lines(20),
+    "grid_lines_bare": lambda: without_normals(along_grid_lines()),
+    "grid_lines_20_bare": lambda: without_normals(along_grid_lines(20)),
+    "grid_lines_noisy": lambda: without_normals(along_grid_lines(10, noise=1.0)),
     "graded_dish": graded_dish,
     "spray": spray,
     "scans": overlapping_scans,
