@@ -35,7 +35,7 @@ except ImportError:  # where run.sh and test.sh build it
     sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "build",
                                  "lib", "python3", "dist-packages"))
 
-from sweeps import layers, noise, samplings, settings, shadows, sizes, views  # noqa: F401, E402
+from sweeps import layers, lines, noise, samplings, settings, shadows, sizes, views  # noqa: F401, E402
 from sweeps.registry import SWEEPS  # noqa: E402
 
 COLUMNS = ["sweep", "series", "value", "at", "psnr", "mesh", "holes", "leaks", "stable"]
