@@ -222,10 +222,7 @@ bool vtkPointSplatEstimates::FindNormals()
     {
       return false;
     }
-    for (Slot s = 0; s < slots; ++s)
-    {
-      this->Trusted[s] = this->Known[s] || fitted.IsInRows(s);
-    }
+    fitted.MarkRows(this->Trusted);
     if (consistent && !sensors.IsEmpty())
     {
       fitted.OrientToSensors(sensors);

@@ -179,10 +179,10 @@ bool vtkPointSplatNormals::Fit(vtkAlgorithm* self, double from, double to, int k
     planes.insert(planes.end(), local.begin(), local.end());
   }
   vtkPointSplatRows::KeepSurfaces(planes, inRow, this->Normals);
-  this->InRows.assign(slots, 0);
+  this->InRows.clear();
   for (const vtkPointSplatRows::Plane& plane : planes)
   {
-    this->InRows[plane.At] = 1;
+    this->InRows.push_back(plane.At);
     if (keepGraph)
     {
       // Else rows had nothing to do with one another.
@@ -193,6 +193,14 @@ bool vtkPointSplatNormals::Fit(vtkAlgorithm* self, double from, double to, int k
     }
   }
   return true;
+}
+
+void vtkPointSplatNormals::MarkRows(std::vector<unsigned char>& marks) const
+{
+  for (const Slot slot : this->InRows)
+  {
+    marks[slot] = 1;
+  }
 }
 
 /// Makes of the k nearest neighbours, which need not be mutual, edges in both directions.

@@ -17,8 +17,6 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkPointSplatNormals
 {
 public:
-  using Slot = vtkPointSplatNeighbors::Slot;
-
   /// Normals, 3 floats a slot, are read and written; known[slot] says which are given.
   vtkPointSplatNormals(const vtkPointSplatNeighbors& neighbors, float* normals,
     const std::vector<unsigned char>& known);
@@ -34,8 +32,8 @@ public:
    * normal, if there is one (vtkPointSplatRows.h). Returns false if aborted.
    */
   bool Fit(vtkAlgorithm* self, double from, double to, int k, bool keepGraph);
-  /// Whether a slot's normal was fitted to rows side by side.
-  bool IsInRows(Slot slot) const { return this->InRows[slot] != 0; }
+  /// Marks the slots whose normals were fitted to rows side by side.
+  void MarkRows(std::vector<unsigned char>& marks) const;
 
   /// Turns what was fitted the same way within a surface; given normals decide first.
   void OrientConsistently();
@@ -46,6 +44,7 @@ public:
   void OrientToSensors(const vtkPointSplatSensors& sensors);
 
 private:
+  using Slot = vtkPointSplatNeighbors::Slot;
   static constexpr int NumberOfEdges = 10; // of the graph, for each slot
 
   /// Turns what is not known to the position x that target(slot, x) gives, where it gives one, and
@@ -62,7 +61,7 @@ private:
   const vtkPointSplatNeighbors& Neighbors;
   float* Normals;
   const std::vector<unsigned char>& Known;
-  std::vector<unsigned char> InRows; // for each slot
+  std::vector<Slot> InRows;          // whose normals were fitted to rows
   std::vector<Slot> Graph;           // NumberOfEdges for each slot, then None
   std::vector<vtkIdType> Offsets;    // into Edges, for each slot, both directions
   std::vector<Slot> Edges;
