@@ -251,6 +251,7 @@ bool vtkPointSplatRows::Fit(const Neighborhood& around, Plane& plane)
     return false;
   }
   plane.At = around.Center;
+  std::copy_n(around.Slots, NumberOfAlong, plane.Along); // there are OwnNeighbors at least
   const std::size_t reached = std::lower_bound(beside.begin(), beside.end(), counted) - beside.begin();
   for (std::size_t k = 0; k < NumberOfBeside; ++k)
   {
@@ -268,6 +269,13 @@ void vtkPointSplatRows::KeepSurfaces(
 {
   using Slot = vtkPointSplatNeighbors::Slot;
   const auto normalAt = [normals](Slot slot) { return normals + std::size_t(3) * slot; };
+  // Whether neighbours lie in rows all have to know before any is asked.
+  const auto isByChance = [&inRow](const Plane& plane) {
+    const auto rows = std::count_if(
+      plane.Along, std::end(plane.Along), [&inRow](Slot other) { return inRow[other] != 0; });
+    return 2 * static_cast<std::size_t>(rows) < NumberOfAlong;
+  };
+  planes.erase(std::remove_if(planes.begin(), planes.end(), isByChance), planes.end());
   std::vector<unsigned char> hasPlane(inRow.size(), 0);
   for (Plane& plane : planes)
   {

@@ -8,7 +8,8 @@
  * are many times as dense along them as from one to the next: all of a point's nearest neighbours are of its own row, and
  * say nothing of the surface's normal. Farther ones do, if what lies beside the row is a surface:
  *
- * 1. The nearest neighbours tell the row's direction.
+ * 1. The nearest neighbours tell the row's direction. Half of them at least must lie in a row themselves: of points at
+ *    random some do by chance.
  * 2. The nearest one that is not along it tells how far rows are apart.
  * 3. A plane fits all that is within PlaneReach such distances, and what is off it must be little beside how far the rows
  *    lie apart: curves in a volume, and coils as wide as their turns are apart, have no such plane.
@@ -45,7 +46,9 @@ bool IsRow(const Neighborhood& around);
  */
 void FitThick(const Neighborhood& around, const float variances[3], float normal[3]);
 
-/// How many points beside a row have a say, the nearest ...
+/// How many points along a row tell whether it is one, the nearest, ...
+constexpr std::size_t NumberOfAlong = 4;
+/// ... how many beside it have a say, the nearest ...
 constexpr std::size_t NumberOfBeside = 5;
 /// ... and all that are within RowsReach.
 constexpr std::size_t NumberOfWitnesses = 8;
@@ -54,6 +57,7 @@ constexpr std::size_t NumberOfWitnesses = 8;
 struct Plane
 {
   vtkPointSplatNeighbors::Slot At;
+  vtkPointSplatNeighbors::Slot Along[NumberOfAlong];
   vtkPointSplatNeighbors::Slot Beside[NumberOfBeside]; // the nearest that are not along the row, then None
   vtkPointSplatNeighbors::Slot Witnesses[NumberOfWitnesses]; // as many, near and far
   float Normal[3]; // of unit length
