@@ -220,10 +220,13 @@ float GetExtent(const Neighborhood& around, int count, const Axis& off, const Ax
 void vtkPointSplatRows::FitThick(
   const Neighborhood& around, const float variances[3], float normal[3])
 {
+  if (!(variances[2] < FlatVariance * (variances[0] + variances[1] + variances[2])))
+  {
+    return;
+  }
   float plane[3];
   vtkPointSplatNormals::FitPlane(around, plane);
-  if (variances[2] < FlatVariance * (variances[0] + variances[1] + variances[2]) &&
-    std::abs(vtkMath::Dot(plane, normal)) < ThickCosine)
+  if (std::abs(vtkMath::Dot(plane, normal)) < ThickCosine)
   {
     std::copy_n(plane, 3, normal);
   }

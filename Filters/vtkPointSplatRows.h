@@ -8,14 +8,14 @@
  * are many times as dense along them as from one to the next: all of a point's nearest neighbours are of its own row, and
  * say nothing of the surface's normal. Farther ones do, if what lies beside the row is a surface:
  *
- * 1. The nearest neighbours tell the row's direction. Half of them at least must lie in a row themselves: of points at
- *    random some do by chance.
+ * 1. The nearest neighbours tell the row's direction.
  * 2. The nearest one that is not along it tells how far rows are apart.
  * 3. A plane fits all that is within PlaneReach such distances, and what is off it must be little beside how far the rows
  *    lie apart: curves in a volume, and coils as wide as their turns are apart, have no such plane.
  * 4. There must be rows enough, three on one side or two on both: two or three wires side by side are no surface.
  * 5. Of the points beside the row some must have about the same plane, which those of curves that pass by have not, and of
- *    those farther beside that lie in rows at least half a plane: two curves that pass by one another do lie in one.
+ *    those farther beside that lie in rows at least half a plane: two curves that pass by one another do lie in one. And
+ *    half of those nearest must lie in a row themselves, since of points at random some do by chance.
  */
 #ifndef vtkPointSplatRows_h
 #define vtkPointSplatRows_h
@@ -46,7 +46,7 @@ bool IsRow(const Neighborhood& around);
  */
 void FitThick(const Neighborhood& around, const float variances[3], float normal[3]);
 
-/// How many points along a row tell whether it is one, the nearest, ...
+/// How many points, the nearest, tell whether it is a row, ...
 constexpr std::size_t NumberOfAlong = 4;
 /// ... how many beside it have a say, the nearest ...
 constexpr std::size_t NumberOfBeside = 5;
@@ -57,7 +57,7 @@ constexpr std::size_t NumberOfWitnesses = 8;
 struct Plane
 {
   vtkPointSplatNeighbors::Slot At;
-  vtkPointSplatNeighbors::Slot Along[NumberOfAlong];
+  vtkPointSplatNeighbors::Slot Along[NumberOfAlong]; // the nearest
   vtkPointSplatNeighbors::Slot Beside[NumberOfBeside]; // the nearest that are not along the row, then None
   vtkPointSplatNeighbors::Slot Witnesses[NumberOfWitnesses]; // as many, near and far
   float Normal[3]; // of unit length

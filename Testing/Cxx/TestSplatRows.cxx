@@ -12,11 +12,11 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -56,7 +56,7 @@ struct Cloud
 };
 
 /// Rings of a tube of the radius 1, of so many points that these are `ratio` times as near together as the rings. noise:
-/// how far points are off it, in their distances along a ring. All but a share of the normals must be within an angle.
+/// the deviation of points from it, in their distances along a ring. All but a share of the normals must be within an angle.
 void Tube(double ratio, double noise, double share, double degrees)
 {
   const int around = 600, rings = 24;
