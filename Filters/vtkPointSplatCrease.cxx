@@ -413,6 +413,16 @@ bool vtkPointSplatCrease::IsBetween(const float n[3]) const
   return vtkMath::Normalize(sum) > 0 && vtkMath::Dot(sum, n) > BetweenCosine;
 }
 
+bool vtkPointSplatCrease::GoesOn(
+  int meeting, const float n[3], const float direction[3]) const
+{
+  // What turns n to the face's normal turns the direction to the one in which the face goes on.
+  const float* m = this->Meeting[meeting];
+  const float cosine = vtkMath::Dot(m, n), sine = vtkMath::Dot(m, direction);
+  const float* way = this->Ways[meeting];
+  return cosine * vtkMath::Dot(way, direction) > sine * vtkMath::Dot(way, n);
+}
+
 bool vtkPointSplatCrease::FindMeeting(const vtkPointSplatNeighbors::Neighborhood& around,
   const float n[3], float spacing, const vtkPointSplatFaces& faces)
 {
@@ -463,12 +473,14 @@ bool vtkPointSplatCrease::FindMeeting(const vtkPointSplatNeighbors::Neighborhood
     {
       std::copy(normal, normal + 3, this->Meeting[f]);
       std::fill_n(sums[f], 3, 0.0f);
+      std::fill_n(this->Ways[f], 3, 0.0f);
       members[this->NumberOfMeeting++] = 0;
     }
     ++members[f];
     for (int c = 0; c < 3; ++c)
     {
       sums[f][c] += normal[c];
+      this->Ways[f][c] += q[c];
     }
   }
   int count = 0;
@@ -478,7 +490,8 @@ bool vtkPointSplatCrease::FindMeeting(const vtkPointSplatNeighbors::Neighborhood
     {
       // A single neighbour's normal may be an average of faces', too.
       vtkMath::Normalize(sums[f]);
-      std::copy_n(sums[f], 3, this->Meeting[count++]);
+      std::copy_n(sums[f], 3, this->Meeting[count]);
+      std::copy_n(this->Ways[f], 3, this->Ways[count++]);
     }
   }
   this->NumberOfMeeting = count;

@@ -111,7 +111,12 @@ public:
     float spacing, const vtkPointSplatFaces& faces);
   static constexpr int MaximumNumberOfMeeting = 4;
   float Meeting[MaximumNumberOfMeeting][3]; // their normals, on the side of n
+  float Ways[MaximumNumberOfMeeting][3];    // the sums of the offsets of their points
   int NumberOfMeeting = 0;
+  /// Whether such a face, with its normal on the side of n, goes on behind a line of that direction to where its points
+  /// are. It does not where it turns by more than a right angle from n, which is no average then: on a sharp edge a
+  /// point of one face with few of its neighbours looks like one with an average.
+  bool GoesOn(int meeting, const float n[3], const float direction[3]) const;
   ///@}
 
 private:

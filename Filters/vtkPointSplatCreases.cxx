@@ -306,7 +306,8 @@ bool vtkPointSplatCreases::DescribeSplat(const Neighborhood& around, const float
         const float part = vtkMath::Dot(crease.Meeting[f], plane);
         const float across = vtkMath::Dot(crease.Meeting[f], line.Direction);
         // Of the disk's own face there is nothing across.
-        if (part < OwnCosine && across * across > AcrossCosine * AcrossCosine * (1 - part * part))
+        if (part < OwnCosine && across * across > AcrossCosine * AcrossCosine * (1 - part * part) &&
+          crease.GoesOn(f, plane, line.Direction))
         {
           std::copy_n(crease.Meeting[f], 3, splat.Fold + 3 * lines);
         }

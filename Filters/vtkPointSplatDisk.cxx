@@ -16,6 +16,10 @@ namespace
 /// squared distances, and another one much less.
 constexpr float LargestResidual = 0.25f;
 constexpr float ResidualRatio = 0.3f;
+/// Of what leaves out no more than that, but this part, that is true only where the neighbours lie on a plane, ...
+constexpr float LargestShadingResidual = 0.03f;
+/// ... off which they are, in squares, by less than this part of it (Testing/Accuracy/fit_constants.py).
+constexpr float FlatPerResidual = 0.02f;
 /// Nor is a plane the surface's that the neighbours' normals are not across, of either sign, by this
 /// mean cosine: around a body of a few points they point everywhere.
 constexpr float LeastAgreement = 0.7f;
@@ -40,7 +44,9 @@ constexpr float LargestAspect = 8.0f;
 
 /**
  * Vertex normals of meshes whose triangles are not oriented consistently cancel along seams,
- * and point anywhere: a disk across such a normal would stand off the surface as a fin.
+ * and point anywhere: a disk across such a normal would stand off the surface as a fin. On a flat face of a coarse mesh
+ * those that are interpolated between its corners' lean over, all of them to about the same side: across these disks
+ * would lie like shingles, and at a small angle one would see through between them.
  */
 void vtkPointSplatDisk::ChoosePlane(
   const vtkPointSplatNeighbors::Neighborhood& around, int countNear, const float* normals)
@@ -49,7 +55,7 @@ void vtkPointSplatDisk::ChoosePlane(
   std::copy(n, n + 3, this->Normal);
   this->Sheet.Compare(around, normals, n);
   const float residual = this->Sheet.GetResidual(around, countNear);
-  if (residual <= LargestResidual || countNear < 4)
+  if (residual <= LargestShadingResidual || countNear < 4)
   {
     return;
   }
@@ -62,11 +68,18 @@ void vtkPointSplatDisk::ChoosePlane(
   {
     f *= side;
   }
-  float agreement = 0;
+  float agreement = 0, off = 0, all = 0;
   for (int i = 0; i < countNear; ++i)
   {
     const float* m = normals + std::size_t(3) * around.Slots[i];
     agreement += std::abs(m[0] * fitted[0] + m[1] * fitted[1] + m[2] * fitted[2]) / countNear;
+    const float height = around.X[i] * fitted[0] + around.Y[i] * fitted[1] + around.Z[i] * fitted[2];
+    off += height * height;
+    all += around.SquaredDistance[i];
+  }
+  if (residual <= LargestResidual && off > FlatPerResidual * residual * all)
+  {
+    return;
   }
   this->Sheet.Compare(around, normals, fitted);
   if (agreement > LeastAgreement &&

@@ -62,7 +62,8 @@
  *    degrees apart are of two faces at an edge, unless there is nothing else, as on a body of a few
  *    points. Where the normal does not fit the neighbours' at all (as at seams of meshes whose
  *    triangles are not oriented consistently), the plane that fits them takes its place, if their own
- *    normals are across it: those around a body of a few points are not.
+ *    normals are across it: those around a body of a few points are not. The same where normals lean over by more than 7
+ *    degrees from a plane that the neighbours lie on, as normals do that shade a coarse mesh's facets smoothly.
  *    The neighbours are projected to the tangent plane (Pajarola, Sainz, Guidotti 2004, Confetti,
  *    section 4.3), as far off as they are in space, and bisectors cut the point's Voronoi cell out
  *    of it. The radius is the mean distance (at borders 0.6 of it) of the neighbours that share

@@ -114,9 +114,9 @@ public:
 
   /**
    * Two half planes, the normals at an angle in degrees, that meet at an edge along z or, where
-   * radius is not 0, in a fillet.
+   * radius is not 0, in a fillet. off: how far normals are off, as a slope.
    */
-  void AddFold(double degrees, bool convex, double radius)
+  void AddFold(double degrees, bool convex, double radius, double off = 0.0)
   {
     const double angle = vtkMath::RadiansFromDegrees(degrees), arc = radius * angle;
     const double width = 12, height = 240;
@@ -130,7 +130,12 @@ public:
       const double t[2] = { std::cos(turn), -std::sin(turn) };
       const double x[3] = { radius * std::sin(turn) + before + after * t[0],
         side * (radius * (std::cos(turn) - 1) + after * t[1]), z };
-      const double n[3] = { -t[1], side * t[0], 0 };
+      double n[3] = { -t[1], side * t[0], 0 };
+      for (int c = 0; c < 3 && off > 0; ++c)
+      {
+        n[c] += off * this->NextNormal();
+      }
+      vtkMath::Normalize(n);
       std::vector<Edge> edges;
       if (radius == 0)
       {

@@ -132,6 +132,65 @@ void Prisms()
   }
 }
 
+/// On a sharp edge a point of one face that has few neighbours there looks as one with an average of the faces' normals
+/// does; nothing goes on behind it as if that were one.
+void SharpEdge()
+{
+  int folds = 0;
+  for (int k = 0; k < 4; ++k)
+  {
+    ScatteredFaces edge;
+    edge.AddFold(115 + 5 * k, true, 0.0, 0.05);
+    const Estimated splats(edge);
+    for (vtkIdType id = 0; id < edge.GetNumberOfPoints(); ++id)
+    {
+      double fold[3];
+      folds += splats.GetFold(id, 0, fold) > 0 || splats.GetFold(id, 1, fold) > 0;
+    }
+  }
+  AtMost(folds, 0, "splats that go on behind a sharp edge");
+}
+
+/// Normals that shade the faces of a cube as if it were round lean over by up to 16 degrees: disks lie on its faces.
+void LeaningNormals()
+{
+  ScatteredFaces cube;
+  cube.AddCube(20000);
+  std::vector<double> lean;
+  for (vtkIdType id = 0; id < cube.GetNumberOfPoints(); ++id)
+  {
+    double x[3], n[3];
+    cube.Points->GetPoint(id, x);
+    cube.Normals->GetTuple(id, n);
+    double m[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      m[c] = n[c] != 0 ? n[c] : 0.4 * x[c];
+    }
+    vtkMath::Normalize(m);
+    cube.Normals->SetTuple(id, m);
+    lean.push_back(vtkMath::Dot(m, n));
+  }
+  const Estimated splats(cube);
+  int leaning = 0, off = 0;
+  for (vtkIdType id = 0; id < cube.GetNumberOfPoints(); ++id)
+  {
+    const bool inside = std::all_of(cube.EdgesOf[id].begin(), cube.EdgesOf[id].end(),
+      [&](const ScatteredFaces::Edge& edge) { return edge.Distance > 4 * cube.Spacing; });
+    if (inside && lean[id] < 0.985)
+    {
+      // Across the face is what is across the directions to its edges.
+      double across[3];
+      vtkMath::Cross(cube.EdgesOf[id][0].Direction, cube.EdgesOf[id][2].Direction, across);
+      ++leaning;
+      off += splats.GetPlanePart(id, across) < 0.9999;
+    }
+  }
+  std::cout << "normals that lean: " << leaning << ", disks off their face " << off << "\n";
+  Expect(leaning > 2000, "normals lean");
+  AtMost(off, 0.01 * leaning, "disks across normals that lean over");
+}
+
 /// The end of a cylinder of so many spacings' radius: a curved edge, and one curved face.
 void Cylinder()
 {
@@ -461,6 +520,8 @@ int TestSplatCreases(int, char*[])
 {
   Cube();
   Prisms();
+  SharpEdge();
+  LeaningNormals();
   Cylinder();
   Smooth();
   Vertices(false);
