@@ -15,6 +15,49 @@ struct Shaded
   vec4 colour;     // and opacity times coverage; not premultiplied
 };
 
+// How far behind the near side, in pixels' sizes, a far side lies that may be but its edge: farther away it is the
+// inside of an open surface (Testing/Accuracy/likeness.py --light, cut_points and meshes).
+const float SliverDepth = 8.0;
+
+// Whether a pixel of the nearest layer, which shows a body's far side, is but an edge of it that looks out from
+// behind the body's outline, as disks there reach out over the surface by a pixel or two. That is where, in no
+// two by two pixels, the far side is seen, but beside it the near side, and something that is farther. near: of
+// the near side what is next to it in depth.
+bool isSliver(uvec4 texel, ivec2 at, vec3 positionVC, out uvec4 near)
+{
+  uint tag = tagOfTexel(texel);
+  float depth = uintBitsToFloat(texel.x);
+  float pixelSize = distance(positionVC, pointOfPixel(at + ivec2(1, 0), positionVC.z));
+  float nearDepth = depth - SliverDepth * pixelSize;
+  bool nearer = false;
+  bool farther = false;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    ivec2 step = ivec2((corner & 1) * 2 - 1, (corner & 2) - 1);
+    bool wide = true;
+    for (int k = 1; k < 4; ++k)
+    {
+      uvec4 other =
+        fetchLayer(clamp(at + step * ivec2(k & 1, k >> 1), ivec2(0), LayerSize - 1), 0);
+      float otherDepth = uintBitsToFloat(other.x);
+      wide = wide && !isEmpty(other) && tagOfTexel(other) == tag;
+      farther = farther || isEmpty(other) || otherDepth > depth;
+      if (!isEmpty(other) && tagOfTexel(other) == tag - 1u && otherDepth < depth &&
+        otherDepth > nearDepth)
+      {
+        nearer = true;
+        near = other;
+        nearDepth = otherDepth;
+      }
+    }
+    if (wide)
+    {
+      return false;
+    }
+  }
+  return nearer && farther;
+}
+
 // texel: of a layer at a pixel, not empty.
 Shaded shadeTexel(uvec4 texel, ivec2 at, int layer)
 {
@@ -40,6 +83,15 @@ Shaded shadeTexel(uvec4 texel, ivec2 at, int layer)
   // (Guennebaud, Barthe, Paulin 2006, section 6, lights them so; highlights are not linear).
   keptLight = layer == GatheredLayer ? min(s.agreement, 1.0)
                                      : clamp(s.agreement / FullAgreement, 0.0, 1.0);
+  shaded.back = (s.tag & 1u) != 0u;
+  uvec4 near;
+  if (layer == 0 && shaded.back && isBack(s.normal, shaded.positionVC) &&
+    isSliver(texel, at, shaded.positionVC, near))
+  {
+    // The near side goes on there.
+    shaded.back = false;
+    shaded.normalVC = decodeNormal(near.y);
+  }
   shaded.colour = shadeSurface(shaded.slot, shaded.positionVC, shaded.normalVC, s.colour,
     layer == GatheredLayer, shaded.back);
   shaded.colour.a *= s.coverage;

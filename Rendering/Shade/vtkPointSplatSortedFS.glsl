@@ -61,7 +61,7 @@ void main()
 #ifdef FACTORS
   lightFactors = splatFactors;
 #endif
-  bool back;
+  bool back = (q.tag & 1u) != 0u;
   blended = shadeSurface(slot, position, normal, splatColour, false, back);
   blended.rgb *= blended.a;
 #ifdef LAYER_COUNT
