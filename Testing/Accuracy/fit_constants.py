@@ -30,6 +30,7 @@ PLATES = ("ribbed_plate", "ribbed_plate_2")
 DISCS = ("rimmed_disc", "thin_disc")
 BENT = ("tubes_edges", "drapery_vertices")
 ROWS = ("grid_lines_bare", "grid_lines_20_bare", "grid_lines_noisy")
+SHADED = ("shaded_facets", "thick_slices")
 ISOSURFACES = ("tubes_points", "cut_points", "gear_points")
 # The file in Filters, the values to try, and the stand-ins that tell.
 CONSTANTS = {
@@ -62,6 +63,8 @@ CONSTANTS = {
     "FarTurn": ("vtkPointSplatSheet.cxx", (0.3, 0.4, 0.5, 0.65), ("thick_slices", "shell_03")),
     "EdgeTurn": ("vtkPointSplatSheet.cxx", (0.2, 0.3, 0.5), ("thick_slices", "shell_03")),
     "FarOffset": ("vtkPointSplatSheet.cxx", (0.05, 0.1, 0.2), ("tubes_edges", "grid_lines")),
+    "LargestShadingResidual": ("vtkPointSplatDisk.cxx", (0.015, 0.03, 0.06, 0.25), SHADED),
+    "FlatPerResidual": ("vtkPointSplatDisk.cxx", (0.005, 0.02, 0.06), SHADED),
     "PlaneReach": ("vtkPointSplatRows.cxx", (1.5, 2.1, 3.0), ROWS),
     "LargestVariance": ("vtkPointSplatRows.cxx", (0.03, 0.05, 0.1, 0.2), ROWS),
     "BesideCosine": ("vtkPointSplatRows.cxx", (0.7, 0.8, 0.9), ROWS),

@@ -3,7 +3,7 @@
 """How much the picture of a cloud, every setting at its default, is like that of the mesh of the
 same surface, and how well its splats' sizes fit the surface.
 
-  likeness.py [--pictures FOLDER] [--size PIXELS] [--opacity O] [STAND-IN or FILE of a mesh ...]
+  likeness.py [--pictures FOLDER] [--size PIXELS] [--opacity O] [--light X Y Z] [STAND-IN or FILE of a mesh ...]
 
 The mesh is drawn supersampled 3 x 3 as the truth, and once more as it is. psnr: in dB over the
 pixels three inside the silhouette; gap: by how much the plain mesh's is higher; holes: of these
@@ -11,7 +11,8 @@ pixels those where nothing is drawn though all nine samples of the mesh show it;
 show something behind the mesh, by more than a hundredth of its diagonal (of opaque ones); spill: pixels
 drawn more than two outside the silhouette, over its area; close up: the psnr of the last view; gap of
 field: the gap where the truth is a finer mesh of the same surface, supersampled likewise, as there is
-for some stand-ins and for files (meshes.py).
+for some stand-ins and for files (meshes.py). --light: where the only lamp is, seen from the camera, whose view goes to
+-z; else it is a headlight, by which an outline's two sides look much the same.
 """
 import argparse
 import os
@@ -19,7 +20,7 @@ import os
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer
 import pointsplatting
 
 from drawing import depth, save, window
@@ -36,7 +37,7 @@ BEHIND = 0.01  # of the diagonal
 class View:
     """A window with one actor."""
 
-    def __init__(self, mapper, size, opacity):
+    def __init__(self, mapper, size, opacity, light=None):
         self.size = size
         self.renderer = vtkRenderer()
         self.renderer.SetBackground(BACKGROUND)
@@ -44,6 +45,12 @@ class View:
             self.renderer.SetUseDepthPeeling(1)
             self.renderer.SetMaximumNumberOfPeels(30)
             self.renderer.SetOcclusionRatio(0.0)
+        if light:
+            lamp = vtkLight()
+            lamp.SetLightTypeToCameraLight()
+            lamp.SetPosition(light)
+            lamp.SetFocalPoint(0, 0, 0)
+            self.renderer.AddLight(lamp)
         mapper.ScalarVisibilityOff()
         actor = vtkActor()
         actor.SetMapper(mapper)
@@ -85,13 +92,13 @@ def of_cloud(cloud):
     return mapper
 
 
-def compare(standin, size=512, views=4, opacity=1.0, pictures=None):
+def compare(standin, size=512, views=4, opacity=1.0, pictures=None, light=None):
     """The figures, as a dictionary: psnr and gap a view, holes and openings of all views, the largest
     spill."""
-    fine = View(of_mesh(standin.mesh), SAMPLES * size, opacity)
-    plain = View(of_mesh(standin.mesh), size, opacity)
-    splats = View(of_cloud(standin.cloud), size, opacity)
-    field = View(of_mesh(standin.fine()), SAMPLES * size, opacity) if standin.fine else None
+    fine = View(of_mesh(standin.mesh), SAMPLES * size, opacity, light)
+    plain = View(of_mesh(standin.mesh), size, opacity, light)
+    splats = View(of_cloud(standin.cloud), size, opacity, light)
+    field = View(of_mesh(standin.fine()), SAMPLES * size, opacity, light) if standin.fine else None
     background = np.round(255 * np.array(BACKGROUND))
     found = {"psnr": [], "gap": [], "holes": 0, "openings": 0, "spill": 0.0}
     if field:
@@ -174,6 +181,7 @@ def main():
     parser.add_argument("--pictures")
     parser.add_argument("--size", type=int, default=512)
     parser.add_argument("--opacity", type=float, default=1.0)
+    parser.add_argument("--light", type=float, nargs=3, metavar=("X", "Y", "Z"))
     parser.add_argument("standins", nargs="*", metavar="STAND-IN", help=", ".join(standins.ALL) + ", or a mesh's file")
     options = parser.parse_args()
     for name in options.standins or standins.ALL:
@@ -183,7 +191,7 @@ def main():
             fit = sizes(standin)
             line += ", radii %s, off %.4f" % (" ".join("%.2f" % r for r in fit["radii"]), fit["off"])
         if standin.mesh:
-            found = compare(standin, options.size, 4, options.opacity, options.pictures)
+            found = compare(standin, options.size, 4, options.opacity, options.pictures, options.light)
             line += ", psnr {psnr}, gap {gap}, holes {holes}, openings {openings}".format(**found)
             line += ", spill {spill:.4f}".format(**found)
             if standin.fine:

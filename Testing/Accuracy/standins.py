@@ -167,8 +167,9 @@ def part_distance(p):
     return extruded_distance(outline(), PART_HEIGHT, p)
 
 
-def random_on(mesh, count, rng):
-    """Points of a triangle mesh by equal areas, and the triangles' normals."""
+def random_on(mesh, count, rng, smooth=False):
+    """Points of a triangle mesh by equal areas, and the triangles' normals, or those between their
+    corners'."""
     p = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
     t = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     a, b, c = p[t[:, 0]], p[t[:, 1]], p[t[:, 2]]
@@ -176,8 +177,12 @@ def random_on(mesh, count, rng):
     area = np.linalg.norm(cross, axis=1)
     pick = rng.choice(len(t), count, p=area / area.sum())
     u, v = np.sqrt(rng.uniform(size=(count, 1))), rng.uniform(size=(count, 1))
-    q = (1 - u) * a[pick] + u * (1 - v) * b[pick] + u * v * c[pick]
-    return q, cross[pick] / area[pick, None]
+    shares = np.concatenate([1 - u, u * (1 - v), u * v], 1)[:, :, None]
+    normals = cross[pick]
+    if smooth:
+        corners = vtk_to_numpy(mesh.GetPointData().GetNormals()).astype(float)
+        normals = (shares * corners[t[pick]]).sum(1)
+    return (shares * p[t[pick]]).sum(1), unit(normals)
 
 
 def machined_part(at_random=False, count=100000):
@@ -191,6 +196,16 @@ def machined_part(at_random=False, count=100000):
         return StandIn("part, at random", polydata(q, n), part_distance, spacing, mesh)
     mesh = with_normals(extruded(outline(), PART_HEIGHT, 3.0 * spacing), False)
     return StandIn("part, vertices", vertices(mesh), part_distance, spacing, mesh)
+
+
+def shaded_facets(count=50000):
+    """Points on the large facets of a coarse mesh, by the normals that shade it smoothly: these lean over."""
+    def torus(u, v):
+        r = 1 + 0.4 * np.cos(v)
+        return np.stack([r * np.cos(u), r * np.sin(u), 0.4 * np.sin(v)], -1)
+    mesh = parametric(torus, 16, 8, (0, 2 * np.pi), (0, 2 * np.pi))
+    cloud = polydata(*random_on(mesh, count, np.random.default_rng(2), smooth=True))
+    return StandIn("shaded facets", cloud, None, math.sqrt(14.5 / count), mesh)
 
 
 def ribbed_plate(thickness=1.0, count=50000, ribs=4):
@@ -510,6 +525,7 @@ ALL = {
     "part_vertices": machined_part,
     "part_vertices_bare": lambda: without_normals(machined_part()),
     "part_random": lambda: machined_part(True),
+    "shaded_facets": shaded_facets,
     "ribbed_plate": ribbed_plate,
     "ribbed_plate_2": lambda: ribbed_plate(2.0),
     "shell_01": lambda: thin_shell(0.1),
