@@ -17,7 +17,7 @@ struct Shaded
 
 // How far behind the near side, in pixels' sizes, a far side lies that may be but its edge: farther away it is the
 // inside of an open surface (Testing/Accuracy/likeness.py --light, cut_points and meshes).
-const float SliverDepth = 8.0;
+const float SliverDepth = 16.0;
 
 // Whether a pixel of the nearest layer, which shows a body's far side, is but an edge of it that looks out from
 // behind the body's outline, as disks there reach out over the surface by a pixel or two. That is where, in no
