@@ -19,8 +19,8 @@ struct Shaded
 // inside of an open surface (Testing/Accuracy/likeness.py --light, cut_points and meshes).
 const float SliverDepth = 16.0;
 
-// Whether a pixel of the nearest layer, which shows a body's far side, is but an edge of it that looks out from
-// behind the body's outline, as disks there reach out over the surface by a pixel or two. That is where, in no
+// Whether a pixel, which shows a body's far side, is but an edge of it that looks out from behind the body's
+// outline, as disks there reach out over the surface by a pixel or two. That is where, in no
 // two by two pixels, the far side is seen, but beside it the near side, and something that is farther. near: of
 // the near side what is next to it in depth.
 bool isSliver(uvec4 texel, ivec2 at, vec3 positionVC, out uvec4 near)
@@ -85,10 +85,10 @@ Shaded shadeTexel(uvec4 texel, ivec2 at, int layer)
                                      : clamp(s.agreement / FullAgreement, 0.0, 1.0);
   shaded.back = (s.tag & 1u) != 0u;
   uvec4 near;
-  if (layer == 0 && shaded.back && isBack(s.normal, shaded.positionVC) &&
+  if (LayerCount == 1 && shaded.back && isBack(s.normal, shaded.positionVC) &&
     isSliver(texel, at, shaded.positionVC, near))
   {
-    // The near side goes on there.
+    // The near side goes on there. Where layers blend, far sides are seen everywhere.
     shaded.back = false;
     shaded.normalVC = decodeNormal(near.y);
   }
