@@ -16,9 +16,9 @@ namespace
 /// squared distances, and another one much less.
 constexpr float LargestResidual = 0.25f;
 constexpr float ResidualRatio = 0.3f;
-/// Of what leaves out no more than that, but this part, that is true only where the neighbours lie on a plane, ...
+/// One that leaves out less, but more than this part, is not where the neighbours lie on a plane: ...
 constexpr float LargestShadingResidual = 0.03f;
-/// ... off which they are, in squares, by less than this part of it (Testing/Accuracy/fit_constants.py).
+/// ... off that they are, in squares, by less than this part of what it leaves out (Testing/Accuracy/fit_constants.py).
 constexpr float FlatPerResidual = 0.02f;
 /// Nor is a plane the surface's that the neighbours' normals are not across, of either sign, by this
 /// mean cosine: around a body of a few points they point everywhere.

@@ -29,6 +29,7 @@ bool isSliver(uvec4 texel, ivec2 at, vec3 positionVC, out uvec4 near)
   float depth = uintBitsToFloat(texel.x);
   float pixelSize = distance(positionVC, pointOfPixel(at + ivec2(1, 0), positionVC.z));
   float nearDepth = depth - SliverDepth * pixelSize;
+  near = texel;
   bool nearer = false;
   bool farther = false;
   for (int corner = 0; corner < 4; ++corner)
