@@ -428,7 +428,7 @@ bool vtkPointSplatCrease::FindMeeting(const vtkPointSplatNeighbors::Neighborhood
 {
   const float reach = LargestReach * spacing;
   int members[MaximumNumberOfMeeting];
-  float sums[MaximumNumberOfMeeting][3];
+  float sums[MaximumNumberOfMeeting][3], ways[MaximumNumberOfMeeting][3];
   this->NumberOfMeeting = 0;
   bool others = false;
   for (int i = 0; i < around.Count && around.SquaredDistance[i] <= reach * reach; ++i)
@@ -473,14 +473,14 @@ bool vtkPointSplatCrease::FindMeeting(const vtkPointSplatNeighbors::Neighborhood
     {
       std::copy(normal, normal + 3, this->Meeting[f]);
       std::fill_n(sums[f], 3, 0.0f);
-      std::fill_n(this->Ways[f], 3, 0.0f);
+      std::fill_n(ways[f], 3, 0.0f);
       members[this->NumberOfMeeting++] = 0;
     }
     ++members[f];
     for (int c = 0; c < 3; ++c)
     {
       sums[f][c] += normal[c];
-      this->Ways[f][c] += q[c];
+      ways[f][c] += q[c];
     }
   }
   int count = 0;
@@ -491,7 +491,7 @@ bool vtkPointSplatCrease::FindMeeting(const vtkPointSplatNeighbors::Neighborhood
       // A single neighbour's normal may be an average of faces', too.
       vtkMath::Normalize(sums[f]);
       std::copy_n(sums[f], 3, this->Meeting[count]);
-      std::copy_n(this->Ways[f], 3, this->Ways[count++]);
+      std::copy_n(ways[f], 3, this->Ways[count++]);
     }
   }
   this->NumberOfMeeting = count;

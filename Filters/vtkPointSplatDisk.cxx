@@ -40,6 +40,20 @@ constexpr float LeastDistance = 0.65f;
 constexpr float FarReach = 2.0f;
 /// The longest ellipse, axis to axis.
 constexpr float LargestAspect = 8.0f;
+
+/// Whether neighbours are off the plane across n through the centre by less than this part of their squared distances.
+bool AreOnPlane(
+  const vtkPointSplatNeighbors::Neighborhood& around, const float n[3], float mostOff)
+{
+  float off = 0, all = 0;
+  for (int i = 0; i < around.Count; ++i)
+  {
+    const float height = around.X[i] * n[0] + around.Y[i] * n[1] + around.Z[i] * n[2];
+    off += height * height;
+    all += around.SquaredDistance[i];
+  }
+  return off <= mostOff * all;
+}
 }
 
 /**
@@ -68,18 +82,15 @@ void vtkPointSplatDisk::ChoosePlane(
   {
     f *= side;
   }
-  float agreement = 0, off = 0, all = 0;
+  if (residual <= LargestResidual && !AreOnPlane(near, fitted, FlatPerResidual * residual))
+  {
+    return;
+  }
+  float agreement = 0;
   for (int i = 0; i < countNear; ++i)
   {
     const float* m = normals + std::size_t(3) * around.Slots[i];
     agreement += std::abs(m[0] * fitted[0] + m[1] * fitted[1] + m[2] * fitted[2]) / countNear;
-    const float height = around.X[i] * fitted[0] + around.Y[i] * fitted[1] + around.Z[i] * fitted[2];
-    off += height * height;
-    all += around.SquaredDistance[i];
-  }
-  if (residual <= LargestResidual && off > FlatPerResidual * residual * all)
-  {
-    return;
   }
   this->Sheet.Compare(around, normals, fitted);
   if (agreement > LeastAgreement &&

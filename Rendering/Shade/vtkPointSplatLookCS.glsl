@@ -152,7 +152,7 @@ void main()
   Place p = placeOf(known ? code : uvec4(0u));
   Surface s = unpackTexel(texel);
   vec3 positionVC = pointOfPixel(ivec2(x, FirstRow + row), -(NearDistance + s.depth));
-  vec3 normal = (s.tag & 1u) != 0u && isBack(s.normal, positionVC) ? -s.normal : s.normal;
+  vec3 normal = isBack(s.tag, s.normal, positionVC) ? -s.normal : s.normal;
 
   vec4 colour = vec4(1.0);
   vec4 factors = vec4(1.0);

@@ -55,14 +55,11 @@ vec4 absorptionOf(int slot)
 // off it on, all is: any crease keeps its light.
 const float FullAgreement = 0.6;
 
-// The shaded colour and opacity of a surface point. back: whether the splat's plane shows its back; if
-// it does here, too, where the splat may bend, the normal is turned, as VTK turns those of back faces. One that leans
-// over from the plane of a front as far as to point away stays. colour: the points'. own: whether that holds the
-// actor's colour and opacity.
+// The shaded colour and opacity of a surface point. normalVC: turned where the back is shown, as VTK turns
+// the normals of back faces. colour: the points'. own: whether that holds the actor's colour and opacity.
 vec4 shadeSurface(
-  int slot, vec3 positionVC, inout vec3 normalVC, vec4 colour, bool own, inout bool back)
+  int slot, vec3 positionVC, inout vec3 normalVC, vec4 colour, bool own, bool back)
 {
-  back = back && isBack(normalVC, positionVC);
   normalVC = back ? -normalVC : normalVC;
 #ifdef TWO_SIDED
 #define SIDE_TEXEL(k) (back ? materialTexel(slot, 4 + k) : materialTexel(slot, k))

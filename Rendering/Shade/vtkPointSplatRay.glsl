@@ -31,8 +31,10 @@ vec3 eyeRay(vec3 positionVC)
   return Parallel ? vec3(0.0, 0.0, -1.0) : normalize(positionVC);
 }
 
-// Whether a normal points away from the viewer.
-bool isBack(vec3 normalVC, vec3 positionVC)
+// Whether a surface shows its back: its splat's plane does, as the tag says, and here, where the splat may bend, its
+// normal points away from the viewer. One that leans over from the plane of a front as far as to point away is a front's.
+bool isBack(uint tag, vec3 normalVC, vec3 positionVC)
 {
-  return Parallel ? normalVC.z < 0.0 : dot(normalVC, positionVC) > 0.0;
+  bool away = Parallel ? normalVC.z < 0.0 : dot(normalVC, positionVC) > 0.0;
+  return (tag & 1u) != 0u && away;
 }

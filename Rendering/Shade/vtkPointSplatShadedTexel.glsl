@@ -30,7 +30,6 @@ bool isSliver(uvec4 texel, ivec2 at, vec3 positionVC, out uvec4 near)
   float pixelSize = distance(positionVC, pointOfPixel(at + ivec2(1, 0), positionVC.z));
   float nearDepth = depth - SliverDepth * pixelSize;
   near = texel;
-  bool nearer = false;
   bool farther = false;
   for (int corner = 0; corner < 4; ++corner)
   {
@@ -41,12 +40,11 @@ bool isSliver(uvec4 texel, ivec2 at, vec3 positionVC, out uvec4 near)
       uvec4 other =
         fetchLayer(clamp(at + step * ivec2(k & 1, k >> 1), ivec2(0), LayerSize - 1), 0);
       float otherDepth = uintBitsToFloat(other.x);
-      wide = wide && !isEmpty(other) && tagOfTexel(other) == tag;
+      uint otherTag = tagOfTexel(other); // of nothing, none that there is
+      wide = wide && otherTag == tag;
       farther = farther || isEmpty(other) || otherDepth > depth;
-      if (!isEmpty(other) && tagOfTexel(other) == tag - 1u && otherDepth < depth &&
-        otherDepth > nearDepth)
+      if (otherTag == tag - 1u && otherDepth < depth && otherDepth > nearDepth)
       {
-        nearer = true;
         near = other;
         nearDepth = otherDepth;
       }
@@ -56,7 +54,7 @@ bool isSliver(uvec4 texel, ivec2 at, vec3 positionVC, out uvec4 near)
       return false;
     }
   }
-  return nearer && farther;
+  return tagOfTexel(near) != tag && farther;
 }
 
 // texel: of a layer at a pixel, not empty.
@@ -84,10 +82,9 @@ Shaded shadeTexel(uvec4 texel, ivec2 at, int layer)
   // (Guennebaud, Barthe, Paulin 2006, section 6, lights them so; highlights are not linear).
   keptLight = layer == GatheredLayer ? min(s.agreement, 1.0)
                                      : clamp(s.agreement / FullAgreement, 0.0, 1.0);
-  shaded.back = (s.tag & 1u) != 0u;
+  shaded.back = isBack(s.tag, s.normal, shaded.positionVC);
   uvec4 near;
-  if (LayerCount == 1 && shaded.back && isBack(s.normal, shaded.positionVC) &&
-    isSliver(texel, at, shaded.positionVC, near))
+  if (LayerCount == 1 && shaded.back && isSliver(texel, at, shaded.positionVC, near))
   {
     // The near side goes on there. Where layers blend, far sides are seen everywhere.
     shaded.back = false;

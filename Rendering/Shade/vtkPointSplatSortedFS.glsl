@@ -61,8 +61,8 @@ void main()
 #ifdef FACTORS
   lightFactors = splatFactors;
 #endif
-  bool back = (q.tag & 1u) != 0u;
-  blended = shadeSurface(slot, position, normal, splatColour, false, back);
+  blended = shadeSurface(
+    slot, position, normal, splatColour, false, isBack(q.tag, normal, position));
   blended.rgb *= blended.a;
 #ifdef LAYER_COUNT
   layerCount = vec4(behind ? mediumOf(slot).w : 0.0, 0.0, 0.0, 0.0);
