@@ -87,7 +87,7 @@ private:
   void ClipFill();
 
   bool IsRough() const { return vtkPointSplatEstimation::IsRough(this->Noise); }
-  bool IsNoisy() const { return vtkPointSplatEstimation::IsNoisy(this->Noise, this->Contradiction); }
+  bool IsNoisy() const { return this->Self->IsNoisy(this->Noise, this->Contradiction); }
   /// Whether given normals tell where the surface bends. What is rough at regular points, as of an isosurface of a noisy
   /// volume, is the surface's own.
   bool MayBend() const { return !this->Guessed && (!this->IsNoisy() || this->Disks->Regular); }

@@ -248,6 +248,7 @@ void vtkPointSplatEstimation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FillGaps: " << (this->FillGaps ? "On" : "Off") << "\n";
   os << indent << "FillMeshGaps: " << (this->FillMeshGaps ? "On" : "Off") << "\n";
   os << indent << "FillNoise: " << (this->FillNoise ? "On" : "Off") << "\n";
+  os << indent << "Relief: " << (this->Relief ? "On" : "Off") << "\n";
   os << indent << "NumberOfPointsAlone: " << this->NumberOfPointsAlone << "\n";
   os << indent << "Noise: " << this->Noise << "\n";
   os << indent << "Contradiction: " << this->Contradiction << "\n";

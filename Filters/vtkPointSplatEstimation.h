@@ -261,6 +261,16 @@ public:
   vtkBooleanMacro(FillNoise, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether all points are known to lie on their surface, as an isosurface's do, however rough this is; off by
+   * default. On, IsNoisy() is false: the surface has borders and bends as clean ones do.
+   */
+  vtkSetMacro(Relief, bool);
+  vtkGetMacro(Relief, bool);
+  vtkBooleanMacro(Relief, bool);
+  ///@}
+
   /// The points of the input between which a fill point lies, the nearest one first, with weights whose sum is 1.
   struct FillPoint
   {
@@ -301,7 +311,8 @@ public:
   /**
    * The share of these points of which a neighbour lies above or below, by the normals of both,
    * which agree, and nothing that faces the other way lies between, as the next body's near side would: no surface goes
-   * through the two. 0 where Noise is.
+   * through the two. 0 where Noise is, and where the points are vertices of an isosurface, with its normals: these lie on the
+   * edges of the volume's lattice. The volume's noise is a part of the surface.
    */
   vtkGetMacro(Contradiction, double);
 
@@ -327,10 +338,10 @@ public:
    * relief. Of points without normals those of noise of 0.3 spacings and more are, of which 0.9 and more are rough, of scans
    * upon one another, and the two sides of a sheet that is no thicker than its points are apart.
    */
-  bool IsNoisy() const { return vtkPointSplatEstimation::IsNoisy(this->Noise, this->Contradiction); }
-  static bool IsNoisy(double noise, double contradiction)
+  bool IsNoisy() const { return this->IsNoisy(this->Noise, this->Contradiction); }
+  bool IsNoisy(double noise, double contradiction) const
   {
-    return vtkPointSplatEstimation::IsRough(noise) &&
+    return !this->Relief && vtkPointSplatEstimation::IsRough(noise) &&
       vtkPointSplatEstimation::IsContradicted(contradiction);
   }
 
@@ -369,6 +380,7 @@ private:
   bool FillGaps = false;
   bool FillMeshGaps = true;
   bool FillNoise = true;
+  bool Relief = false;
   std::vector<FillPoint> FillPoints;
   vtkIdType NumberOfPointsAlone = 0;
   double Noise = 0; // that the last update found, and

@@ -30,6 +30,13 @@ constexpr double LeastGuessedNoise = 0.7; // Testing/Cxx/TestSplatsNoise.cxx
 /// Of the neighbours of a point of a surface, its noise and all, about none face the other way.
 constexpr double MostAway = 0.25; // Testing/Cxx/TestSplatApart.cxx
 
+// Of isosurfaces of volumes with noise, of few grey values as well, 0.93 of the points and more lie on the lattice, and 0.08 and
+// more along the second of the axes; of quantised scans and noisy heights over a grid at most 0.03.
+// (Testing/Cxx/TestSplatsNoise.cxx)
+constexpr int LeastInPlane = 3; // neighbours in a plane of the lattice, of 24
+constexpr double LeastOnLattice = 0.9;
+constexpr double LeastAlongSecond = 0.05;
+
 /// Whether the positions of neighbours are off any plane: normals that others than the surface's
 /// geometry gave, as of waves on a flat sea, contradict it on purpose.
 bool IsRough(const vtkPointSplatNeighbors::Neighborhood& around)
@@ -70,6 +77,48 @@ bool IsRough(const vtkPointSplatNeighbors::Neighborhood& around)
   return vtkMath::Jacobi(a, values, v) &&
     values[2] > LeastFlatness * LeastFlatness * values[1]; // the greatest first
 }
+
+/// Which points lie on the edges of a volume's lattice, as the vertices of isosurfaces do: two coordinates of each are those of
+/// neighbours beside it, in the lattice's planes that meet in the edge.
+struct Lattice
+{
+  vtkIdType Points = 0;
+  vtkIdType Along[3] = { 0, 0, 0 }; // of these, whose third coordinate, along an axis, is their own
+
+  void Look(const vtkPointSplatNeighbors::Neighborhood& around)
+  {
+    int same[3] = { 0, 0, 0 };
+    for (int i = 0; i < around.Count; ++i)
+    {
+      same[0] += around.X[i] == 0 ? 1 : 0;
+      same[1] += around.Y[i] == 0 ? 1 : 0;
+      same[2] += around.Z[i] == 0 ? 1 : 0;
+    }
+    const int axis = static_cast<int>(std::min_element(same, same + 3) - same);
+    if (same[(axis + 1) % 3] >= LeastInPlane && same[(axis + 2) % 3] >= LeastInPlane)
+    {
+      ++this->Points;
+      this->Along[axis] += same[axis] < LeastInPlane ? 1 : 0;
+    }
+  }
+
+  void Add(const Lattice& other)
+  {
+    this->Points += other.Points;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Along[axis] += other.Along[axis];
+    }
+  }
+
+  /// all: how many points were looked at.
+  bool HasIsosurface(double all) const
+  {
+    vtkIdType along[3];
+    std::partial_sort_copy(this->Along, this->Along + 3, along, along + 3);
+    return this->Points > LeastOnLattice * all && along[1] > LeastAlongSecond * all;
+  }
+};
 
 /// Whether many of the neighbours face the other way: those of a body that is no larger than where they lie, as the
 /// specks of an isosurface of noise are, are off any plane, and nothing is off its surface.
@@ -135,6 +184,7 @@ vtkPointSplatNoise::Shares vtkPointSplatNoise::Measure(
     vtkIdType All = 0;
     vtkIdType Noisy = 0;
     vtkIdType Contradicted = 0;
+    Lattice OnLattice;
   };
   vtkSMPThreadLocal<Counts> counts;
   auto measure = [&](const vtkPointSplatNeighbors::Neighborhood& around, int) {
@@ -150,6 +200,7 @@ vtkPointSplatNoise::Shares vtkPointSplatNoise::Measure(
     ++own.All;
     own.Noisy += found && surface.Noise > Noisy && IsRough(around) && !IsSmallBody(around, normals) ? 1 : 0;
     own.Contradicted += HasContradiction(around, normals) ? 1 : 0;
+    own.OnLattice.Look(around);
     return true;
   };
   const double progress = self->GetProgress();
@@ -161,9 +212,11 @@ vtkPointSplatNoise::Shares vtkPointSplatNoise::Measure(
     sum.All += own.All;
     sum.Noisy += own.Noisy;
     sum.Contradicted += own.Contradicted;
+    sum.OnLattice.Add(own.OnLattice);
   }
   const double all = static_cast<double>(std::max<vtkIdType>(sum.All, 1));
-  const Shares found{ sum.Noisy / all, sum.Contradicted / all };
+  const bool isosurface = !guessed && sum.OnLattice.HasIsosurface(all);
+  const Shares found{ sum.Noisy / all, isosurface ? 0.0 : sum.Contradicted / all };
   return guessed && found.Noisy <= LeastGuessedNoise ? Shares{} : found;
 }
 

@@ -371,6 +371,11 @@ void AddPoints(Scene& scene, const Options& options, const std::string& name, vt
         points = projected;
         estimation = again;
       }
+      else
+      {
+        estimation->ReliefOn();
+        estimation->Update();
+      }
     }
     drawn = estimation->GetOutput();
   }

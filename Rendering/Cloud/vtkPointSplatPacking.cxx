@@ -387,15 +387,16 @@ void vtkPointSplatPacking::Estimate(
     good = part.Run(projection, 0.4, 0.6);
     projected->SetInputConnection(projection->GetOutputPort());
     good = good && part.Run(projected, 0.6, 1.0);
-    // Noise lies on one surface once it is projected. What does not are layers that lie upon one another.
+    // Noise lies on one surface once it is projected. What does not has lain on its own, as layers upon one
+    // another and isosurfaces of noisy volumes.
     this->Projected = good && !projected->IsCrumpled(estimation->GetContradiction());
     if (this->Projected)
     {
       estimation = projected;
     }
-    else if (good && wanted.FillPoints)
+    else if (good)
     {
-      estimation->FillNoiseOn();
+      estimation->ReliefOn();
       good = part.Run(estimation, 0.6, 1.0);
     }
   }

@@ -509,6 +509,17 @@ def without_normals(standin):
     return StandIn(standin.name + ", no normals", polydata(p, None), standin.distance, standin.spacing, standin.mesh)
 
 
+def turned(standin):
+    """By 20 degrees about two axes: no longer on the lattice of its volume."""
+    c, s = math.cos(math.radians(20)), math.sin(math.radians(20))
+    turn = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]) @ np.array([[1, 0, 0], [0, c, -s], [0, s, c]])
+    mesh = standin.mesh
+    q, n = (vtk_to_numpy(array).astype(float) @ turn.T
+            for array in (mesh.GetPoints().GetData(), mesh.GetPointData().GetNormals()))
+    mesh = polydata(q, n, vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3))
+    return StandIn(standin.name + ", turned", vertices(mesh), lambda p: standin.distance(p @ turn), standin.spacing, mesh)
+
+
 ALL = {
     "tubes_edges": lambda: tubes_and_specks("edges"),
     "tubes_contour": lambda: tubes_and_specks("contour"),
@@ -516,6 +527,8 @@ ALL = {
     "tubes_noisy": noisy_vessels,
     "cut_points": cut_by_volume,
     "cut_edges": lambda: cut_by_volume("edges"),
+    "cut_noisy": lambda: cut_by_volume("edges", 48, 0.15),
+    "cut_noisy_turned": lambda: turned(cut_by_volume("edges", 48, 0.25)),
     "gear": gear,
     "gear_points": lambda: gear("points"),
     "crossing": crossing,

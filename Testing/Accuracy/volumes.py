@@ -139,14 +139,15 @@ def noisy_vessels(noise=0.3):
     return StandIn("noisy vessels", vertices(mesh), lambda p: np.abs(body(p)), 0.7, mesh)
 
 
-def cut_by_volume(extraction="points", size=64):
-    """A surface with a thousand spacings of border, where the volume cuts it (a gyroid)."""
+def cut_by_volume(extraction="points", size=64, noise=0.0):
+    """A surface with a thousand spacings of border, where the volume cuts it (a gyroid). noise: of the volume, whose
+    slope is 0.4 a voxel; its own isosurface is the truth."""
     k = 2 * math.pi / 24
 
     def field(p):
         x, y, z = k * p[..., 0], k * p[..., 1], k * p[..., 2]
         return np.sin(x) * np.cos(y) + np.sin(y) * np.cos(z) + np.sin(z) * np.cos(x)
-    values = sampled(field, size)
+    values = sampled(field, size) + np.random.default_rng(13).normal(0, noise, (size,) * 3)
     mesh = isosurface(values, "edges")
     cloud = isosurface(values, "points") if extraction == "points" else vertices(mesh)
     return StandIn("cut by its volume, " + extraction, cloud, lambda p: np.abs(field(p)) / k, 0.7, mesh)

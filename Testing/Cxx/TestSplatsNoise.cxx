@@ -2,11 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // By default a noisy cloud, with or without normals, is drawn where vtkPointSplatProjection moves its points, and layers that lie upon one
 // another are drawn where they are: they contradict one another as noise does, but do so still, and are rough still, once
-// they are projected.
+// they are projected. So are isosurfaces of noisy volumes, whose relief it is.
 #include "SplatScene.h"
 
+#include "vtkFlyingEdges3D.h"
+#include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkPlatonicSolidSource.h"
+#include "vtkPointSplatEstimation.h"
+#include "vtkTransform.h"
+#include "vtkTransformPolyDataFilter.h"
 
 #include <cmath>
 #include <string>
@@ -70,6 +75,47 @@ vtkSmartPointer<vtkPolyData> MakeWall(bool seen)
   });
 }
 
+/// The vertices of an isosurface, a ball's, in a volume with noise of 0.4 voxels.
+vtkSmartPointer<vtkPolyData> MakeIsosurface()
+{
+  constexpr int size = 48;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(size, size, size);
+  image->SetSpacing(0.7, 0.7, 0.7);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  float* value = static_cast<float*>(image->GetScalarPointer());
+  vtkNew<vtkMinimalStandardRandomSequence> random;
+  random->SetSeed(1);
+  for (int i = 0; i < size * size * size; ++i)
+  {
+    const double x[3] = { i % size - 23.7, i / size % size - 23.7, i / (size * size) - 23.7 };
+    const double u = random->GetNextValue(), v = random->GetNextValue();
+    value[i] = static_cast<float>(20 - vtkMath::Norm(x) + 0.4 * Gaussian(u, v));
+  }
+  vtkNew<vtkFlyingEdges3D> contour;
+  contour->SetInputData(image);
+  contour->SetValue(0, 0.0);
+  contour->ComputeScalarsOff();
+  contour->Update();
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(contour->GetOutput()->GetPoints());
+  data->GetPointData()->SetNormals(contour->GetOutput()->GetPointData()->GetNormals());
+  return data;
+}
+
+/// The same points, none of which lies on the lattice any more.
+vtkSmartPointer<vtkPolyData> Turned(vtkPolyData* cloud)
+{
+  vtkNew<vtkTransform> turn;
+  turn->RotateX(20);
+  turn->RotateZ(20);
+  vtkNew<vtkTransformPolyDataFilter> filter;
+  filter->SetTransform(turn);
+  filter->SetInputData(cloud);
+  filter->Update();
+  return filter->GetOutput();
+}
+
 /// A cloud's points alone.
 vtkSmartPointer<vtkPolyData> WithoutNormals(vtkPolyData* cloud)
 {
@@ -126,6 +172,20 @@ int TestSplatsNoise(int, char*[])
   const Picture layered = Draw(layers, true, choices);
   checks.Expect(!isProjected(), "layers as given");
   checks.AtMost(LargestDifference(layered, Draw(layers, false, choices)), 0, "layers as given");
+
+  const auto isosurface = MakeIsosurface();
+  Draw(isosurface, true, choices);
+  checks.Expect(!isProjected(), "a noisy volume's isosurface as given");
+  vtkNew<vtkPointSplatEstimation> estimation;
+  estimation->SetInputData(isosurface);
+  estimation->Update();
+  checks.Expect(estimation->IsRough() && estimation->GetContradiction() == 0, "the volume's noise is relief");
+  estimation->SetInputData(Turned(isosurface));
+  estimation->Update();
+  checks.Expect(estimation->IsNoisy(), "off the lattice it is noise");
+  estimation->ReliefOn();
+  estimation->Update();
+  checks.Expect(!estimation->IsNoisy() && estimation->GetContradiction() > 0, "unless it is known to be relief");
 
   const Picture even = Draw(MakeWall(false), true, choices);
   const auto steps = MakeWall(true);
