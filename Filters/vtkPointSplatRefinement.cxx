@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -29,6 +30,8 @@ constexpr int CoveredParts = 6;
 constexpr int MostHalvings = 24;
 /// Normals that nearly cancel have no mean.
 constexpr double LeastMean = 1e-3;
+/// Above the bits of the place along the curve.
+constexpr int LevelShift = 60;
 /// How wide the table of cells is at first, a power of two.
 constexpr std::size_t LeastTable = 1024;
 }
@@ -194,15 +197,35 @@ vtkPointSplatRefinement::Point vtkPointSplatRefinement::MakeMiddle(
   return middle;
 }
 
+namespace
+{
+/// Every third bit, the lowest 20.
+std::uint64_t Spread(std::uint64_t bits)
+{
+  bits &= 0xfffff;
+  bits = (bits | bits << 32) & 0x1f00000000ffffu;
+  bits = (bits | bits << 16) & 0x1f0000ff0000ffu;
+  bits = (bits | bits << 8) & 0x100f00f00f00f00fu;
+  bits = (bits | bits << 4) & 0x10c30c30c30c30c3u;
+  return (bits | bits << 2) & 0x1249249249249249u;
+}
+}
+
+/// The level's lowest four bits, and the place along Morton's curve.
 vtkPointSplatRefinement::Key vtkPointSplatRefinement::GetKey(const Cell& cell)
 {
-  Key key = static_cast<Key>(cell.Level);
-  for (const std::int64_t place : cell.Place)
+  Key key = static_cast<Key>(cell.Level) << LevelShift;
+  for (int c = 0; c < 3; ++c)
   {
-    key = (key ^ static_cast<Key>(place)) * 0x9e3779b97f4a7c15u;
-    key ^= key >> 29;
+    key |= Spread(static_cast<std::uint64_t>(cell.Place[c])) << c;
   }
   return key;
+}
+
+/// Cells that are near are near in the table, as what is looked for one after the other is.
+std::size_t vtkPointSplatRefinement::GetIndex(Key key) const
+{
+  return (key ^ (key >> LevelShift) * 0x9e3779b97f4a7c15u) & (this->Table.size() - 1);
 }
 
 /// Cells of a level are twice as wide as its smallest sizes.
@@ -231,7 +254,6 @@ void vtkPointSplatRefinement::Insert(Index index, const double x[3], float size)
     }
     const std::size_t width = std::max<std::size_t>(LeastTable, 2 * this->Table.size());
     this->Table.assign(width, None);
-    this->Shift = 64 - std::ilogb(static_cast<double>(width));
     for (std::size_t entry = 0; entry < this->Entries.size(); ++entry)
     {
       this->Enter(entry);
@@ -242,7 +264,7 @@ void vtkPointSplatRefinement::Insert(Index index, const double x[3], float size)
 /// Puts an entry before the others at its place of the table.
 void vtkPointSplatRefinement::Enter(std::size_t entry)
 {
-  std::size_t& first = this->Table[this->Entries[entry].In >> this->Shift];
+  std::size_t& first = this->Table[this->GetIndex(this->Entries[entry].In)];
   this->Entries[entry].Next = first;
   first = entry;
 }
@@ -280,7 +302,7 @@ bool vtkPointSplatRefinement::FindNear(const Point& point, Index& found) const
       cell.Place[c] += (k >> c) & 1;
     }
     const Key key = GetKey(cell);
-    for (std::size_t at = this->Table.empty() ? None : this->Table[key >> this->Shift]; at != None;
+    for (std::size_t at = this->Table.empty() ? None : this->Table[this->GetIndex(key)]; at != None;
          at = this->Entries[at].Next)
     {
       const Entry& entry = this->Entries[at];
@@ -366,7 +388,7 @@ void vtkPointSplatRefinement::Cover()
 }
 
 /// Adds a triangle to those that are to be divided, or to those that are not.
-void vtkPointSplatRefinement::Add(const Corners& indices, int divisions, std::vector<Part>& parts)
+void vtkPointSplatRefinement::Add(const Corners& indices, int divisions)
 {
   const Corner corners[3] = { this->GetCorner(indices[0]), this->GetCorner(indices[1]),
     this->GetCorner(indices[2]) };
@@ -389,25 +411,30 @@ void vtkPointSplatRefinement::Add(const Corners& indices, int divisions, std::ve
   {
     return;
   }
-  Part part{ largest, { 0, 0, 0 }, {}, divisions };
+  Part part{ 0, largest, { 0, 0, 0 }, {}, divisions };
   for (int k = 0; k < 3; ++k)
   {
     part.Indices[k] = indices[(longest + k) % 3];
     part.Middle[k] = corners[longest].X[k] + corners[(longest + 1) % 3].X[k];
   }
-  parts.push_back(part);
-  std::push_heap(parts.begin(), parts.end());
+  const int octave = std::ilogb(largest);
+  part.Place = GetKey(FindCell(part.Middle, octave));
+  this->Parts[octave].push_back(part);
 }
 
 /// About how many points will divide these triangles: their first edges are halved until they are short, and each is
 /// that of another triangle, too. Where points stand for others it is fewer, else more.
-double vtkPointSplatRefinement::CountExpected(const std::vector<Part>& parts) const
+double vtkPointSplatRefinement::CountExpected() const
 {
   double divisions = 0;
-  for (const Part& part : parts)
+  for (const auto& parts : this->Parts)
   {
-    const double sizes = double(this->GetCorner(part.Indices[0]).Size) + this->GetCorner(part.Indices[1]).Size;
-    divisions += std::ceil(std::log2(part.Length / (LongEdge * 0.5 * sizes)));
+    for (const Part& part : parts.second)
+    {
+      const double sizes =
+        double(this->GetCorner(part.Indices[0]).Size) + this->GetCorner(part.Indices[1]).Size;
+      divisions += std::ceil(std::log2(part.Length / (LongEdge * 0.5 * sizes)));
+    }
   }
   return 0.5 * divisions;
 }
@@ -436,26 +463,29 @@ void vtkPointSplatRefinement::InsertSites()
 
 bool vtkPointSplatRefinement::Make(std::size_t most)
 {
-  std::vector<Part> parts;
   for (const vtkPointSplatStars::Triangle& triangle : this->Stars.Triangles)
   {
-    this->Add({ triangle[0], triangle[1], triangle[2] }, 0, parts);
+    this->Add({ triangle[0], triangle[1], triangle[2] }, 0);
   }
   // Of points all over a volume it takes long to see that there are too many by making them.
-  if (this->CountExpected(parts) > static_cast<double>(most))
+  if (this->CountExpected() > static_cast<double>(most))
   {
     return false;
   }
   this->InsertSites();
-  while (!parts.empty())
+  while (!this->Parts.empty())
   {
-    std::pop_heap(parts.begin(), parts.end());
-    const Part part = parts.back();
-    parts.pop_back();
-    const Corners& c = part.Indices;
-    const Index middle = this->Divide(c[0], c[1]);
-    this->Add({ c[0], middle, c[2] }, part.Divisions + 1, parts);
-    this->Add({ middle, c[1], c[2] }, part.Divisions + 1, parts);
+    const auto longest = std::prev(this->Parts.end());
+    std::vector<Part> parts = std::move(longest->second);
+    this->Parts.erase(longest);
+    vtkSMPTools::Sort(parts.begin(), parts.end());
+    for (const Part& part : parts)
+    {
+      const Corners& c = part.Indices;
+      const Index middle = this->Divide(c[0], c[1]);
+      this->Add({ c[0], middle, c[2] }, part.Divisions + 1);
+      this->Add({ middle, c[1], c[2] }, part.Divisions + 1);
+    }
     if (this->Points.size() > most)
     {
       return false;

@@ -8,8 +8,9 @@
  *
  * 1. An edge of the stars' triangles (vtkPointSplatStars.h) that is longer than LongEdge times the mean of
  *    its ends' sizes is divided: a point is put in its middle. Both triangles at an edge get the same one.
- * 2. A triangle whose longest such edge was divided makes two, until all edges are short enough. The longest edges of all
- *    are divided first, so that what is made depends on what is near, and but for ties not on the order of points. Sizes are graded to the middle from both ends, and at most ShareOfEdge of the edge.
+ * 2. A triangle whose longest such edge was divided makes two, until all edges are short enough. The longest edges,
+ *    by powers of two, are divided first, and of these one after the other along a curve that fills space, as what is near is near
+ *    in memory, too. What is made depends on what is near, and but for ties not on the order of points. Sizes are graded to the middle from both ends, and at most ShareOfEdge of the edge.
  *    Where some point of about that size, a site or a fill point, lies within ShareOfSize of its place, that takes
  *    its: needles between a point and a dense row beside it have one row of fill points, and not each its own, and
  *    triangles that two sites see in different ways have the same.
@@ -37,6 +38,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -75,24 +77,36 @@ private:
   using Index = std::uint64_t; // a site, or a fill point's number from FirstIndex on
   static constexpr Index FirstIndex = Index(1) << 32;
   using Corners = std::array<Index, 3>; // of a triangle
+  /// A cell's place along a curve that fills space, and its level; two cells that share one hold points that are far from
+  /// one another.
+  using Key = std::uint64_t;
 
   /// A triangle to be divided at the first edge, its longest one.
   struct Part
   {
+    Key Place; // of the middle, along a curve
     double Length;
     double Middle[3];
     Corners Indices;
     int Divisions;
     bool operator<(const Part& other) const
     {
-      return this->Length != other.Length
-        ? this->Length < other.Length
-        : std::lexicographical_compare(
-            this->Middle, this->Middle + 3, other.Middle, other.Middle + 3);
+      if (this->Place != other.Place)
+      {
+        return this->Place < other.Place;
+      }
+      if (this->Length != other.Length)
+      {
+        return this->Length > other.Length;
+      }
+      const int c = this->Middle[0] != other.Middle[0] ? 0 : this->Middle[1] != other.Middle[1] ? 1 : 2;
+      // A square's diagonals have one middle.
+      return this->Middle[c] != other.Middle[c] ? this->Middle[c] < other.Middle[c]
+                                                : this->Indices < other.Indices;
     }
   };
-  void Add(const Corners& corners, int divisions, std::vector<Part>& parts);
-  double CountExpected(const std::vector<Part>& parts) const;
+  void Add(const Corners& corners, int divisions);
+  double CountExpected() const;
   void InsertSites();
 
   /// Where a corner lies, and its size.
@@ -121,7 +135,8 @@ private:
     }
   };
   std::unordered_map<std::pair<Index, Index>, Index, Hash> Middles;
-  std::vector<Corners> Undivided; // triangles
+  std::map<int, std::vector<Part>> Parts; // by their lengths' exponents
+  std::vector<Corners> Undivided;         // triangles
 
   /// Points in cells of a grid about as wide as they are large, one for each power of two and the next ones.
   struct Cell
@@ -129,7 +144,6 @@ private:
     int Level;
     std::array<std::int64_t, 3> Place;
   };
-  using Key = std::uint64_t; // of a cell; two that share one hold points that are far from one another
   struct Entry
   {
     Key In;
@@ -139,13 +153,13 @@ private:
   static constexpr std::size_t None = std::numeric_limits<std::size_t>::max();
   static Cell FindCell(const double x[3], int level);
   static Key GetKey(const Cell& cell);
+  std::size_t GetIndex(Key key) const;
   void Insert(Index index, const double x[3], float size);
   void Enter(std::size_t entry);
   bool FindNear(const Point& point, Index& found) const;
   const float* GetPlace(Index index, double x[3]) const;
   std::vector<Entry> Entries;
-  std::vector<std::size_t> Table; // of the first entries, by the keys' upper bits
-  int Shift = 0;
+  std::vector<std::size_t> Table; // of the first entries
 };
 
 VTK_ABI_NAMESPACE_END
