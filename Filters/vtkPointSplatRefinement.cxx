@@ -32,6 +32,8 @@ constexpr int MostHalvings = 24;
 constexpr double LeastMean = 1e-3;
 /// Above the bits of the place along the curve.
 constexpr int LevelShift = 60;
+/// Of the places of a block of four cells a side.
+constexpr int BlockBits = 6;
 /// How wide the table of cells is at first, a power of two.
 constexpr std::size_t LeastTable = 1024;
 }
@@ -222,10 +224,12 @@ vtkPointSplatRefinement::Key vtkPointSplatRefinement::GetKey(const Cell& cell)
   return key;
 }
 
-/// Cells that are near are near in the table, as what is looked for one after the other is.
+/// Cells of a block are side by side in the table, as what is looked for one after the other is, and blocks anywhere: of a
+/// plane alone the curve has but few places.
 std::size_t vtkPointSplatRefinement::GetIndex(Key key) const
 {
-  return (key ^ (key >> LevelShift) * 0x9e3779b97f4a7c15u) & (this->Table.size() - 1);
+  const Key block = (key >> BlockBits) * 0x9e3779b97f4a7c15u;
+  return ((block ^ block >> 32) << BlockBits | (key & ((Key(1) << BlockBits) - 1))) & (this->Table.size() - 1);
 }
 
 /// Cells of a level are twice as wide as its smallest sizes.
