@@ -4,11 +4,12 @@
 import math
 
 import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from sweeps.measures import NEAR, Scene, simple
 from sweeps.registry import Stable, coarse, decades, sweep
 from sweeps.scans import range_scan
-from sweeps.surfaces import cloud, plate, random, spacing, sphere, torus
+from sweeps.surfaces import ball_in_volume, cloud, plate, random, spacing, sphere, torus
 
 
 @sweep(decades(100, 200000, 8), Stable([2000, 20000]), coarse([200000]))
@@ -41,6 +42,14 @@ def position_noise(sigma, n):
     p, m = surface.draw(n, random())
     p = p + m * random(7).normal(0, sigma * spacing(n), (n, 1))
     return Scene([surface], [cloud(p, m)])
+
+
+@sweep([0, 0.1, 0.2, 0.3, 0.5, 0.7, 1], Stable([0.2, 0.5], 14, leaks=0.003))
+def volume_noise(sigma, _):
+    """deviation of a volume's values, in voxels of its isosurface's place"""
+    surface = ball_in_volume(sigma)
+    arrays = (surface.mesh.GetPoints().GetData(), surface.mesh.GetPointData().GetNormals())
+    return Scene([surface], [cloud(*map(vtk_to_numpy, arrays))])
 
 
 @sweep([0, 1, 2, 5, 10, 20, 40], Stable([2], 14), coarse([2]))

@@ -7,8 +7,8 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonComputationalGeometry import vtkParametricTorus
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkReverseSense
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkFlyingEdges3D, vtkReverseSense
 from vtkmodules.vtkFiltersSources import (
     vtkParametricFunctionSource, vtkPlaneSource, vtkSphereSource)
 
@@ -93,6 +93,24 @@ def jittered(n, rng):
     x = 2 * (x.ravel() + rng.uniform(0, 1, side * side)) / side - 1
     y = 2 * (y.ravel() + rng.uniform(0, 1, side * side)) / side - 1
     return x, y
+
+
+def ball_in_volume(sigma, size=48):
+    """The isosurface of a ball's distances, with noise of so many voxels."""
+    half = 0.5 * (size - 1)
+    z, y, x = np.meshgrid(*3 * [np.arange(size) - half], indexing="ij")
+    values = 0.83 * half - np.sqrt(x * x + y * y + z * z) + random(14).normal(0, sigma, (size,) * 3)
+    image = vtkImageData()
+    image.SetDimensions(size, size, size)
+    image.SetSpacing(*3 * [1 / half])
+    image.SetOrigin(-1, -1, -1)
+    image.GetPointData().SetScalars(numpy_to_vtk(values.astype(np.float32).ravel(), deep=1))
+    contour = vtkFlyingEdges3D()
+    contour.SetInputData(image)
+    contour.SetValue(0, 0.0)
+    contour.ComputeScalarsOff()
+    contour.Update()
+    return Surface(contour.GetOutput(), None)
 
 
 def plane(corner, first, second):
