@@ -11,9 +11,8 @@ import pointsplatting
 import vtkmodules.vtkRenderingContextOpenGL2  # noqa: F401
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 
-from sweeps import layers, samplings
+from sweeps import layers, samplings, sizes
 from sweeps.measures import COUNTS, IMAGE_SPACE, TWO_PASSES, by_method
-from sweeps.settings import SCENES
 
 PIXELS, COLUMNS, LABEL, GAP = 150, 3, 24, 10
 STEP = 6  # of colours, so that the file stays small
@@ -21,10 +20,10 @@ STEP = 6  # of colours, so that the file stays small
 
 # Label, scene of a number of points, method.
 PANELS = (
-    ("Sharp edges", SCENES["box"], TWO_PASSES),
+    ("A tube of half a spacing's radius", lambda n: sizes.tube_radius(0.5, n), TWO_PASSES),
     ("Sampled 50 to 1", lambda n: samplings.non_uniform(50, n), TWO_PASSES),
     ("1 % outliers", lambda n: samplings.outliers(0.01, n), TWO_PASSES),
-    ("Noise of half a spacing", lambda n: samplings.position_noise(0.5, n), TWO_PASSES),
+    ("Isosurface, noise of a voxel", lambda n: samplings.volume_noise(1, n), TWO_PASSES),
     ("Normals off by 20 degrees", lambda n: samplings.normal_noise(20, n), TWO_PASSES),
     ("Translucent sheets 0.2 radii apart", lambda n: layers.sheets_in_one(0.003, n), TWO_PASSES),
     ("Image space, points 4 pixels apart", lambda n: samplings.density(5000, n), IMAGE_SPACE),
