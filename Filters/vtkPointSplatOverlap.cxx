@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatOverlap.h"
 
+#include "vtkPointSplatMorton.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -18,22 +19,7 @@ namespace
 {
 using Index = vtkPointSplatOverlap::Index;
 
-// Bits of a cell's coordinate. Coordinates beyond are wrapped: then far cells share a key,
-// which costs tests of distance but finds nothing wrong.
-constexpr std::int64_t CellBits = 21;
 constexpr Index Chunk = 2048;
-
-/// The bits of a cell's coordinate, two zeros between each.
-std::uint64_t Spread(std::int64_t cell)
-{
-  std::uint64_t x = static_cast<std::uint64_t>(cell) & ((1ull << CellBits) - 1);
-  x = (x | (x << 32)) & 0x1f00000000ffffull;
-  x = (x | (x << 16)) & 0x1f0000ff0000ffull;
-  x = (x | (x << 8)) & 0x100f00f00f00f00full;
-  x = (x | (x << 4)) & 0x10c30c30c30c30c3ull;
-  x = (x | (x << 2)) & 0x1249249249249249ull;
-  return x;
-}
 
 /**
  * The splats whose radii have the same binary exponent, sorted into cells.
@@ -63,8 +49,7 @@ struct Level
         {
           std::int64_t cell[3];
           this->FindCell(positions + 3 * std::size_t(this->Splats[e]), origin, cell);
-          entries[e] = { Spread(cell[0]) | Spread(cell[1]) << 1 | Spread(cell[2]) << 2,
-            this->Splats[e] };
+          entries[e] = { vtkPointSplatMorton::GetPlace(cell), this->Splats[e] };
         }
       });
     vtkSMPTools::Sort(entries.begin(), entries.end());
@@ -96,7 +81,7 @@ struct Level
   {
     for (int k = 0; k < 3; ++k)
     {
-      // A cloud wider than 2^62 cells: any cell will do, see CellBits.
+      // A cloud wider than 2^62 cells: any cell will do, see vtkPointSplatMorton.h.
       cell[k] = static_cast<std::int64_t>(
         std::min(std::floor((p[k] - origin[k]) / this->Width), 4.6e18));
     }
@@ -127,7 +112,7 @@ void Around(const Level& level, const double* p, const double origin[3], bool fo
   {
     for (int d = 0; d < 3; ++d)
     {
-      spread[k][d] = Spread(cell[k] + d - 1) << k;
+      spread[k][d] = vtkPointSplatMorton::Spread(cell[k] + d - 1) << k;
     }
   }
   for (int c = forward ? 14 : 0; c < 27; ++c)

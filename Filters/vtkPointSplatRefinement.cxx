@@ -3,6 +3,7 @@
 #include "vtkPointSplatRefinement.h"
 
 #include "vtkMath.h"
+#include "vtkPointSplatMorton.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -30,7 +31,7 @@ constexpr int CoveredParts = 6;
 constexpr int MostHalvings = 24;
 /// Normals that nearly cancel have no mean.
 constexpr double LeastMean = 1e-3;
-/// Above the bits of the place along the curve.
+/// Where a cell's level lies in its key: bits of places that are far from one another.
 constexpr int LevelShift = 60;
 /// Of the places of a block of four cells a side.
 constexpr int BlockBits = 6;
@@ -199,29 +200,10 @@ vtkPointSplatRefinement::Point vtkPointSplatRefinement::MakeMiddle(
   return middle;
 }
 
-namespace
-{
-/// Every third bit, the lowest 20.
-std::uint64_t Spread(std::uint64_t bits)
-{
-  bits &= 0xfffff;
-  bits = (bits | bits << 32) & 0x1f00000000ffffu;
-  bits = (bits | bits << 16) & 0x1f0000ff0000ffu;
-  bits = (bits | bits << 8) & 0x100f00f00f00f00fu;
-  bits = (bits | bits << 4) & 0x10c30c30c30c30c3u;
-  return (bits | bits << 2) & 0x1249249249249249u;
-}
-}
-
-/// The level's lowest four bits, and the place along Morton's curve.
+/// The place along the curve, and in its upper bits the level.
 vtkPointSplatRefinement::Key vtkPointSplatRefinement::GetKey(const Cell& cell)
 {
-  Key key = static_cast<Key>(cell.Level) << LevelShift;
-  for (int c = 0; c < 3; ++c)
-  {
-    key |= Spread(static_cast<std::uint64_t>(cell.Place[c])) << c;
-  }
-  return key;
+  return vtkPointSplatMorton::GetPlace(cell.Place.data()) ^ static_cast<Key>(cell.Level) << LevelShift;
 }
 
 /// Cells of a block are side by side in the table, as what is looked for one after the other is, and blocks anywhere: of a
