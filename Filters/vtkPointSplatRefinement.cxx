@@ -397,14 +397,14 @@ void vtkPointSplatRefinement::Add(const Corners& indices, int divisions)
   {
     return;
   }
-  Part part{ 0, largest, { 0, 0, 0 }, {}, divisions };
+  Part part{ 0, largest, {}, {}, divisions };
   for (int k = 0; k < 3; ++k)
   {
     part.Indices[k] = indices[(longest + k) % 3];
     part.Middle[k] = corners[longest].X[k] + corners[(longest + 1) % 3].X[k];
   }
   const int octave = std::ilogb(largest);
-  part.Place = GetKey(FindCell(part.Middle, octave));
+  part.Place = GetKey(FindCell(part.Middle.data(), octave));
   this->Parts[octave].push_back(part);
 }
 

@@ -8,9 +8,10 @@
  *
  * 1. An edge of the stars' triangles (vtkPointSplatStars.h) that is longer than LongEdge times the mean of
  *    its ends' sizes is divided: a point is put in its middle. Both triangles at an edge get the same one.
- * 2. A triangle whose longest such edge was divided makes two, until all edges are short enough. The longest edges,
- *    by powers of two, are divided first, and of these one after the other along a curve that fills space, as what is near is near
- *    in memory, too. What is made depends on what is near, and but for ties not on the order of points. Sizes are graded to the middle from both ends, and at most ShareOfEdge of the edge.
+ * 2. A triangle whose longest such edge was divided makes two, until all edges are short enough. The longest
+ *    edges, by powers of two, are divided first, and of these one after the other along a curve that fills space, so that
+ *    what is near is near in memory, too. What is made depends on what is near, and but for ties not on the order of points.
+ *    Sizes are graded to the middle from both ends, and at most ShareOfEdge of the edge.
  *    Where some point of about that size, a site or a fill point, lies within ShareOfSize of its place, that takes
  *    its: needles between a point and a dense row beside it have one row of fill points, and not each its own, and
  *    triangles that two sites see in different ways have the same.
@@ -33,12 +34,12 @@
 
 #include "vtkPointSplatStars.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -86,23 +87,13 @@ private:
   {
     Key Place; // of the middle, along a curve
     double Length;
-    double Middle[3];
+    std::array<double, 3> Middle; // a square's diagonals have the same
     Corners Indices;
     int Divisions;
     bool operator<(const Part& other) const
     {
-      if (this->Place != other.Place)
-      {
-        return this->Place < other.Place;
-      }
-      if (this->Length != other.Length)
-      {
-        return this->Length > other.Length;
-      }
-      const int c = this->Middle[0] != other.Middle[0] ? 0 : this->Middle[1] != other.Middle[1] ? 1 : 2;
-      // A square's diagonals have one middle.
-      return this->Middle[c] != other.Middle[c] ? this->Middle[c] < other.Middle[c]
-                                                : this->Indices < other.Indices;
+      return std::tie(this->Place, other.Length, this->Middle, this->Indices) <
+        std::tie(other.Place, this->Length, other.Middle, other.Indices);
     }
   };
   void Add(const Corners& corners, int divisions);

@@ -319,9 +319,9 @@ public:
   /**
    * Whether points whose normals, given or estimated, and positions contradict their neighbours', as in range
    * scans that overlap, are drawn where vtkPointSplatProjection moves them: onto one surface, by
-   * less than their noise. On by default; then clouds are projected that are noisy as
-   * vtkPointSplatEstimation::IsNoisy() says, and not IsCrumpled() once they are. Others, as layers upon one another, isosurfaces of noisy volumes, and points
-   * with sizes of their own, are drawn where they are. The input is not changed.
+   * less than their noise. On by default; then clouds are projected that are noisy as vtkPointSplatEstimation::IsNoisy()
+   * says, and not IsCrumpled() once they are. Others, as layers upon one another, isosurfaces of noisy volumes,
+   * and points with sizes of their own, are drawn where they are. The input is not changed.
    * FillGaps, on by default: where sizes are estimated, vtkPointSplatEstimation's fill points are drawn,
    * too, each as one more splat of the point that it is nearest to; not where Hybrid draws triangles.
    */
