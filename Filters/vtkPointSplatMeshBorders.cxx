@@ -27,6 +27,10 @@ constexpr float KernelReach = 2.0f;
 /// Of about how many points near to one on the border it is asked whether they reach it. Where triangles
 /// are long along the border rows of tens do; disks that reach farther than that are no mesh's.
 constexpr vtkIdType MostSeen = 256;
+/// How far the border is followed, in a point's radii, to tell where it goes, and over how many edges at most: vertices of
+/// isosurfaces lie as near to one another as they like, and an edge between two that nearly coincide goes anywhere.
+constexpr float LeastEdge = 0.1f;
+constexpr int MostSteps = 16;
 /// How far past the ends of an edge a point may lie that is beside it, of its length.
 constexpr float PastEnds = 0.25f;
 
@@ -38,6 +42,16 @@ bool IsLine(const float line[3])
 bool IsOne(const float a[3], const float b[3])
 {
   return vtkMath::Dot(a, b) >= CosineOfOne * vtkMath::Norm(a) * vtkMath::Norm(b);
+}
+
+/// Makes of a way its part in a plane.
+void ProjectOnto(const float normal[3], float way[3])
+{
+  const float height = vtkMath::Dot(way, normal);
+  for (int c = 0; c < 3; ++c)
+  {
+    way[c] -= height * normal[c];
+  }
 }
 
 /// A line along an edge of the border beside a point.
@@ -56,6 +70,38 @@ void vtkPointSplatMeshBorders::GetOffset(vtkIdType from, vtkIdType to, float d[3
   }
 }
 
+/// Follows the border from a point along one of its edges until that is so far off, or as far as it goes on.
+vtkPointSplatMeshBorders::Side vtkPointSplatMeshBorders::Walk(
+  vtkIdType id, const vtkPointSplatFans::BorderEdge& edge, const float normal[3], float least) const
+{
+  Side side;
+  vtkIdType from = id;
+  vtkPointSplatFans::BorderEdge step = edge;
+  for (int k = 0; k < MostSteps; ++k)
+  {
+    float along[3], inward[3], across[3];
+    this->GetOffset(from, step.Next, along);
+    this->GetOffset(from, step.Inner, inward);
+    vtkMath::Cross(along, inward, across);
+    side.Left = vtkMath::Dot(across, normal) > 0;
+    side.End = step.Next;
+    this->GetOffset(id, side.End, side.Way);
+    const vtkPointSplatFans::BorderEdges next = this->Fans.GetBorderEdges(side.End);
+    if (vtkMath::Norm(side.Way) >= least || next.Count != 2)
+    {
+      break;
+    }
+    const vtkPointSplatFans::BorderEdge& on = next.First[next.First[0].Next == from ? 1 : 0];
+    if (on.Next == id)
+    {
+      break; // all around a hole
+    }
+    from = side.End;
+    step = on;
+  }
+  return side;
+}
+
 /// Returns whether the point is of those that have lines.
 bool vtkPointSplatMeshBorders::FindOwnLines(vtkIdType id, float clip[6]) const
 {
@@ -68,38 +114,33 @@ bool vtkPointSplatMeshBorders::FindOwnLines(vtkIdType id, float clip[6]) const
   {
     return true;
   }
-  const vtkPointSplatBorderPlane plane(this->Planes->GetPointer(3 * id));
+  const float* normal = this->Planes->GetPointer(3 * id);
+  const vtkPointSplatBorderPlane plane(normal);
+  const float least = LeastEdge * this->Radii->GetValue(id);
+  Side sides[2];
   float nearest = std::numeric_limits<float>::max();
-  const auto getAngle = [&](vtkIdType other) {
-    float d[3];
-    this->GetOffset(id, other, d);
-    return plane.GetAngle(d);
-  };
-  for (const vtkPointSplatFans::BorderEdge& edge : edges)
+  for (std::size_t k = 0; k < edges.Count; ++k)
   {
-    float d[3];
-    this->GetOffset(id, edge.Next, d);
-    nearest = std::min(nearest, vtkMath::Norm(d));
+    sides[k] = this->Walk(id, edges.First[k], normal, least);
+    nearest = std::min(nearest, vtkMath::Norm(sides[k].Way));
   }
   if (!(nearest > 0))
   {
     return false;
   }
   // Where the sector begins in which there is no surface, counterclockwise: at one edge or the other.
-  const double first = getAngle(edges.First[0].Next);
-  const double inner = vtkPointSplatBorderPlane::Turn(first, getAngle(edges.First[0].Inner));
+  const double first = plane.GetAngle(sides[0].Way);
+  nearest = std::max(nearest, vtkPointSplatBorderPlane::LeastDistance * least);
   if (edges.Count == 1)
   {
-    const double from = inner < vtkMath::Pi() ? first + vtkMath::Pi() : first;
+    const double from = sides[0].Left ? first + vtkMath::Pi() : first;
     plane.SetLines(from, vtkMath::Pi(), nearest, nearest, clip);
   }
   else
   {
-    const double turn = vtkPointSplatBorderPlane::Turn(first, getAngle(edges.First[1].Next));
-    // A triangle alone has the other edge's end as its third corner.
-    const bool inside = edges.First[0].Inner == edges.First[1].Next ? turn < vtkMath::Pi() : inner < turn;
-    plane.SetLines(inside ? first + turn : first, inside ? 2 * vtkMath::Pi() - turn : turn,
-      nearest, nearest, clip);
+    const double turn = vtkPointSplatBorderPlane::Turn(first, plane.GetAngle(sides[1].Way));
+    plane.SetLines(sides[0].Left ? first + turn : first,
+      sides[0].Left ? 2 * vtkMath::Pi() - turn : turn, nearest, nearest, clip);
   }
   return true;
 }
@@ -162,6 +203,7 @@ void vtkPointSplatMeshBorders::AddNearLines(
   const vtkIdType id = first->Id;
   const float* normal = this->Planes->GetPointer(3 * id);
   const float reach = this->GetReach(id);
+  const float least = LeastEdge * this->Radii->GetValue(id);
   std::vector<NearLine> lines;
   for (const Near* near = first; near != last; ++near)
   {
@@ -173,45 +215,36 @@ void vtkPointSplatMeshBorders::AddNearLines(
     }
     for (const vtkPointSplatFans::BorderEdge& edge : edges)
     {
-      if (edge.Next == id)
+      const Side walked = this->Walk(neighbor, edge, normal, least);
+      if (edge.Next == id || walked.End == id)
       {
         continue;
       }
       // In the disk's plane.
-      float ends[3][3];
-      const vtkIdType ids[3] = { neighbor, edge.Next, edge.Inner };
-      for (int k = 0; k < 3; ++k)
-      {
-        this->GetOffset(id, ids[k], ends[k]);
-        const float height = vtkMath::Dot(ends[k], normal);
-        for (int c = 0; c < 3; ++c)
-        {
-          ends[k][c] -= height * normal[c];
-        }
-      }
-      float along[3], across[3];
-      vtkMath::Subtract(ends[1], ends[0], along);
+      float start[3], along[3], across[3];
+      this->GetOffset(id, neighbor, start);
+      ProjectOnto(normal, start);
+      std::copy_n(walked.Way, 3, along);
+      ProjectOnto(normal, along);
       vtkMath::Cross(along, normal, across);
       const float length = vtkMath::Normalize(across);
       if (!(length > 0))
       {
         continue;
       }
-      float inward[3];
-      vtkMath::Subtract(ends[2], ends[0], inward);
-      const float side = vtkMath::Dot(inward, across) > 0 ? -1.0f : 1.0f;
-      const float distance = side * vtkMath::Dot(ends[0], across);
+      const float side = walked.Left ? 1.0f : -1.0f;
+      const float distance = side * vtkMath::Dot(start, across);
       // Where the point is opposite to on the edge. Past its ends the border may turn away.
-      const float at = -vtkMath::Dot(ends[0], along) / (length * length);
+      const float at = -vtkMath::Dot(start, along) / (length * length);
       if (distance >= 0 && distance < reach && at > -PastEnds && at < 1 + PastEnds)
       {
         NearLine line;
         line.Distance = distance;
-        const float least =
-          std::max(distance, vtkPointSplatBorderPlane::LeastDistance * length);
+        const float off = std::max(
+          distance, vtkPointSplatBorderPlane::LeastDistance * std::max(length, least));
         for (int c = 0; c < 3; ++c)
         {
-          line.Line[c] = side * across[c] / least;
+          line.Line[c] = side * across[c] / off;
         }
         lines.push_back(line);
       }

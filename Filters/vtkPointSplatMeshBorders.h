@@ -9,7 +9,8 @@
  *
  * 1. A point on the border is clipped by the lines along its two edges where the corner between
  *    them is convex, and by one across it where it is reflex, as vtkPointSplatBorders does. Where a
- *    seam meets the border it has one edge there, and one line.
+ *    seam meets the border it has one edge there, and one line. Edges go to the next point of the border that
+ *    is a tenth of the disk's radius off: what is nearer says nothing of where the border goes.
  * 2. Lines that are left to a point, of two, go along the nearest edges that end at points of its
  *    triangles, or of those beyond as far as its kernel reaches, and which it is beside: a mesh that was
  *    cut has points as near to its border as it likes, whose disks are as large as others, and one whose
@@ -45,6 +46,14 @@ public:
   void Write(vtkFloatArray* clips) const;
 
 private:
+  /// The border from a point on.
+  struct Side
+  {
+    vtkIdType End = 0; // a point of it
+    float Way[3] = { 0, 0, 0 }; // to that
+    bool Left = false; // whether the surface lies to the left of it, as seen from where the normal points
+  };
+  Side Walk(vtkIdType id, const vtkPointSplatFans::BorderEdge& edge, const float normal[3], float least) const;
   bool FindOwnLines(vtkIdType id, float clip[6]) const;
   /// A point, and one on the border that is near to it.
   struct Near

@@ -68,6 +68,14 @@ class TestStandIns(unittest.TestCase):
             self.assertEqual(found["holes"], 0)
             self.assertLess(found["spill"], 0.001)
 
+    def test_mesh_cut_by_volume(self):
+        # 29 dB where lines at its border went along edges of no length to speak of.
+        standin = standins.cut_by_volume("edges")
+        standin.cloud = standin.mesh
+        found = likeness.compare(standin, 300, 3)
+        self.assertGreater(min(found["psnr"]), 35)
+        self.assertLess(found["spill"], 0.001)
+
     def test_noisy_volumes(self):
         # The volume's noise is its isosurface's relief: 21.6 dB, 109 holes and 4397 openings where it was smoothed as if
         # points were scattered about the surface, which those of vtkIsosurfacePoints are not, either.

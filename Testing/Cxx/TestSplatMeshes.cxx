@@ -386,6 +386,40 @@ void TestBorders()
   Estimated atCut(piece);
   AtMost(GetFarthest(atCut), 0.03, "past the cut");
 
+  // Next to a point of the border lies another one, so near to it that the edge between both goes anywhere.
+  vtkSmartPointer<vtkPolyData> sliver = MakeEmpty();
+  AddSquare(sliver, 20, 0, 1);
+  vtkNew<vtkCellArray> withSlivers;
+  for (vtkIdType cell = 0; cell < sliver->GetNumberOfPolys(); ++cell)
+  {
+    vtkNew<vtkIdList> ids;
+    sliver->GetPolys()->GetCellAtId(cell, ids);
+    double x[3];
+    sliver->GetPoint(ids->GetId(0), x);
+    if (x[0] == 0)
+    {
+      ids->InsertNextId(sliver->GetPoints()->InsertNextPoint(-1e-6, x[1] + 1e-8, 0));
+      sliver->GetPointData()->GetNormals()->InsertNextTuple3(0, 0, 1);
+    }
+    withSlivers->InsertNextCell(ids);
+  }
+  sliver->SetPolys(withSlivers);
+  Estimated straight(sliver);
+  AtMost(GetFarthest(straight), 0.03, "past a border with slivers");
+  clips = Array(straight.Filter->GetOutput(), vtkPointSplatArrays::Clip);
+  for (vtkIdType id = 0; clips && id < sliver->GetNumberOfPoints(); ++id)
+  {
+    double clip[6], x[3];
+    sliver->GetPoint(id, x);
+    clips->GetTuple(id, clip);
+    if (x[0] < 0.5 && x[1] > 2.5 && x[1] < 16.5)
+    {
+      Expect(-clip[0] > 0.98 * vtkMath::Norm(clip) && vtkMath::Dot(clip + 3, clip + 3) <= 1.1 * vtkMath::Dot(clip, clip) &&
+          std::abs(clip[4]) <= 0.2 * vtkMath::Norm(clip),
+        "a line along the border at " + std::to_string(x[1]));
+    }
+  }
+
   // A sphere is closed; its points are there once for each triangle, and it still is.
   vtkSmartPointer<vtkPolyData> sphere = MakeSphere(5);
   vtkNew<vtkPolyData> soup;
