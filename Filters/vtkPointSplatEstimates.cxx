@@ -147,7 +147,7 @@ void vtkPointSplatEstimates::ReadMesh()
   const float* n = this->GetNormal(vtkIdType(0));
   vtkPolyData* mesh = vtkPolyData::SafeDownCast(this->Input);
   const vtkIdType bad =
-    mesh && !this->Elliptical ? this->Fans.Read(mesh, this->Used.data()) : 0;
+    mesh && !this->Elliptical ? this->Fans.Read(mesh, this->Used.data(), n) : 0;
   if (this->Fans.IsSplit(n))
   {
     this->Fans.Clear();
@@ -166,7 +166,7 @@ void vtkPointSplatEstimates::ReadMesh()
     vtkSMPTools::For(0, this->NumberOfPoints, [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType id = begin; id < end; ++id)
       {
-        if (this->Fans.Has(id))
+        if (this->Fans.Has(id) && this->Fans.GetSame(id) == id)
         {
           this->Corners[id] = this->Fans.GetDisk(id, n);
         }
@@ -477,8 +477,8 @@ bool vtkPointSplatEstimates::FindDisks()
   {
     if (slotOf[id] != vtkPointSplatNeighbors::None)
     {
-      disks.Set(slotOf[id], this->Corners[id]);
-      this->Creased[slotOf[id]] = this->Corners[id].Creased;
+      disks.Set(slotOf[id], this->GetCorner(id));
+      this->Creased[slotOf[id]] = this->GetCorner(id).Creased;
     }
   }
   return true;
@@ -553,8 +553,8 @@ bool vtkPointSplatEstimates::FindCreases(Twins twins)
     const vtkIdType id = splat.Id < 0 ? this->Neighbors.GetId(splat.At) : splat.Id;
     if (this->MeshAlone && id >= 0)
     {
-      splat.Length1 = std::min(splat.Length1, this->Corners[id].Radius);
-      splat.Gap = std::min(splat.Gap, this->Corners[id].Radius);
+      splat.Length1 = std::min(splat.Length1, this->GetCorner(id).Radius);
+      splat.Gap = std::min(splat.Gap, this->GetCorner(id).Radius);
     }
   }
   return true;

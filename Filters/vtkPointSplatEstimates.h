@@ -94,6 +94,7 @@ private:
   bool IsDrawn(vtkIdType id) const;
   float GetScaled(float length) const;
   static bool IsZero(const float n[3]) { return n[0] == 0 && n[1] == 0 && n[2] == 0; }
+  const vtkPointSplatFans::Disk& GetCorner(vtkIdType id) const { return this->Corners[this->Fans.GetSame(id)]; }
   float* GetNormal(vtkIdType id) { return this->Normals->GetPointer(3 * id); }
   const float* GetSlotNormal(Slot s) const { return this->SlotNormals.data() + std::size_t(3) * s; }
 
@@ -108,7 +109,7 @@ private:
 
   vtkPointSplatFans Fans;
   bool MeshAlone = false; // all points are triangles' corners
-  std::vector<vtkPointSplatFans::Disk> Corners; // if so
+  std::vector<vtkPointSplatFans::Disk> Corners; // if so, of those that take part
 
   vtkPointSplatNeighbors Neighbors;
   vtkPointSplatLargeArray<float> SlotNormals;

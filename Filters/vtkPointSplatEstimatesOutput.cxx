@@ -100,7 +100,7 @@ void vtkPointSplatEstimates::WriteMesh()
         (s == vtkPointSplatNeighbors::None || !ends[s]))
       {
         const vtkPointSplatFans::Disk disk =
-          this->MeshAlone ? this->Corners[id] : this->Fans.GetDisk(id, n);
+          this->MeshAlone ? this->GetCorner(id) : this->Fans.GetDisk(this->Fans.GetSame(id), n);
         this->Sizes[0]->SetValue(id, this->GetScaled(disk.Radius));
         std::copy(disk.Plane, disk.Plane + 3, this->Planes->GetPointer(3 * id));
         std::copy(disk.Curvature, disk.Curvature + 6, this->Curvatures->GetPointer(6 * id));

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -102,10 +103,10 @@ void vtkPointSplatFans::Add(
   }
 }
 
-vtkIdType vtkPointSplatFans::Read(vtkPolyData* mesh, const unsigned char* used)
+vtkIdType vtkPointSplatFans::Read(
+  vtkPolyData* mesh, const unsigned char* used, const float* normals)
 {
-  this->Corners.clear();
-  this->First.clear();
+  this->Clear();
   const vtkIdType numberOfPoints = mesh->GetNumberOfPoints();
   vtkIdType bad = 0;
   for (vtkCellArray* cells : { mesh->GetPolys(), mesh->GetStrips() })
@@ -146,10 +147,60 @@ vtkIdType vtkPointSplatFans::Read(vtkPolyData* mesh, const unsigned char* used)
     {
       CopyPositions{}(points, this->Positions);
     }
+    this->Join(numberOfPoints, normals);
     this->Sort(numberOfPoints);
     this->FindBorder(numberOfPoints);
   }
   return bad;
+}
+
+/// Makes one of a triangle's corners that share place and normal, and leaves out the triangles that have no area by that.
+void vtkPointSplatFans::Join(vtkIdType numberOfPoints, const float* normals)
+{
+  const auto getFirst = [this](vtkIdType id) {
+    while (this->Same[id] != id)
+    {
+      id = this->Same[id] = this->Same[this->Same[id]];
+    }
+    return id;
+  };
+  const std::size_t all = this->Corners.size();
+  for (std::size_t i = 0; i < all; ++i)
+  {
+    const vtkIdType a = this->Corners[i], b = this->Corners[i % 3 < 2 ? i + 1 : i - 2];
+    if (std::equal(this->GetPosition(a), this->GetPosition(a) + 3, this->GetPosition(b)) &&
+      !vtkPointSplatCrease::Parts(normals + 3 * a, normals + 3 * b))
+    {
+      if (this->Same.empty())
+      {
+        this->Same.resize(numberOfPoints);
+        std::iota(this->Same.begin(), this->Same.end(), vtkIdType(0));
+      }
+      const auto [first, second] = std::minmax({ getFirst(a), getFirst(b) });
+      this->Same[second] = first;
+    }
+  }
+  if (this->Same.empty())
+  {
+    return;
+  }
+  for (vtkIdType id = 0; id < numberOfPoints; ++id)
+  {
+    this->Same[id] = this->Same[this->Same[id]]; // the first ones come first
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < all; i += 3)
+  {
+    vtkIdType corners[3];
+    std::transform(this->Corners.begin() + i, this->Corners.begin() + i + 3, corners,
+      [this](vtkIdType id) { return this->Same[id]; });
+    if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
+    {
+      std::copy_n(corners, 3, this->Corners.begin() + kept);
+      kept += 3;
+    }
+  }
+  this->Corners.resize(kept);
 }
 
 /// Lists each point's triangles, in the order in which they were read.

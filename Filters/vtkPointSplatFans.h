@@ -9,7 +9,9 @@
  * for: which points are next to each other on the surface.
  *
  * 1. Polygons (as triangles with their first corner) and strips are read; cells that index
- *    points which are not there, or that take no part, are left out.
+ *    points which are not there, or that take no part, are left out. Corners of one triangle that have a place and
+ *    about a normal in common, as isosurfaces through a sample of their volume leave them, are one point: the first of
+ *    them takes part, and the others share its disk.
  * 2. A vertex' neighbours are the other corners of its triangles, and for its curvature the
  *    nearest of those of their triangles, twelve together. Its plane, and which
  *    neighbours say how the surface bends, are found as for points without a mesh
@@ -36,10 +38,10 @@ class vtkPointSplatFans
 {
 public:
   /**
-   * Reads the mesh's triangles between points with used[id] not 0. Returns how many cells
-   * were left out since they index points that are not there.
+   * Reads the mesh's triangles between points with used[id] not 0. normals: 3 floats a point, unit length or 0. Returns
+   * how many cells were left out since they index points that are not there.
    */
-  vtkIdType Read(vtkPolyData* mesh, const unsigned char* used);
+  vtkIdType Read(vtkPolyData* mesh, const unsigned char* used, const float* normals);
 
   void Clear() { *this = vtkPointSplatFans(); }
   bool IsEmpty() const { return this->Corners.empty(); }
@@ -104,10 +106,13 @@ public:
     }
   }
 
+  /// The point that takes part for a point, mostly itself.
+  vtkIdType GetSame(vtkIdType id) const { return this->Same.empty() ? id : this->Same[id]; }
+
   /// Whether a point is a triangle's corner.
   bool Has(vtkIdType id) const
   {
-    return !this->First.empty() && this->First[id] < this->First[id + 1];
+    return !this->First.empty() && this->GetNumberOfTriangles(this->GetSame(id)) > 0;
   }
 
   struct Disk
@@ -119,11 +124,12 @@ public:
     bool Creased = false; // whether a crease is likely to be near (vtkPointSplatCrease)
   };
 
-  /// The disk of a triangle's corner. normals: 3 floats a point, unit length.
+  /// The disk of a triangle's corner that takes part. normals: 3 floats a point, unit length.
   Disk GetDisk(vtkIdType id, const float* normals) const;
 
 private:
   void Add(vtkIdType a, vtkIdType b, vtkIdType c, const unsigned char* used);
+  void Join(vtkIdType numberOfPoints, const float* normals);
   void Sort(vtkIdType numberOfPoints);
   void GetSingleEdges(vtkIdType id, std::vector<BorderEdge>& edges) const;
   void FindBorder(vtkIdType numberOfPoints);
@@ -133,6 +139,7 @@ private:
 
   std::vector<double> Positions;    // 3 a point
   std::vector<vtkIdType> Corners;   // 3 a triangle, as read
+  std::vector<vtkIdType> Same;      // GetSame(), empty where that is id of all
   std::vector<vtkIdType> First;     // of a point's triangles: where they begin in Fans
   std::vector<vtkIdType> Triangles; // by points
   std::vector<vtkIdType> Border;          // points, in order

@@ -311,6 +311,10 @@ void vtkPointSplatMeshBorders::Write(vtkFloatArray* clips) const
       std::copy(found[i].begin(), found[i].end(), clip);
     }
   }
+  for (vtkIdType id = 0; id < clips->GetNumberOfTuples() && !this->Fans.IsEmpty(); ++id)
+  {
+    std::copy_n(clips->GetPointer(6 * this->Fans.GetSame(id)), 6, clips->GetPointer(6 * id));
+  }
 }
 
 VTK_ABI_NAMESPACE_END

@@ -252,6 +252,51 @@ void TestMixed()
   }
 }
 
+/// An isosurface through a sample of its volume has several points there, which triangles of no area connect.
+void TestJoined()
+{
+  vtkSmartPointer<vtkPolyData> square = MakeEmpty();
+  AddSquare(square, 8, 0, 1);
+  Estimated one(square);
+  vtkSmartPointer<vtkPolyData> parted = MakeEmpty();
+  AddSquare(parted, 8, 0, 1);
+  vtkNew<vtkCellArray> cells;
+  for (const vtkIdType id : { 27, 4 }) // inside, and on the border
+  {
+    const vtkIdType twin = parted->GetPoints()->InsertNextPoint(parted->GetPoint(id));
+    parted->GetPointData()->GetNormals()->InsertNextTuple3(0, 0, 1);
+    const vtkIdType sliver[3] = { twin, id, id + 8 };
+    cells->InsertNextCell(3, sliver);
+    // The cell to the right of the point is the twin's.
+    const vtkIdType quad[4] = { twin, id + 1, id + 9, id + 8 };
+    cells->InsertNextCell(4, quad);
+  }
+  for (vtkIdType cell = 0; cell < parted->GetNumberOfPolys(); ++cell)
+  {
+    vtkNew<vtkIdList> ids;
+    parted->GetPolys()->GetCellAtId(cell, ids);
+    if (ids->GetId(0) != 27 && ids->GetId(0) != 4)
+    {
+      cells->InsertNextCell(ids);
+    }
+  }
+  parted->SetPolys(cells);
+  Estimated several(parted);
+  vtkFloatArray* clips[2] = { Array(one.Filter->GetOutput(), vtkPointSplatArrays::Clip),
+    Array(several.Filter->GetOutput(), vtkPointSplatArrays::Clip) };
+  Expect(clips[0] && clips[1], "both squares end");
+  for (vtkIdType id = 0; id < parted->GetNumberOfPoints() && clips[0] && clips[1]; ++id)
+  {
+    const vtkIdType same = id < 64 ? id : (id == 64 ? 27 : 4);
+    AtMost(std::abs(several.Radius(id) - one.Radius(same)), 1e-6, "the radius of joined points differs");
+    for (int c = 0; c < 6; ++c)
+    {
+      AtMost(std::abs(clips[1]->GetTypedComponent(id, c) - clips[0]->GetTypedComponent(same, c)), 1e-4,
+        "lines of joined points differ");
+    }
+  }
+}
+
 /// How far disks, so many times as large, of a mesh in the plane z reach past x = 0, where it ends.
 double GetFarthest(Estimated& estimated, double times = 1)
 {
@@ -457,6 +502,7 @@ int TestSplatMeshes(int, char*[])
   TestNearSheets();
   TestBadCells();
   TestMixed();
+  TestJoined();
   TestBorders();
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
