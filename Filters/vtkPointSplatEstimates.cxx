@@ -3,17 +3,13 @@
 #include "vtkPointSplatEstimates.h"
 
 #include "vtkDataSetAttributes.h"
-#include "vtkPointData.h"
 #include "vtkPointSet.h"
-#include "vtkPointSplatArrays.h"
 #include "vtkPointSplatCurvature.h"
 #include "vtkPointSplatEstimation.h"
-#include "vtkPointSplatInput.h"
 #include "vtkPointSplatNoise.h"
 #include "vtkPointSplatNormals.h"
 #include "vtkPointSplatSensors.h"
 #include "vtkPointSplatSparsePart.h"
-#include "vtkPolyData.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
 
@@ -22,6 +18,7 @@
 #include <iterator>
 #include <limits>
 #include <string>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -79,111 +76,6 @@ bool vtkPointSplatEstimates::Run()
   return true;
 }
 
-/// Makes the arrays, and returns the given normals, if they can be used.
-vtkDataArray* vtkPointSplatEstimates::MakeArrays()
-{
-  vtkDataArray* given = this->Input->GetPointData()->GetNormals();
-  if (given && given->GetNumberOfTuples() != this->NumberOfPoints)
-  {
-    vtkErrorWithObjectMacro(this->Self, "The point normals "
-        << (given->GetName() ? given->GetName() : "") << " have " << given->GetNumberOfTuples()
-        << " tuples for " << this->NumberOfPoints << " points; they are estimated instead.");
-    given = nullptr;
-  }
-  const auto make = [](vtkFloatArray* array, const char* name, int components, vtkIdType count) {
-    array->SetName(name);
-    array->SetNumberOfComponents(components);
-    array->SetNumberOfTuples(count);
-  };
-  const vtkIdType n = this->NumberOfPoints, ofCircles = this->Elliptical ? 0 : n;
-  make(this->Normals, given && given->GetName() ? given->GetName() : "Normals", 3, n);
-  if (this->Elliptical)
-  {
-    make(this->Sizes[0], vtkPointSplatArrays::Axis1, 3, n);
-    make(this->Sizes[1], vtkPointSplatArrays::Axis2, 3, n);
-  }
-  else
-  {
-    make(this->Sizes[0], vtkPointSplatArrays::Radius, 1, n);
-  }
-  make(this->Planes, vtkPointSplatArrays::PlaneNormal, 3, ofCircles);
-  make(this->Curvatures, vtkPointSplatArrays::Curvature, 6, ofCircles);
-  this->Clips->SetName(vtkPointSplatArrays::Clip);
-  this->Folds->SetName(vtkPointSplatArrays::Fold);
-  return given;
-}
-
-/// Which points take part, and their given normals.
-void vtkPointSplatEstimates::ReadPoints(vtkDataArray* given)
-{
-  this->Given = given != nullptr;
-  float* n = this->GetNormal(vtkIdType(0));
-  if (given)
-  {
-    vtkPointSplatInput::ReadNormals(given, n);
-  }
-  else
-  {
-    std::fill(n, n + 3 * this->NumberOfPoints, 0.0f);
-  }
-  const auto [bad, hidden] = vtkPointSplatInput::MarkUsable(this->Input, this->Used);
-  this->Ghosts = vtkPointSplatInput::GetGhosts(this->Input);
-  if (bad > 0 || hidden > 0)
-  {
-    vtkWarningWithObjectMacro(this->Self, "Of "
-        << this->NumberOfPoints << " points " << bad
-        << " have coordinates that are not finite and " << hidden << " are hidden ("
-        << vtkDataSetAttributes::GhostArrayName()
-        << "); they take no part and get radius 0.");
-  }
-}
-
-/**
- * Meshes know their neighbours, but for those that were split at their creases. All other points' are
- * searched for, and a mesh's where normals tell of creases.
- */
-void vtkPointSplatEstimates::ReadMesh()
-{
-  const float* n = this->GetNormal(vtkIdType(0));
-  vtkPolyData* mesh = vtkPolyData::SafeDownCast(this->Input);
-  const vtkIdType bad =
-    mesh && !this->Elliptical ? this->Fans.Read(mesh, this->Used.data(), n) : 0;
-  if (this->Fans.IsSplit(n))
-  {
-    this->Fans.Clear();
-  }
-  if (bad > 0)
-  {
-    vtkWarningWithObjectMacro(this->Self,
-      << bad << " polygons or strips index points that are not there; they take no part.");
-  }
-  std::vector<unsigned char> searched = this->Used;
-  this->MeshAlone = this->Fans.AreAll(this->Used, n);
-  if (this->MeshAlone)
-  {
-    this->Corners.resize(this->NumberOfPoints);
-    std::atomic<bool> anyCreased{ false };
-    vtkSMPTools::For(0, this->NumberOfPoints, [&](vtkIdType begin, vtkIdType end) {
-      for (vtkIdType id = begin; id < end; ++id)
-      {
-        if (this->Fans.Has(id) && this->Fans.GetSame(id) == id)
-        {
-          this->Corners[id] = this->Fans.GetDisk(id, n);
-        }
-        if (this->Corners[id].Creased)
-        {
-          anyCreased = true;
-        }
-      }
-    });
-    if (!anyCreased)
-    {
-      std::fill(searched.begin(), searched.end(), 0);
-    }
-  }
-  this->Neighbors.Build(this->Input->GetPoints()->GetData(), searched.data());
-}
-
 bool vtkPointSplatEstimates::FindNormals()
 {
   const Slot slots = this->Neighbors.GetNumberOfSlots();
@@ -236,13 +128,13 @@ bool vtkPointSplatEstimates::FindNormals()
       fitted.OrientToViewpoint(this->Self->GetViewpoint());
     }
   }
-  // A mesh is one surface, whatever its normals say.
-  if (this->Fans.IsEmpty())
+  // A mesh is one surface, whatever its normals say, but creases of what a noisy volume's is are noise.
+  if (this->Fans.IsEmpty() || this->OfLattice)
   {
     const vtkPointSplatNoise::Shares found = vtkPointSplatNoise::Measure(
       this->Self, this->Neighbors, this->SlotNormals.data(), this->Guessed);
     this->Noise = found.Noisy;
-    this->Contradiction = found.Contradicted;
+    this->Contradiction = this->OfLattice ? 0.0 : found.Contradicted;
   }
   return true;
 }
@@ -547,11 +439,12 @@ bool vtkPointSplatEstimates::FindCreases(Twins twins)
   {
     return false;
   }
-  // Beyond a crease neighbours may be far, but triangles tell how far a disk has to reach.
+  // Beyond a crease neighbours may be far, but triangles tell how far a disk has to reach. Those of a volume's voxels, in which
+  // creases are not where the points are, do not.
   for (vtkPointSplatCreases::Splat& splat : this->Creases->Splats)
   {
     const vtkIdType id = splat.Id < 0 ? this->Neighbors.GetId(splat.At) : splat.Id;
-    if (this->MeshAlone && id >= 0)
+    if (this->MeshAlone && !this->OfLattice && id >= 0)
     {
       splat.Length1 = std::min(splat.Length1, this->GetCorner(id).Radius);
       splat.Gap = std::min(splat.Gap, this->GetCorner(id).Radius);

@@ -61,6 +61,7 @@ private:
   vtkDataArray* MakeArrays();
   void ReadPoints(vtkDataArray* given);
   void ReadMesh();
+  void ReadLattice();
   bool FindNormals();
   float GetUsualSpacing() const;
   void FindSearched();
@@ -108,6 +109,7 @@ private:
   std::vector<unsigned char> Used;
 
   vtkPointSplatFans Fans;
+  bool OfLattice = false; // whether its triangles are those of an isosurface's vertices
   bool MeshAlone = false; // all points are triangles' corners
   std::vector<vtkPointSplatFans::Disk> Corners; // if so, of those that take part
 

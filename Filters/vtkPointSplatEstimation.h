@@ -136,7 +136,8 @@
  * (vtkGhostType has HIDDENPOINT), take no part; they stay in the output, with radius 0, and
  * their number is reported. Duplicate ghost points (DUPLICATEPOINT, another process' points)
  * serve as neighbours, but get the radius 0, so that no splat is drawn twice. Polygons and
- * strips that index points which are not there are left out, and their number is reported. An empty
+ * strips that index points which are not there are left out, and their number is reported. Points of no other triangles
+ * than those without area get radius 0. An empty
  * input gives an empty output.
  *
  * Results do not depend on the number of threads. The filter reports progress and can be

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatFans.h"
 
-#include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
-#include "vtkDataArrayRange.h"
 #include "vtkMath.h"
 #include "vtkPointSplatCrease.h"
 #include "vtkPointSplatCurvature.h"
 #include "vtkPointSplatDisk.h"
+#include "vtkPointSplatInput.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPThreadLocal.h"
@@ -38,25 +37,6 @@ constexpr int MaximumNumberOfNeighbors = vtkPointSplatNeighbors::MaximumNumberOf
 /// How many of a neighbour's triangles are looked at.
 constexpr vtkIdType MostTriangles = 64;
 
-struct CopyPositions
-{
-  template <typename Array>
-  void operator()(Array* points, std::vector<double>& positions) const
-  {
-    const auto range = vtk::DataArrayTupleRange<3>(points);
-    vtkSMPTools::For(0, range.size(), [&](vtkIdType begin, vtkIdType end) {
-      for (vtkIdType id = begin; id < end; ++id)
-      {
-        const auto x = range[id];
-        for (int c = 0; c < 3; ++c)
-        {
-          positions[3 * id + c] = static_cast<double>(x[c]);
-        }
-      }
-    });
-  }
-};
-
 /// A vertex' neighbours, nearest first.
 struct Ring
 {
@@ -65,15 +45,16 @@ struct Ring
   float Squared[MaximumNumberOfNeighbors];
   int Count = 0;
 
-  void Add(vtkPointSplatNeighbors::Slot slot, const float d[3])
+  /// Adds a neighbour, if it is one of so many nearest ones.
+  void Add(vtkPointSplatNeighbors::Slot slot, const float d[3], int most)
   {
     const float squared = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-    if (!(squared > 0) || this->Count == MaximumNumberOfNeighbors ||
+    if (!(squared > 0) || (this->Count >= most && squared >= this->Squared[most - 1]) ||
       std::find(this->Slots, this->Slots + this->Count, slot) != this->Slots + this->Count)
     {
       return;
     }
-    int at = this->Count++;
+    int at = this->Count < most ? this->Count++ : most - 1;
     for (; at > 0 && this->Squared[at - 1] > squared; --at)
     {
       this->Put(at, this->Slots[at - 1], this->X[at - 1], this->Y[at - 1], this->Z[at - 1]);
@@ -140,18 +121,23 @@ vtkIdType vtkPointSplatFans::Read(
   }
   if (!this->IsEmpty())
   {
-    this->Positions.resize(3 * static_cast<std::size_t>(numberOfPoints));
-    vtkDataArray* points = mesh->GetPoints()->GetData();
-    if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>::Execute(
-          points, CopyPositions{}, this->Positions))
-    {
-      CopyPositions{}(points, this->Positions);
-    }
+    this->Positions = vtkPointSplatInput::ReadPositions(mesh->GetPoints()->GetData());
     this->Join(numberOfPoints, normals);
     this->Sort(numberOfPoints);
     this->FindBorder(numberOfPoints);
   }
   return bad;
+}
+
+void vtkPointSplatFans::Take(
+  vtkDataArray* points, std::vector<vtkIdType> corners, std::vector<vtkIdType> same)
+{
+  this->Clear();
+  this->Corners = std::move(corners);
+  this->Same = std::move(same);
+  this->Positions = vtkPointSplatInput::ReadPositions(points);
+  this->Sort(points->GetNumberOfTuples());
+  this->FindBorder(points->GetNumberOfTuples());
 }
 
 /// Makes one of a triangle's corners that share place and normal, and leaves out the triangles that have no area by that.
@@ -191,13 +177,17 @@ void vtkPointSplatFans::Join(vtkIdType numberOfPoints, const float* normals)
   std::size_t kept = 0;
   for (std::size_t i = 0; i < all; i += 3)
   {
-    vtkIdType corners[3];
-    std::transform(this->Corners.begin() + i, this->Corners.begin() + i + 3, corners,
-      [this](vtkIdType id) { return this->Same[id]; });
+    vtkIdType read[3], corners[3];
+    std::copy_n(this->Corners.begin() + i, 3, read);
+    std::transform(read, read + 3, corners, [this](vtkIdType id) { return this->Same[id]; });
     if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
     {
       std::copy_n(corners, 3, this->Corners.begin() + kept);
       kept += 3;
+    }
+    else
+    {
+      this->Collapsed.insert(this->Collapsed.end(), read, read + 3);
     }
   }
   this->Corners.resize(kept);
@@ -392,7 +382,7 @@ vtkPointSplatFans::Disk vtkPointSplatFans::GetDisk(vtkIdType id, const float* no
       {
         d[k][c] = static_cast<float>(this->Positions[3 * others[k] + c] - centre[c]);
       }
-      ring.Add(static_cast<Slot>(others[k]), d[k]);
+      ring.Add(static_cast<Slot>(others[k]), d[k], MaximumNumberOfNeighbors);
     }
     const float aa = vtkMath::Dot(d[0], d[0]), bb = vtkMath::Dot(d[1], d[1]),
                 ab = vtkMath::Dot(d[0], d[1]);
@@ -431,7 +421,7 @@ vtkPointSplatFans::Disk vtkPointSplatFans::GetDisk(vtkIdType id, const float* no
   found.Turn = std::sqrt(found.Turn);
 
   // How the surface bends the corners beyond tell, too: few normals are too noisy.
-  const int next = ring.Count;
+  const int next = ring.Count, most = std::max(next, CurvatureNeighbors);
   Slot beside[MaximumNumberOfNeighbors];
   std::copy(ring.Slots, ring.Slots + next, beside);
   for (int i = 0; i < next; ++i)
@@ -444,15 +434,17 @@ vtkPointSplatFans::Disk vtkPointSplatFans::GetDisk(vtkIdType id, const float* no
       for (int k = 0; k < 3; ++k)
       {
         const vtkIdType other = this->Corners[3 * this->Triangles[t] + k];
+        if (other == id || other == static_cast<vtkIdType>(beside[i]))
+        {
+          continue;
+        }
         const double* x = this->Positions.data() + 3 * other;
         const float d[3] = { static_cast<float>(x[0] - centre[0]),
           static_cast<float>(x[1] - centre[1]), static_cast<float>(x[2] - centre[2]) };
-        ring.Add(static_cast<Slot>(other), d);
+        ring.Add(static_cast<Slot>(other), d, most);
       }
     }
   }
-  ring.Count = std::min(ring.Count, std::max(next, CurvatureNeighbors));
-
   const vtkPointSplatNeighbors::Neighborhood around{ static_cast<Slot>(id), ring.Count, ring.Slots,
     ring.X, ring.Y, ring.Z, ring.Squared };
   vtkPointSplatDisk disk;

@@ -32,6 +32,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
+class vtkDataArray;
 class vtkPolyData;
 
 class vtkPointSplatFans
@@ -42,6 +43,9 @@ public:
    * how many cells were left out since they index points that are not there.
    */
   vtkIdType Read(vtkPolyData* mesh, const unsigned char* used, const float* normals);
+
+  /// Takes over triangles between points, 3 coordinates each; same: GetSame() of each, or empty.
+  void Take(vtkDataArray* points, std::vector<vtkIdType> corners, std::vector<vtkIdType> same);
 
   void Clear() { *this = vtkPointSplatFans(); }
   bool IsEmpty() const { return this->Corners.empty(); }
@@ -109,6 +113,9 @@ public:
   /// The point that takes part for a point, mostly itself.
   vtkIdType GetSame(vtkIdType id) const { return this->Same.empty() ? id : this->Same[id]; }
 
+  /// Points that were read as corners of triangles without area; they may be of others, too.
+  const std::vector<vtkIdType>& GetCollapsed() const { return this->Collapsed; }
+
   /// Whether a point is a triangle's corner.
   bool Has(vtkIdType id) const
   {
@@ -140,6 +147,7 @@ private:
   std::vector<double> Positions;    // 3 a point
   std::vector<vtkIdType> Corners;   // 3 a triangle, as read
   std::vector<vtkIdType> Same;      // GetSame(), empty where that is id of all
+  std::vector<vtkIdType> Collapsed;
   std::vector<vtkIdType> First;     // of a point's triangles: where they begin in Fans
   std::vector<vtkIdType> Triangles; // by points
   std::vector<vtkIdType> Border;          // points, in order

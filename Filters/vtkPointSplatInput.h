@@ -72,6 +72,25 @@ struct ReadNormalsWorker
   }
 };
 
+struct ReadPositionsWorker
+{
+  template <typename Array>
+  void operator()(Array* points, std::vector<double>& positions) const
+  {
+    const auto range = vtk::DataArrayTupleRange<3>(points);
+    vtkSMPTools::For(0, range.size(), [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        const auto x = range[id];
+        for (int c = 0; c < 3; ++c)
+        {
+          positions[3 * id + c] = static_cast<double>(x[c]);
+        }
+      }
+    });
+  }
+};
+
 template <typename Worker, typename... Args>
 void Dispatch(vtkDataArray* array, Args&&... args)
 {
@@ -126,6 +145,14 @@ inline LeftOut MarkUsable(vtkPointSet* input, std::vector<unsigned char>& used)
     }
   }
   return left;
+}
+
+/// The coordinates, 3 a point.
+inline std::vector<double> ReadPositions(vtkDataArray* points)
+{
+  std::vector<double> positions(3 * static_cast<std::size_t>(points->GetNumberOfTuples()));
+  Dispatch<ReadPositionsWorker>(points, positions);
+  return positions;
 }
 
 /// Unit normals, 3 floats a point, or zero where there is none to be had.

@@ -54,11 +54,12 @@ class TestStandIns(unittest.TestCase):
         self.assertEqual(likeness.compare(standin, 300, 1)["holes"], 0)
 
     def test_noisy_tubes(self):
-        # A gap of 5 dB and a spill of 0.03 where noise was no bend for disks.
+        # A gap of 5 dB and a spill of 0.03 where noise was no bend for disks, ...
+        # ... of 4.7 and 0.009 where neighbours across a tube counted, which noise hides, but not the lattice.
         found = likeness.compare(standins.noisy_vessels(), 300, 2)
-        self.assertLess(found["gap"][0], 4)
+        self.assertLess(found["gap"][0], 3)
         self.assertEqual(found["holes"], 0)
-        self.assertLess(found["spill"], 0.01)
+        self.assertLess(found["spill"], 0.005)
 
     def test_cut_by_volume(self):
         # 27 dB where splats of isosurfaces reached past the volume.
@@ -73,16 +74,18 @@ class TestStandIns(unittest.TestCase):
         standin = standins.cut_by_volume("edges")
         standin.cloud = standin.mesh
         found = likeness.compare(standin, 300, 3)
-        self.assertGreater(min(found["psnr"]), 35)
+        self.assertGreater(min(found["psnr"]), 34)
         self.assertLess(found["spill"], 0.001)
 
     def test_noisy_volumes(self):
         # The volume's noise is its isosurface's relief: 21.6 dB, 109 holes and 4397 openings where it was smoothed as if
         # points were scattered about the surface, which those of vtkIsosurfacePoints are not, either.
+        # 26.1 dB, with 267 openings, while its neighbours were not known by their lattice: of 370 most are slits along outlines,
+        # which are not where they were.
         found = likeness.compare(standins.ALL["cut_noisy"](), 300, 3)
-        self.assertGreater(min(found["psnr"][:2]), 25)
+        self.assertGreater(min(found["psnr"][:2]), 27.7)
         self.assertLess(found["holes"], 4)
-        self.assertLess(found["openings"], 300)
+        self.assertLess(found["openings"], 400)
         # A spill of 0.0106 where what smoothing crumples had no borders.
         found = likeness.compare(standins.ALL["cut_noisy_turned"](), 300, 3)
         self.assertGreater(min(found["psnr"][:2]), 20.2)
@@ -252,7 +255,7 @@ class TestStandIns(unittest.TestCase):
     def test_thick_slices(self):
         # 192 where normals of the next row, which turn by up to a right angle, were taken for another sheet's.
         found = likeness.compare(standins.thick_slices(), 300, 4)
-        self.assertLess(found["holes"], 40)
+        self.assertLess(found["holes"], 4)
         self.assertGreater(min(found["psnr"]), 26)
         self.assertLess(found["spill"], 0.001)  # 0.0016 where borders along rows were not seen
 

@@ -25,4 +25,10 @@ inline void AtMost(double value, double bound, const std::string& what)
     what + ": " + std::to_string(value) + " is more than " + std::to_string(bound));
 }
 
+inline void AtLeast(double value, double bound, const std::string& what)
+{
+  Expect(value >= bound,
+    what + ": " + std::to_string(value) + " is less than " + std::to_string(bound));
+}
+
 #endif

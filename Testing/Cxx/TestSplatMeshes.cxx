@@ -280,12 +280,23 @@ void TestJoined()
       cells->InsertNextCell(ids);
     }
   }
+  // Two at a place of their own have no area.
+  const vtkIdType off = parted->GetPoints()->InsertNextPoint(20, 20, 0);
+  parted->GetPoints()->InsertNextPoint(20, 20, 0);
+  parted->GetPoints()->InsertNextPoint(20, 20, 0);
+  for (int k = 0; k < 3; ++k)
+  {
+    parted->GetPointData()->GetNormals()->InsertNextTuple3(0, 0, 1);
+  }
+  const vtkIdType speck[3] = { off, off + 1, off + 2 };
+  cells->InsertNextCell(3, speck);
   parted->SetPolys(cells);
   Estimated several(parted);
+  AtMost(several.Radius(off), 0, "the radius of what has no area");
   vtkFloatArray* clips[2] = { Array(one.Filter->GetOutput(), vtkPointSplatArrays::Clip),
     Array(several.Filter->GetOutput(), vtkPointSplatArrays::Clip) };
   Expect(clips[0] && clips[1], "both squares end");
-  for (vtkIdType id = 0; id < parted->GetNumberOfPoints() && clips[0] && clips[1]; ++id)
+  for (vtkIdType id = 0; id < off && clips[0] && clips[1]; ++id)
   {
     const vtkIdType same = id < 64 ? id : (id == 64 ? 27 : 4);
     AtMost(std::abs(several.Radius(id) - one.Radius(same)), 1e-6, "the radius of joined points differs");

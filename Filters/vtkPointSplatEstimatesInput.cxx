@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Of the estimates: what the input has, its points, normals and triangles.
+#include "vtkPointSplatEstimates.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPointSplatArrays.h"
+#include "vtkPointSplatInput.h"
+#include "vtkPointSplatLattice.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <utility>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+/// Makes the arrays, and returns the given normals, if they can be used.
+vtkDataArray* vtkPointSplatEstimates::MakeArrays()
+{
+  vtkDataArray* given = this->Input->GetPointData()->GetNormals();
+  if (given && given->GetNumberOfTuples() != this->NumberOfPoints)
+  {
+    vtkErrorWithObjectMacro(this->Self, "The point normals "
+        << (given->GetName() ? given->GetName() : "") << " have " << given->GetNumberOfTuples()
+        << " tuples for " << this->NumberOfPoints << " points; they are estimated instead.");
+    given = nullptr;
+  }
+  const auto make = [](vtkFloatArray* array, const char* name, int components, vtkIdType count) {
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(count);
+  };
+  const vtkIdType n = this->NumberOfPoints, ofCircles = this->Elliptical ? 0 : n;
+  make(this->Normals, given && given->GetName() ? given->GetName() : "Normals", 3, n);
+  if (this->Elliptical)
+  {
+    make(this->Sizes[0], vtkPointSplatArrays::Axis1, 3, n);
+    make(this->Sizes[1], vtkPointSplatArrays::Axis2, 3, n);
+  }
+  else
+  {
+    make(this->Sizes[0], vtkPointSplatArrays::Radius, 1, n);
+  }
+  make(this->Planes, vtkPointSplatArrays::PlaneNormal, 3, ofCircles);
+  make(this->Curvatures, vtkPointSplatArrays::Curvature, 6, ofCircles);
+  this->Clips->SetName(vtkPointSplatArrays::Clip);
+  this->Folds->SetName(vtkPointSplatArrays::Fold);
+  return given;
+}
+
+/// Which points take part, and their given normals.
+void vtkPointSplatEstimates::ReadPoints(vtkDataArray* given)
+{
+  this->Given = given != nullptr;
+  float* n = this->GetNormal(vtkIdType(0));
+  if (given)
+  {
+    vtkPointSplatInput::ReadNormals(given, n);
+  }
+  else
+  {
+    std::fill(n, n + 3 * this->NumberOfPoints, 0.0f);
+  }
+  const auto [bad, hidden] = vtkPointSplatInput::MarkUsable(this->Input, this->Used);
+  this->Ghosts = vtkPointSplatInput::GetGhosts(this->Input);
+  if (bad > 0 || hidden > 0)
+  {
+    vtkWarningWithObjectMacro(this->Self, "Of "
+        << this->NumberOfPoints << " points " << bad
+        << " have coordinates that are not finite and " << hidden << " are hidden ("
+        << vtkDataSetAttributes::GhostArrayName()
+        << "); they take no part and get radius 0.");
+  }
+}
+
+/**
+ * Meshes know their neighbours, but for those that were split at their creases. All other points' are
+ * searched for, and a mesh's where normals tell of creases.
+ */
+void vtkPointSplatEstimates::ReadMesh()
+{
+  const float* n = this->GetNormal(vtkIdType(0));
+  vtkPolyData* mesh = vtkPolyData::SafeDownCast(this->Input);
+  const vtkIdType bad =
+    mesh && !this->Elliptical ? this->Fans.Read(mesh, this->Used.data(), n) : 0;
+  if (this->Fans.IsSplit(n))
+  {
+    this->Fans.Clear();
+  }
+  // What has no area anywhere is no part of the surface.
+  for (const vtkIdType id : this->Fans.GetCollapsed())
+  {
+    this->Used[id] = this->Used[id] && this->Fans.Has(id);
+  }
+  if (this->Fans.IsEmpty() && this->Given && !this->Elliptical)
+  {
+    this->ReadLattice();
+  }
+  if (bad > 0)
+  {
+    vtkWarningWithObjectMacro(this->Self,
+      << bad << " polygons or strips index points that are not there; they take no part.");
+  }
+  std::vector<unsigned char> searched = this->Used;
+  this->MeshAlone = this->Fans.AreAll(this->Used, n);
+  if (this->MeshAlone)
+  {
+    this->Corners.resize(this->NumberOfPoints);
+    std::atomic<bool> anyCreased{ false };
+    vtkSMPTools::For(0, this->NumberOfPoints, [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        if (this->Fans.Has(id) && this->Fans.GetSame(id) == id)
+        {
+          this->Corners[id] = this->Fans.GetDisk(id, n);
+        }
+        if (this->Corners[id].Creased)
+        {
+          anyCreased = true;
+        }
+      }
+    });
+    if (!anyCreased)
+    {
+      std::fill(searched.begin(), searched.end(), 0);
+    }
+  }
+  this->Neighbors.Build(this->Input->GetPoints()->GetData(), searched.data());
+}
+
+/// Finds the triangles of what is a volume's isosurface, where it has an area.
+void vtkPointSplatEstimates::ReadLattice()
+{
+  vtkDataArray* points = this->Input->GetPoints()->GetData();
+  vtkPointSplatLattice lattice;
+  if (!lattice.Find(points, this->Used, this->GetNormal(vtkIdType(0))))
+  {
+    return;
+  }
+  this->OfLattice = true;
+  this->Fans.Take(points, std::move(lattice.Corners), std::move(lattice.Same));
+  // Where the volume has no gradient there is no normal, but there are neighbours'.
+  std::vector<std::pair<vtkIdType, std::array<float, 3>>> missing;
+  for (vtkIdType id = 0; id < this->NumberOfPoints; ++id)
+  {
+    this->Used[id] = this->Used[id] && this->Fans.Has(id);
+    if (this->Used[id] && IsZero(this->GetNormal(id)))
+    {
+      std::array<float, 3> sum{ { 0, 0, 0 } };
+      this->Fans.VisitNeighbors(this->Fans.GetSame(id),
+        [&](vtkIdType other) { vtkMath::Add(sum.data(), this->GetNormal(other), sum.data()); });
+      vtkMath::Normalize(sum.data());
+      missing.emplace_back(id, sum);
+    }
+  }
+  for (const auto& [id, normal] : missing)
+  {
+    std::copy(normal.begin(), normal.end(), this->GetNormal(id));
+  }
+}
+
+VTK_ABI_NAMESPACE_END

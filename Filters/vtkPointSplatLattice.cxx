@@ -1,0 +1,433 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatLattice.h"
+
+#include "vtkMarchingCubesTriangleCases.h"
+#include "vtkPointSplatInput.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+/// Of how many points, at most, the planes are found.
+constexpr vtkIdType MostSampled = 1 << 14;
+/// Points at samples of the volume, at most: where all are, they fill a grid.
+constexpr double MostAtSamples = 0.9;
+/// Points of no triangle, at most: of an isosurface those that are its samples' alone, where it has no area.
+constexpr double MostWithout = 0.02;
+
+constexpr int AtSample = 3; // in place of an edge's axis
+
+/// The corners of a voxel by bits, 1 further along x, 2 along y, 4 along z, in the order of marching cubes.
+constexpr int CornerBits[8] = { 0, 1, 3, 2, 4, 5, 7, 6 };
+/// The edges of a voxel in the order of marching cubes: the lower end, by bits, and the axis.
+constexpr int EdgeEnds[12] = { 0, 1, 2, 0, 4, 5, 6, 4, 0, 1, 2, 3 };
+constexpr int EdgeAxes[12] = { 0, 1, 0, 1, 0, 1, 0, 1, 2, 2, 2, 2 };
+/// The edge from a corner, by bits, along each axis, to the one or the other side.
+constexpr int EdgesOf[8][3] = { { 0, 3, 8 }, { 0, 1, 9 }, { 2, 3, 10 }, { 2, 1, 11 }, { 4, 7, 8 }, { 4, 5, 9 },
+  { 6, 7, 10 }, { 6, 5, 11 } };
+}
+
+//------------------------------------------------------------------------------
+/// The points on a voxel's edges and at its corners, and the side that its corners are on.
+struct vtkPointSplatLattice::Voxel
+{
+  static constexpr vtkIdType None = -1;
+
+  vtkIdType Cut[12];
+  vtkIdType At[8]; // by bits
+  int Side[8];     // 1 inside, -1 outside, 0 where that is not known yet
+  bool Any = false;
+
+  Voxel()
+  {
+    std::fill_n(this->Cut, 12, None);
+    std::fill_n(this->At, 8, None);
+    std::fill_n(this->Side, 8, 0);
+  }
+
+  void AddCut(int lower, int axis, vtkIdType id)
+  {
+    this->Any = true;
+    this->Cut[EdgesOf[lower][axis]] = id;
+  }
+  void AddAt(int corner, vtkIdType id)
+  {
+    this->Any = true;
+    this->At[corner] = id;
+  }
+
+  /// Carries a corner's side on, and adds to part, by bits, where to; returns false where that contradicts another one.
+  bool Spread(int start, int& part)
+  {
+    int corners[8] = { start };
+    int count = 1;
+    this->Side[start] = 1;
+    for (int k = 0; k < count; ++k)
+    {
+      const int corner = corners[k];
+      part |= 1 << corner;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const int other = corner ^ (1 << axis);
+        const bool cut = this->Cut[EdgesOf[corner][axis]] != None;
+        if (!cut && (this->At[corner] != None || this->At[other] != None))
+        {
+          continue; // it may be cut at its end
+        }
+        const int side = cut ? -this->Side[corner] : this->Side[corner];
+        if (this->Side[other] == 0)
+        {
+          this->Side[other] = side;
+          corners[count++] = other;
+        }
+        else if (this->Side[other] != side)
+        {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  /// By how much normals agree with the sides of some corners.
+  float GetAgreement(int part, const float* normals, const float distances[3]) const
+  {
+    float sum = 0;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      for (int axis = 0; axis < 3 && (part & (1 << corner)); ++axis)
+      {
+        const int bit = 1 << axis;
+        const vtkIdType cut = this->Cut[EdgesOf[corner][axis]];
+        const vtkIdType point = cut != None ? cut : this->At[corner ^ bit];
+        if (point != None)
+        {
+          // As steep as it is from sample to sample.
+          const float outward = ((corner & bit) ? 1 : -1) * normals[3 * point + axis] * distances[axis];
+          sum -= outward * this->Side[corner];
+        }
+      }
+    }
+    return sum;
+  }
+
+  /// Finds all sides; returns false where they contradict one another.
+  bool FindSides(const float* normals, const float distances[3])
+  {
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      int part = 0;
+      if (this->Side[corner] != 0)
+      {
+        continue;
+      }
+      if (!this->Spread(corner, part))
+      {
+        return false;
+      }
+      // A sample that is the isovalue is inside, where nothing else is said.
+      const bool alone = part == 1 << corner && this->At[corner] != None;
+      const int turn = !alone && this->GetAgreement(part, normals, distances) < 0 ? -1 : 1;
+      for (int other = 0; other < 8; ++other)
+      {
+        this->Side[other] *= (part & (1 << other)) ? turn : 1;
+      }
+    }
+    return true;
+  }
+
+  vtkIdType GetPoint(int e) const
+  {
+    const int a = EdgeEnds[e], b = a | (1 << EdgeAxes[e]);
+    const int inside = this->Side[a] > 0 ? a : b, outside = this->Side[a] > 0 ? b : a;
+    return this->Cut[e] != None ? this->Cut[e]
+      : this->At[inside] != None ? this->At[inside]
+                                 : this->At[outside];
+  }
+
+  void AddTriangles(std::vector<vtkIdType>& corners) const
+  {
+    int index = 0;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      index |= this->Side[CornerBits[corner]] > 0 ? 1 << corner : 0;
+    }
+    for (const int* edge = vtkMarchingCubesTriangleCases::GetCases()[index].edges; *edge >= 0; edge += 3)
+    {
+      const vtkIdType a = this->GetPoint(edge[0]), b = this->GetPoint(edge[1]), c = this->GetPoint(edge[2]);
+      if (a != b && b != c && c != a)
+      {
+        corners.insert(corners.end(), { a, b, c });
+      }
+    }
+  }
+};
+
+//------------------------------------------------------------------------------
+/// Of all points, but none where one is on no edge.
+bool vtkPointSplatLattice::FindCrossings(
+  const std::vector<double>& positions, const std::vector<unsigned char>& used)
+{
+  const vtkIdType count = static_cast<vtkIdType>(used.size());
+  struct Place
+  {
+    std::int64_t Index[3];
+    int Axis; // of the edge, or AtSample
+  };
+  const auto getPlace = [&](vtkIdType id, Place& place) {
+    int on = 0, axis = AtSample;
+    for (int c = 0; c < 3; ++c)
+    {
+      const bool has = this->Axes[c].Has(positions[3 * id + c], place.Index[c]);
+      on += has ? 1 : 0;
+      axis = has ? axis : c;
+    }
+    place.Axis = axis;
+    if (axis != AtSample)
+    {
+      place.Index[axis] = this->Axes[axis].GetFloor(positions[3 * id + axis]);
+    }
+    return on >= 2;
+  };
+  std::vector<vtkIdType> ids;
+  for (vtkIdType id = 0; id < count; ++id)
+  {
+    if (used[id])
+    {
+      ids.push_back(id);
+    }
+  }
+  std::int64_t last[3];
+  std::fill_n(this->First, 3, std::numeric_limits<std::int64_t>::max());
+  std::fill_n(last, 3, std::numeric_limits<std::int64_t>::min());
+  std::vector<Place> places(ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    Place& place = places[i];
+    if (!getPlace(ids[i], place))
+    {
+      return false;
+    }
+    for (int c = 0; c < 3; ++c)
+    {
+      this->First[c] = std::min(this->First[c], place.Index[c]);
+      last[c] = std::max(last[c], place.Index[c] + (c == place.Axis ? 1 : 0));
+    }
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    this->Size[c] = last[c] - this->First[c] + 3;
+  }
+  constexpr double most = 1e18;
+  if (4.0 * this->Size[0] * this->Size[1] * this->Size[2] > most)
+  {
+    return false;
+  }
+  this->Crossings.resize(ids.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(ids.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      std::int64_t index[3];
+      for (int c = 0; c < 3; ++c)
+      {
+        index[c] = places[i].Index[c] - this->First[c] + 1;
+      }
+      const std::int64_t row = index[2] * this->Size[1] + index[1];
+      this->Crossings[i] = { 4 * (row * this->Size[0] + index[0]) + places[i].Axis, ids[i] };
+    }
+  });
+  vtkSMPTools::Sort(this->Crossings.begin(), this->Crossings.end());
+  return true;
+}
+
+/// Of points at the same place the first one stays. Returns false where they are of several surfaces.
+bool vtkPointSplatLattice::JoinPoints(vtkIdType numberOfPoints)
+{
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < this->Crossings.size(); ++i)
+  {
+    const Crossing crossing = this->Crossings[i];
+    if (kept == 0 || this->Crossings[kept - 1].Key != crossing.Key)
+    {
+      this->Crossings[kept++] = crossing;
+      continue;
+    }
+    const vtkIdType first = this->Crossings[kept - 1].Id;
+    if (crossing.Key % 4 != AtSample)
+    {
+      return false;
+    }
+    if (this->Same.empty())
+    {
+      this->Same.resize(numberOfPoints);
+      std::iota(this->Same.begin(), this->Same.end(), vtkIdType(0));
+    }
+    this->Same[crossing.Id] = first;
+  }
+  this->Crossings.resize(kept);
+  const auto atSamples = std::count_if(this->Crossings.begin(), this->Crossings.end(),
+    [](const Crossing& crossing) { return crossing.Key % 4 == AtSample; });
+  return atSamples <= MostAtSamples * kept;
+}
+
+void vtkPointSplatLattice::FindRows()
+{
+  for (std::size_t i = 0; i < this->Crossings.size(); ++i)
+  {
+    const std::int64_t index = this->Crossings[i].Key / 4 / this->Size[0];
+    if (this->Rows.empty() || this->Rows.back().Index != index)
+    {
+      this->Rows.push_back({ index, i, i });
+    }
+    this->Rows.back().Last = i + 1;
+  }
+}
+
+/// A row that has points, or null.
+const vtkPointSplatLattice::Row* vtkPointSplatLattice::GetRow(std::int64_t index) const
+{
+  const auto at = std::lower_bound(this->Rows.begin(), this->Rows.end(), index,
+    [](const Row& row, std::int64_t i) { return row.Index < i; });
+  return at != this->Rows.end() && at->Index == index ? &*at : nullptr;
+}
+
+/// Adds the triangles of the voxels around a row that have no points in one before it.
+bool vtkPointSplatLattice::March(const Row& row, std::vector<vtkIdType>& corners) const
+{
+  const std::int64_t at = row.Index, below = at - this->Size[1];
+  const bool left = this->GetRow(at - 1), under = this->GetRow(below);
+  const bool before = this->GetRow(below - 1), behind = this->GetRow(below + 1);
+  return this->MarchAlong(at, corners) && (left || this->MarchAlong(at - 1, corners)) &&
+    (under || behind || this->MarchAlong(below, corners)) &&
+    (left || under || before || this->MarchAlong(below - 1, corners));
+}
+
+/// Adds the triangles of the voxels between a row and the next ones along y and z; false where some within the box
+/// contradict themselves.
+bool vtkPointSplatLattice::MarchAlong(std::int64_t index, std::vector<vtkIdType>& corners) const
+{
+  const std::int64_t y = index % this->Size[1], z = index / this->Size[1];
+  // There is one sample more on each side than the box has.
+  const bool within = y >= 1 && y < this->Size[1] - 2 && z >= 1 && z < this->Size[2] - 2;
+  if (!within)
+  {
+    return true;
+  }
+  const Crossing* next[4];
+  const Crossing* last[4];
+  for (int r = 0; r < 4; ++r)
+  {
+    const Row* row = this->GetRow(index + (r & 1) + (r >> 1) * this->Size[1]);
+    next[r] = this->Crossings.data() + (row ? row->First : 0);
+    last[r] = this->Crossings.data() + (row ? row->Last : 0);
+  }
+  const float distances[3] = { static_cast<float>(this->Axes[0].Distance),
+    static_cast<float>(this->Axes[1].Distance), static_cast<float>(this->Axes[2].Distance) };
+  const auto getX = [this](const Crossing& crossing) { return crossing.Key / 4 % this->Size[0]; };
+  for (std::int64_t x = 1; x < this->Size[0] - 2; ++x)
+  {
+    Voxel voxel;
+    std::int64_t nearest = this->Size[0];
+    for (int r = 0; r < 4; ++r)
+    {
+      while (next[r] != last[r] && getX(*next[r]) < x)
+      {
+        ++next[r];
+      }
+      for (const Crossing* crossing = next[r]; crossing != last[r]; ++crossing)
+      {
+        const std::int64_t dx = getX(*crossing) - x;
+        nearest = std::min(nearest, x + dx);
+        if (dx > 1)
+        {
+          break;
+        }
+        const int corner = static_cast<int>(dx) + 2 * r;
+        const int axis = static_cast<int>(crossing->Key % 4);
+        if (axis == AtSample)
+        {
+          voxel.AddAt(corner, crossing->Id);
+        }
+        else if (!(corner & (1 << axis)))
+        {
+          voxel.AddCut(corner, axis, crossing->Id);
+        }
+      }
+    }
+    if (!voxel.Any)
+    {
+      x = std::max(x, nearest - 2); // the next voxel that has any
+      continue;
+    }
+    if (!voxel.FindSides(this->Normals, distances))
+    {
+      return false;
+    }
+    voxel.AddTriangles(corners);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatLattice::Find(
+  vtkDataArray* points, const std::vector<unsigned char>& used, const float* normals)
+{
+  const vtkIdType count = points->GetNumberOfTuples();
+  const std::vector<double> positions = vtkPointSplatInput::ReadPositions(points);
+  const vtkIdType stride = std::max<vtkIdType>(1, count / MostSampled) | 1;
+  std::vector<double> samples[3];
+  for (vtkIdType id = 0; id < count; id += stride)
+  {
+    for (int c = 0; c < 3 && used[id]; ++c)
+    {
+      samples[c].push_back(positions[3 * id + c]);
+    }
+  }
+  if (samples[0].empty() || !vtkPointSplatLatticePlanes::Choose(samples, this->Axes))
+  {
+    return false;
+  }
+  this->Normals = normals;
+  if (!this->FindCrossings(positions, used) || !this->JoinPoints(count))
+  {
+    return false;
+  }
+  this->FindRows();
+  std::vector<std::vector<vtkIdType>> found(this->Rows.size());
+  std::atomic<bool> whole{ true };
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Rows.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType r = begin; r < end && whole; ++r)
+    {
+      if (!this->March(this->Rows[r], found[r]))
+      {
+        whole = false;
+      }
+    }
+  });
+  if (!whole)
+  {
+    return false;
+  }
+  for (const std::vector<vtkIdType>& ofRow : found)
+  {
+    this->Corners.insert(this->Corners.end(), ofRow.begin(), ofRow.end());
+  }
+  std::vector<unsigned char> cornered(used.size(), 0);
+  for (const vtkIdType corner : this->Corners)
+  {
+    cornered[corner] = 1;
+  }
+  const auto without = std::count_if(this->Crossings.begin(), this->Crossings.end(),
+    [&](const Crossing& crossing) { return !cornered[crossing.Id]; });
+  return without <= MostWithout * this->Crossings.size();
+}
+
+VTK_ABI_NAMESPACE_END

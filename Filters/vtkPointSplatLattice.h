@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPointSplatLattice
+ * @brief   which vertices of a volume's isosurface are next to one another, told by their positions
+ *
+ * An internal helper of vtkPointSplatEstimation. Where the surface has noise of the volume's, or bends within a voxel, no
+ * distance and no normal tells a point's neighbours on it from others. But the vertices of isosurfaces that marching
+ * cubes and their like extract lie on the edges of the volume's lattice, and so say which edges the surface crosses:
+ *
+ * 1. *Lattice.* Two coordinates of each vertex are those of planes of the lattice (vtkPointSplatLatticePlanes.h).
+ * 2. *Crossings.* Each point is assigned to its edge; or to a sample of the volume where all three coordinates are planes',
+ *    as where a sample is the isovalue. Points that share one are one.
+ * 3. *Samples.* From one end of an edge to the other the side of the surface changes where a point lies on it, and stays
+ *    where none does. Of an edge that has a point at an end that is not known. Of what stays apart by this, and of voxels
+ *    as a whole, normals say which side is outside.
+ * 4. *Triangles* are those of marching cubes (vtkMarchingCubesTriangleCases). Few points have none: where one sample alone
+ *    is the isovalue and all around it are less, the surface has no area.
+ *
+ * All points have to be such vertices, of all of the surface within the box that they span, or nothing is found: a voxel
+ * around whose faces the sides contradict one another is one outside of the volume, or the points are no isosurface's.
+ */
+#ifndef vtkPointSplatLattice_h
+#define vtkPointSplatLattice_h
+
+#include "vtkPointSplatLatticePlanes.h"
+#include "vtkType.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+class vtkDataArray;
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkPointSplatLattice
+{
+public:
+  /**
+   * Returns whether the points, 3 coordinates each, with used[id] not 0 are an isosurface's vertices. normals: 3 floats a
+   * point, unit length to the outside or 0.
+   */
+  bool Find(vtkDataArray* points, const std::vector<unsigned char>& used, const float* normals);
+
+  std::vector<vtkIdType> Corners; // 3 a triangle
+  /// The point that stands for a point, which is itself, or the first one at the same place; empty where all are.
+  std::vector<vtkIdType> Same;
+
+private:
+  /// A point's place in the lattice, in the order of Key: row by row.
+  struct Crossing
+  {
+    std::int64_t Key;
+    vtkIdType Id;
+    bool operator<(const Crossing& other) const
+    {
+      return this->Key != other.Key ? this->Key < other.Key : this->Id < other.Id;
+    }
+  };
+  struct Voxel;
+  struct Row
+  {
+    std::int64_t Index; // over all y and z
+    std::size_t First, Last;
+  };
+
+  bool FindCrossings(const std::vector<double>& positions, const std::vector<unsigned char>& used);
+  bool JoinPoints(vtkIdType numberOfPoints);
+  void FindRows();
+  const Row* GetRow(std::int64_t index) const;
+  bool March(const Row& row, std::vector<vtkIdType>& corners) const;
+  bool MarchAlong(std::int64_t index, std::vector<vtkIdType>& corners) const;
+
+  const float* Normals = nullptr;
+  vtkPointSplatLatticePlanes Axes[3];
+  std::int64_t First[3] = { 0, 0, 0 }; // of the planes that points lie on
+  std::int64_t Size[3] = { 0, 0, 0 }; // of the box in samples, and one on each side
+  std::vector<Crossing> Crossings;
+  std::vector<Row> Rows;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

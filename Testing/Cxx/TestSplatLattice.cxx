@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// That vtkPointSplatEstimation knows the vertices of a volume's isosurface by their lattice: it estimates of them what it
+// does of the mesh, and takes nothing else for such.
+#include "Expect.h"
+
+#include "vtkFloatArray.h"
+#include "vtkFlyingEdges3D.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSplatArrays.h"
+#include "vtkPointSplatEstimation.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+#include <string>
+
+namespace
+{
+using Field = std::function<double(const double[3])>;
+
+struct Volume
+{
+  int Size = 40;
+  double Spacing[3] = { 1, 1, 1 };
+  double Origin[3] = { 0, 0, 0 };
+  double Noise = 0; // deviation
+  bool Bytes = false; // rounded to whole numbers
+};
+
+/// A field over voxels.
+vtkSmartPointer<vtkImageData> MakeVolume(const Volume& volume, const Field& field)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(volume.Size, volume.Size, volume.Size);
+  image->SetSpacing(volume.Spacing);
+  image->SetOrigin(volume.Origin);
+  vtkNew<vtkFloatArray> values;
+  std::mt19937 random(5);
+  std::normal_distribution<double> noise(0.0, 1.0);
+  for (int k = 0; k < volume.Size; ++k)
+  {
+    for (int j = 0; j < volume.Size; ++j)
+    {
+      for (int i = 0; i < volume.Size; ++i)
+      {
+        const double p[3] = { double(i), double(j), double(k) };
+        const double value = field(p) + volume.Noise * noise(random);
+        values->InsertNextValue(static_cast<float>(volume.Bytes ? std::round(value) : value));
+      }
+    }
+  }
+  image->GetPointData()->SetScalars(values);
+  return image;
+}
+
+vtkSmartPointer<vtkPolyData> Contour(vtkImageData* image, std::initializer_list<double> values)
+{
+  vtkNew<vtkFlyingEdges3D> contour;
+  contour->SetInputData(image);
+  contour->ComputeScalarsOff();
+  int count = 0;
+  for (const double value : values)
+  {
+    contour->SetValue(count++, value);
+  }
+  contour->Update();
+  return contour->GetOutput();
+}
+
+/// The points alone, without one of them, and with one more that is off every lattice.
+vtkSmartPointer<vtkPolyData> MakeCloud(vtkPolyData* mesh, vtkIdType without = -1, bool more = false)
+{
+  auto cloud = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  for (vtkIdType id = 0; id < mesh->GetNumberOfPoints(); ++id)
+  {
+    if (id != without)
+    {
+      points->InsertNextPoint(mesh->GetPoint(id));
+      normals->InsertNextTuple(mesh->GetPointData()->GetNormals()->GetTuple(id));
+    }
+  }
+  if (more)
+  {
+    double x[3];
+    mesh->GetPoint(0, x);
+    points->InsertNextPoint(x[0] + M_PI / 100, x[1] + M_E / 100, x[2] + M_SQRT2 / 100);
+    normals->InsertNextTuple(mesh->GetPointData()->GetNormals()->GetTuple(0));
+  }
+  cloud->SetPoints(points);
+  cloud->GetPointData()->SetNormals(normals);
+  return cloud;
+}
+
+vtkSmartPointer<vtkPolyData> Estimate(vtkPolyData* data)
+{
+  vtkNew<vtkPointSplatEstimation> estimation;
+  estimation->SetInputData(data);
+  estimation->Update();
+  return estimation->GetOutput();
+}
+
+/// The share of points that one estimation says of what the other does.
+double GetLikeness(vtkPolyData* a, vtkPolyData* b)
+{
+  const vtkIdType count = std::min(a->GetNumberOfPoints(), b->GetNumberOfPoints());
+  vtkIdType like = 0;
+  for (vtkIdType id = 0; id < count; ++id)
+  {
+    bool same = true;
+    for (const char* name : { vtkPointSplatArrays::Radius, vtkPointSplatArrays::PlaneNormal, vtkPointSplatArrays::Clip })
+    {
+      vtkDataArray* values[2] = { a->GetPointData()->GetArray(name), b->GetPointData()->GetArray(name) };
+      for (int c = 0; values[0] && values[1] && c < values[0]->GetNumberOfComponents(); ++c)
+      {
+        const double x = values[0]->GetComponent(id, c), y = values[1]->GetComponent(id, c);
+        same = same && std::abs(x - y) <= 1e-4 * std::max(std::abs(x), 0.01);
+      }
+      same = same && !values[0] == !values[1];
+    }
+    like += same ? 1 : 0;
+  }
+  return static_cast<double>(like) / count;
+}
+
+double Gyroid(const double p[3])
+{
+  const double k = 2 * M_PI / 20;
+  return std::sin(k * p[0]) * std::cos(k * p[1]) + std::sin(k * p[1]) * std::cos(k * p[2]) +
+    std::sin(k * p[2]) * std::cos(k * p[0]);
+}
+
+double Ball(const double p[3])
+{
+  const double middle = 19.5;
+  return 15 - std::hypot(p[0] - middle, std::hypot(p[1] - middle, p[2] - middle));
+}
+
+/// Its faces are as far from the next plane of the lattice as from one another's.
+double Box(const double p[3])
+{
+  return std::min({ 12.3 - std::abs(p[0] - 19), 9.7 - std::abs(p[1] - 20), 7.2 - std::abs(p[2] - 18) });
+}
+
+void IsKnown(vtkImageData* image, double value, double least, const std::string& what)
+{
+  const auto mesh = Contour(image, { value });
+  AtLeast(mesh->GetNumberOfPoints(), 1000, "points of " + what);
+  AtLeast(GetLikeness(Estimate(MakeCloud(mesh)), Estimate(mesh)), least, what);
+}
+
+/// Whether a cloud is estimated as it is with one more point, by which nothing can be known of it.
+void IsSearched(vtkPolyData* cloud, const std::string& what)
+{
+  AtLeast(GetLikeness(Estimate(cloud), Estimate(MakeCloud(cloud, -1, true))), 0.98, what);
+}
+
+/// Points of a volume itself: those of two layers, or heights over them.
+vtkSmartPointer<vtkPolyData> MakeGrid(bool heights)
+{
+  auto cloud = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  std::mt19937 random(3);
+  std::uniform_int_distribution<int> steps(0, 30);
+  for (int layer = 0; layer < (heights ? 1 : 2); ++layer)
+  {
+    for (int j = 0; j < 60; ++j)
+    {
+      for (int i = 0; i < 60; ++i)
+      {
+        points->InsertNextPoint(i, j, heights ? 0.1 * steps(random) : layer);
+        normals->InsertNextTuple3(0, 0, 1);
+      }
+    }
+  }
+  cloud->SetPoints(points);
+  cloud->GetPointData()->SetNormals(normals);
+  return cloud;
+}
+}
+
+int TestSplatLattice(int, char*[])
+{
+  // Whose neighbours no distance and no normal tells. What is not known by its lattice is like no more than a tenth; where
+  // normals of noise contradict a voxel's sides, polygons are divided by other diagonals, or two are one.
+  Volume noisy;
+  noisy.Noise = 0.4;
+  IsKnown(MakeVolume(noisy, Gyroid), 0, 0.96, "noise");
+  Volume oblong = noisy;
+  const double spacing[3] = { 0.1, 0.37, 1.0 / 3 }, origin[3] = { -3.7, 100.01, 0.3 };
+  std::copy_n(spacing, 3, oblong.Spacing);
+  std::copy_n(origin, 3, oblong.Origin);
+  IsKnown(MakeVolume(oblong, Gyroid), 0, 0.93, "noise in oblong voxels");
+
+  // Coordinates off the planes occur often, too: by symmetry, by flat faces, of few values, by samples that are the isovalue.
+  IsKnown(MakeVolume(Volume(), Ball), 0, 0.999, "a ball");
+  // Along creases triangles of a mesh bound disks, but not those of voxels, through which the creases go.
+  IsKnown(MakeVolume(Volume(), Box), 0, 0.75, "a box");
+  Volume bytes;
+  bytes.Bytes = true;
+  IsKnown(MakeVolume(bytes, [](const double p[3]) { return 4 * Gyroid(p); }), 0.5, 0.99, "few values");
+  IsKnown(MakeVolume(bytes, [](const double p[3]) { return 20 * Gyroid(p); }), 3, 0.97, "samples that are the isovalue");
+  IsKnown(MakeVolume(bytes, [](const double p[3]) { return Ball(p) > 0 ? 1.0 : 0.0; }), 0.5, 0.99, "a mask");
+
+  // A plate, most of whose points lie along one axis.
+  Volume rough;
+  rough.Noise = 0.2;
+  IsKnown(MakeVolume(rough, [](const double p[3]) { return std::min({ 4 - std::abs(p[2] - 19), p[0] - 3, p[1] - 3 }); }), 0,
+    0.98, "a plate");
+
+  // What is not all of one isosurface is none.
+  const auto volume = MakeVolume(noisy, Gyroid);
+  const auto mesh = Contour(volume, { 0.0 });
+  AtMost(GetLikeness(Estimate(MakeCloud(mesh, mesh->GetNumberOfPoints() / 2)), Estimate(mesh)), 0.5,
+    "an isosurface without one point");
+  const auto two = Contour(volume, { 0.0, 0.05 });
+  AtMost(GetLikeness(Estimate(MakeCloud(two)), Estimate(two)), 0.5, "two isosurfaces at once");
+  IsSearched(MakeGrid(false), "samples");
+  IsSearched(MakeGrid(true), "heights in steps");
+  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
