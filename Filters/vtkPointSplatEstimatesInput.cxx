@@ -139,14 +139,14 @@ void vtkPointSplatEstimates::ReadMesh()
 /// Finds the triangles of what is a volume's isosurface, where it has an area.
 void vtkPointSplatEstimates::ReadLattice()
 {
-  vtkDataArray* points = this->Input->GetPoints()->GetData();
-  vtkPointSplatLattice lattice;
-  if (!lattice.Find(points, this->Used, this->GetNormal(vtkIdType(0))))
+  std::vector<double> positions = vtkPointSplatInput::ReadPositions(this->Input->GetPoints()->GetData());
+  vtkPointSplatLattice lattice({ positions, this->Used, this->GetNormal(vtkIdType(0)), this->Ghosts });
+  if (!lattice.Find())
   {
     return;
   }
   this->OfLattice = true;
-  this->Fans.Take(points, std::move(lattice.Corners), std::move(lattice.Same));
+  this->Fans.Take(std::move(positions), std::move(lattice.Corners), std::move(lattice.Same));
   // Where the volume has no gradient there is no normal, but there are neighbours'.
   std::vector<std::pair<vtkIdType, std::array<float, 3>>> missing;
   for (vtkIdType id = 0; id < this->NumberOfPoints; ++id)

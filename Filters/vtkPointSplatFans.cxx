@@ -130,14 +130,15 @@ vtkIdType vtkPointSplatFans::Read(
 }
 
 void vtkPointSplatFans::Take(
-  vtkDataArray* points, std::vector<vtkIdType> corners, std::vector<vtkIdType> same)
+  std::vector<double> positions, std::vector<vtkIdType> corners, std::vector<vtkIdType> same)
 {
+  const vtkIdType numberOfPoints = static_cast<vtkIdType>(positions.size() / 3);
   this->Clear();
   this->Corners = std::move(corners);
   this->Same = std::move(same);
-  this->Positions = vtkPointSplatInput::ReadPositions(points);
-  this->Sort(points->GetNumberOfTuples());
-  this->FindBorder(points->GetNumberOfTuples());
+  this->Positions = std::move(positions);
+  this->Sort(numberOfPoints);
+  this->FindBorder(numberOfPoints);
 }
 
 /// Makes one of a triangle's corners that share place and normal, and leaves out the triangles that have no area by that.

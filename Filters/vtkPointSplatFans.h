@@ -32,7 +32,6 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
-class vtkDataArray;
 class vtkPolyData;
 
 class vtkPointSplatFans
@@ -45,7 +44,8 @@ public:
   vtkIdType Read(vtkPolyData* mesh, const unsigned char* used, const float* normals);
 
   /// Takes over triangles between points, 3 coordinates each; same: GetSame() of each, or empty.
-  void Take(vtkDataArray* points, std::vector<vtkIdType> corners, std::vector<vtkIdType> same);
+  void Take(
+    std::vector<double> positions, std::vector<vtkIdType> corners, std::vector<vtkIdType> same);
 
   void Clear() { *this = vtkPointSplatFans(); }
   bool IsEmpty() const { return this->Corners.empty(); }

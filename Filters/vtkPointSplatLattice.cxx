@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatLattice.h"
 
+#include "vtkDataSetAttributes.h"
 #include "vtkMarchingCubesTriangleCases.h"
-#include "vtkPointSplatInput.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -22,6 +22,9 @@ constexpr vtkIdType MostSampled = 1 << 14;
 constexpr double MostAtSamples = 0.9;
 /// Points of no triangle, at most: of an isosurface those that are its samples' alone, where it has no area.
 constexpr double MostWithout = 0.02;
+
+/// What is the same part of a voxel.
+constexpr double SamePart = 1e-3;
 
 constexpr int AtSample = 3; // in place of an edge's axis
 
@@ -173,10 +176,10 @@ struct vtkPointSplatLattice::Voxel
 
 //------------------------------------------------------------------------------
 /// Of all points, but none where one is on no edge.
-bool vtkPointSplatLattice::FindCrossings(
-  const std::vector<double>& positions, const std::vector<unsigned char>& used)
+bool vtkPointSplatLattice::FindCrossings()
 {
-  const vtkIdType count = static_cast<vtkIdType>(used.size());
+  const std::vector<double>& positions = this->Points.Positions;
+  const vtkIdType count = static_cast<vtkIdType>(this->Points.Used.size());
   struct Place
   {
     std::int64_t Index[3];
@@ -200,7 +203,7 @@ bool vtkPointSplatLattice::FindCrossings(
   std::vector<vtkIdType> ids;
   for (vtkIdType id = 0; id < count; ++id)
   {
-    if (used[id])
+    if (this->Points.Used[id])
     {
       ids.push_back(id);
     }
@@ -249,7 +252,7 @@ bool vtkPointSplatLattice::FindCrossings(
 }
 
 /// Of points at the same place the first one stays. Returns false where they are of several surfaces.
-bool vtkPointSplatLattice::JoinPoints(vtkIdType numberOfPoints)
+bool vtkPointSplatLattice::JoinPoints()
 {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < this->Crossings.size(); ++i)
@@ -267,7 +270,7 @@ bool vtkPointSplatLattice::JoinPoints(vtkIdType numberOfPoints)
     }
     if (this->Same.empty())
     {
-      this->Same.resize(numberOfPoints);
+      this->Same.resize(this->Points.Used.size());
       std::iota(this->Same.begin(), this->Same.end(), vtkIdType(0));
     }
     this->Same[crossing.Id] = first;
@@ -367,36 +370,75 @@ bool vtkPointSplatLattice::MarchAlong(std::int64_t index, std::vector<vtkIdType>
       x = std::max(x, nearest - 2); // the next voxel that has any
       continue;
     }
-    if (!voxel.FindSides(this->Normals, distances))
+    if (voxel.FindSides(this->Points.Normals, distances))
+    {
+      voxel.AddTriangles(corners);
+    }
+    else if (!this->IsElsewhere(voxel))
     {
       return false;
     }
-    voxel.AddTriangles(corners);
   }
   return true;
 }
 
-//------------------------------------------------------------------------------
-bool vtkPointSplatLattice::Find(
-  vtkDataArray* points, const std::vector<unsigned char>& used, const float* normals)
+/// Whether a point is another process'.
+bool vtkPointSplatLattice::IsElsewhere(vtkIdType id) const
 {
-  const vtkIdType count = points->GetNumberOfTuples();
-  const std::vector<double> positions = vtkPointSplatInput::ReadPositions(points);
+  return this->Points.Ghosts && (this->Points.Ghosts[id] & vtkDataSetAttributes::DUPLICATEPOINT);
+}
+
+bool vtkPointSplatLattice::IsElsewhere(const Voxel& voxel) const
+{
+  const auto is = [this](vtkIdType id) { return id == Voxel::None || this->IsElsewhere(id); };
+  return std::all_of(voxel.Cut, voxel.Cut + 12, is) && std::all_of(voxel.At, voxel.At + 8, is);
+}
+
+//------------------------------------------------------------------------------
+/// Finds the planes across all axes.
+bool vtkPointSplatLattice::FindPlanes()
+{
+  const vtkIdType count = static_cast<vtkIdType>(this->Points.Used.size());
   const vtkIdType stride = std::max<vtkIdType>(1, count / MostSampled) | 1;
   std::vector<double> samples[3];
   for (vtkIdType id = 0; id < count; id += stride)
   {
-    for (int c = 0; c < 3 && used[id]; ++c)
+    for (int c = 0; c < 3 && this->Points.Used[id]; ++c)
     {
-      samples[c].push_back(positions[3 * id + c]);
+      samples[c].push_back(this->Points.Positions[3 * id + c]);
     }
   }
-  if (samples[0].empty() || !vtkPointSplatLatticePlanes::Choose(samples, this->Axes))
+  return !samples[0].empty() && vtkPointSplatLatticePlanes::Choose(samples, this->Axes);
+}
+
+/// Whether points lie anywhere along edges.
+bool vtkPointSplatLattice::Vary() const
+{
+  std::vector<double> parts; // of a voxel, from the last plane
+  const std::size_t stride = std::max<std::size_t>(1, this->Crossings.size() / MostSampled) | 1;
+  for (std::size_t i = 0; i < this->Crossings.size(); i += stride)
   {
-    return false;
+    const int axis = static_cast<int>(this->Crossings[i].Key % 4);
+    if (axis != AtSample)
+    {
+      parts.push_back(this->Axes[axis].GetPart(this->Points.Positions[3 * this->Crossings[i].Id + axis]));
+    }
   }
-  this->Normals = normals;
-  if (!this->FindCrossings(positions, used) || !this->JoinPoints(count))
+  std::sort(parts.begin(), parts.end());
+  const std::size_t most = parts.size() / 2;
+  for (std::size_t i = most; i < parts.size(); ++i)
+  {
+    if (parts[i] - parts[i - most] < SamePart)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool vtkPointSplatLattice::Find()
+{
+  if (!this->FindPlanes() || !this->FindCrossings() || !this->Vary() || !this->JoinPoints())
   {
     return false;
   }
@@ -420,13 +462,13 @@ bool vtkPointSplatLattice::Find(
   {
     this->Corners.insert(this->Corners.end(), ofRow.begin(), ofRow.end());
   }
-  std::vector<unsigned char> cornered(used.size(), 0);
+  std::vector<unsigned char> cornered(this->Points.Used.size(), 0);
   for (const vtkIdType corner : this->Corners)
   {
     cornered[corner] = 1;
   }
   const auto without = std::count_if(this->Crossings.begin(), this->Crossings.end(),
-    [&](const Crossing& crossing) { return !cornered[crossing.Id]; });
+    [&](const Crossing& crossing) { return !cornered[crossing.Id] && !this->IsElsewhere(crossing.Id); });
   return without <= MostWithout * this->Crossings.size();
 }
 

@@ -18,7 +18,9 @@
  *    is the isovalue and all around it are less, the surface has no area.
  *
  * All points have to be such vertices, of all of the surface within the box that they span, or nothing is found: a voxel
- * around whose faces the sides contradict one another is one outside of the volume, or the points are no isosurface's.
+ * around whose faces the sides contradict one another is one outside of the volume, or the points are no isosurface's. But
+ * where all of its points are another process' (DUPLICATEPOINT), the rest is elsewhere. Points most of which lie equally far
+ * between planes, as those of a grid on a box do, and of masks, are searched as others are.
  */
 #ifndef vtkPointSplatLattice_h
 #define vtkPointSplatLattice_h
@@ -30,18 +32,28 @@
 #include <cstdint>
 #include <vector>
 
-class vtkDataArray;
-
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkPointSplatLattice
 {
 public:
-  /**
-   * Returns whether the points, 3 coordinates each, with used[id] not 0 are an isosurface's vertices. normals: 3 floats a
-   * point, unit length to the outside or 0.
-   */
-  bool Find(vtkDataArray* points, const std::vector<unsigned char>& used, const float* normals);
+  /// Points with used[id] not 0, 3 coordinates and 3 floats of a unit normal each, to the outside or 0. ghosts: vtkGhostType,
+  /// or null.
+  struct Cloud
+  {
+    const std::vector<double>& Positions;
+    const std::vector<unsigned char>& Used;
+    const float* Normals;
+    const unsigned char* Ghosts;
+  };
+
+  explicit vtkPointSplatLattice(const Cloud& cloud)
+    : Points(cloud)
+  {
+  }
+
+  /// Returns whether the points are an isosurface's vertices.
+  bool Find();
 
   std::vector<vtkIdType> Corners; // 3 a triangle
   /// The point that stands for a point, which is itself, or the first one at the same place; empty where all are.
@@ -65,14 +77,19 @@ private:
     std::size_t First, Last;
   };
 
-  bool FindCrossings(const std::vector<double>& positions, const std::vector<unsigned char>& used);
-  bool JoinPoints(vtkIdType numberOfPoints);
+  bool FindPlanes();
+  bool FindCrossings();
+  bool Vary() const;
+  bool JoinPoints();
   void FindRows();
   const Row* GetRow(std::int64_t index) const;
   bool March(const Row& row, std::vector<vtkIdType>& corners) const;
   bool MarchAlong(std::int64_t index, std::vector<vtkIdType>& corners) const;
 
-  const float* Normals = nullptr;
+  bool IsElsewhere(const Voxel& voxel) const;
+  bool IsElsewhere(vtkIdType id) const;
+
+  const Cloud Points;
   vtkPointSplatLatticePlanes Axes[3];
   std::int64_t First[3] = { 0, 0, 0 }; // of the planes that points lie on
   std::int64_t Size[3] = { 0, 0, 0 }; // of the box in samples, and one on each side

@@ -90,6 +90,12 @@ std::int64_t vtkPointSplatLatticePlanes::GetFloor(double x) const
   return static_cast<std::int64_t>(std::clamp(floor, -MostPlanes, MostPlanes));
 }
 
+double vtkPointSplatLatticePlanes::GetPart(double x) const
+{
+  const double index = (x - this->First) / this->Distance;
+  return index - std::floor(index);
+}
+
 bool vtkPointSplatLatticePlanes::Has(double x, std::int64_t& plane) const
 {
   const double nearest = std::round((x - this->First) / this->Distance);

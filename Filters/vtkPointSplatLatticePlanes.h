@@ -32,6 +32,8 @@ public:
 
   /// The plane at a coordinate, or the last one before it.
   std::int64_t GetFloor(double x) const;
+  /// How far a coordinate is from that, in distances.
+  double GetPart(double x) const;
   /// Whether a coordinate is a plane's, and which.
   bool Has(double x, std::int64_t& plane) const;
 
