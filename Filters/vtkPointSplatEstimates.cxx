@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatEstimates.h"
 
-#include "vtkDataSetAttributes.h"
 #include "vtkPointSet.h"
 #include "vtkPointSplatCurvature.h"
 #include "vtkPointSplatEstimation.h"
+#include "vtkPointSplatInput.h"
 #include "vtkPointSplatNoise.h"
 #include "vtkPointSplatNormals.h"
 #include "vtkPointSplatSensors.h"
@@ -477,7 +477,7 @@ std::vector<unsigned char> vtkPointSplatEstimates::GetSlotsAtCreases() const
 
 bool vtkPointSplatEstimates::IsDrawn(vtkIdType id) const
 {
-  return !(this->Ghosts && (this->Ghosts[id] & vtkDataSetAttributes::DUPLICATEPOINT));
+  return !vtkPointSplatInput::IsDuplicate(this->Ghosts, id);
 }
 
 /// Coordinates may be so large that lengths overflow.

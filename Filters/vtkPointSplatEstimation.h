@@ -37,7 +37,8 @@
  * Stages (for triangles' corners, unless Shape is Elliptical, stages 4 and 5 are those of
  * vtkPointSplatFans.h: the triangles' other corners are the neighbours, the radius follows from
  * the edges and from what covering each triangle by its three disks asks for, and nothing is
- * searched for if all points are such and have normals):
+ * searched for if all points are such and have normals. Points with normals that are all vertices of
+ * one isosurface of a volume tell its triangles by where they lie, vtkPointSplatLattice.h):
  * 1. *Neighbours.* For each point the NumberOfNeighbors nearest ones, found for all points at
  *    once. Of points at the same position one takes part, and the others share its result.
  * 2. *Normals*, where the input has none: the axis of least variance of the neighbours. Where these lie in a row, of scan
@@ -136,9 +137,8 @@
  * (vtkGhostType has HIDDENPOINT), take no part; they stay in the output, with radius 0, and
  * their number is reported. Duplicate ghost points (DUPLICATEPOINT, another process' points)
  * serve as neighbours, but get the radius 0, so that no splat is drawn twice. Polygons and
- * strips that index points which are not there are left out, and their number is reported. Points of no other triangles
- * than those without area get radius 0. An empty
- * input gives an empty output.
+ * strips that index points which are not there are left out, and their number is reported. Points of
+ * no other triangles than those without area get radius 0. An empty input gives an empty output.
  *
  * Results do not depend on the number of threads. The filter reports progress and can be
  * aborted, with an empty output then.

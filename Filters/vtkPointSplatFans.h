@@ -145,7 +145,7 @@ private:
   std::vector<vtkIdType> GetBorderByPosition() const;
 
   std::vector<double> Positions;    // 3 a point
-  std::vector<vtkIdType> Corners;   // 3 a triangle, as read
+  std::vector<vtkIdType> Corners;   // 3 a triangle, of points that take part
   std::vector<vtkIdType> Same;      // GetSame(), empty where that is id of all
   std::vector<vtkIdType> Collapsed;
   std::vector<vtkIdType> First;     // of a point's triangles: where they begin in Fans

@@ -125,6 +125,12 @@ inline const unsigned char* GetGhosts(vtkPointSet* input)
     : nullptr;
 }
 
+/// Whether a point is another process'. ghosts: as from GetGhosts().
+inline bool IsDuplicate(const unsigned char* ghosts, vtkIdType id)
+{
+  return ghosts && (ghosts[id] & vtkDataSetAttributes::DUPLICATEPOINT);
+}
+
 /**
  * Marks the points that take part by 1: not those whose coordinates are not finite, nor hidden
  * ones.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatLattice.h"
 
-#include "vtkDataSetAttributes.h"
 #include "vtkMarchingCubesTriangleCases.h"
+#include "vtkPointSplatInput.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -36,6 +36,12 @@ constexpr int EdgeAxes[12] = { 0, 1, 0, 1, 0, 1, 0, 1, 2, 2, 2, 2 };
 /// The edge from a corner, by bits, along each axis, to the one or the other side.
 constexpr int EdgesOf[8][3] = { { 0, 3, 8 }, { 0, 1, 9 }, { 2, 3, 10 }, { 2, 1, 11 }, { 4, 7, 8 }, { 4, 5, 9 },
   { 6, 7, 10 }, { 6, 5, 11 } };
+
+/// One of so many is looked at, all over.
+vtkIdType GetStride(vtkIdType count)
+{
+  return std::max<vtkIdType>(1, count / MostSampled) | 1;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -382,15 +388,12 @@ bool vtkPointSplatLattice::MarchAlong(std::int64_t index, std::vector<vtkIdType>
   return true;
 }
 
-/// Whether a point is another process'.
-bool vtkPointSplatLattice::IsElsewhere(vtkIdType id) const
-{
-  return this->Points.Ghosts && (this->Points.Ghosts[id] & vtkDataSetAttributes::DUPLICATEPOINT);
-}
-
+/// Whether all points of a voxel are another process'.
 bool vtkPointSplatLattice::IsElsewhere(const Voxel& voxel) const
 {
-  const auto is = [this](vtkIdType id) { return id == Voxel::None || this->IsElsewhere(id); };
+  const auto is = [this](vtkIdType id) {
+    return id == Voxel::None || vtkPointSplatInput::IsDuplicate(this->Points.Ghosts, id);
+  };
   return std::all_of(voxel.Cut, voxel.Cut + 12, is) && std::all_of(voxel.At, voxel.At + 8, is);
 }
 
@@ -399,7 +402,7 @@ bool vtkPointSplatLattice::IsElsewhere(const Voxel& voxel) const
 bool vtkPointSplatLattice::FindPlanes()
 {
   const vtkIdType count = static_cast<vtkIdType>(this->Points.Used.size());
-  const vtkIdType stride = std::max<vtkIdType>(1, count / MostSampled) | 1;
+  const vtkIdType stride = GetStride(count);
   std::vector<double> samples[3];
   for (vtkIdType id = 0; id < count; id += stride)
   {
@@ -415,13 +418,14 @@ bool vtkPointSplatLattice::FindPlanes()
 bool vtkPointSplatLattice::Vary() const
 {
   std::vector<double> parts; // of a voxel, from the last plane
-  const std::size_t stride = std::max<std::size_t>(1, this->Crossings.size() / MostSampled) | 1;
-  for (std::size_t i = 0; i < this->Crossings.size(); i += stride)
+  const vtkIdType count = static_cast<vtkIdType>(this->Crossings.size());
+  for (vtkIdType i = 0; i < count; i += GetStride(count))
   {
-    const int axis = static_cast<int>(this->Crossings[i].Key % 4);
+    const Crossing& crossing = this->Crossings[i];
+    const int axis = static_cast<int>(crossing.Key % 4);
     if (axis != AtSample)
     {
-      parts.push_back(this->Axes[axis].GetPart(this->Points.Positions[3 * this->Crossings[i].Id + axis]));
+      parts.push_back(this->Axes[axis].GetPart(this->Points.Positions[3 * crossing.Id + axis]));
     }
   }
   std::sort(parts.begin(), parts.end());
@@ -468,7 +472,9 @@ bool vtkPointSplatLattice::Find()
     cornered[corner] = 1;
   }
   const auto without = std::count_if(this->Crossings.begin(), this->Crossings.end(),
-    [&](const Crossing& crossing) { return !cornered[crossing.Id] && !this->IsElsewhere(crossing.Id); });
+    [&](const Crossing& crossing) {
+      return !cornered[crossing.Id] && !vtkPointSplatInput::IsDuplicate(this->Points.Ghosts, crossing.Id);
+    });
   return without <= MostWithout * this->Crossings.size();
 }
 

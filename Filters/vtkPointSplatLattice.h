@@ -87,7 +87,6 @@ private:
   bool MarchAlong(std::int64_t index, std::vector<vtkIdType>& corners) const;
 
   bool IsElsewhere(const Voxel& voxel) const;
-  bool IsElsewhere(vtkIdType id) const;
 
   const Cloud Points;
   vtkPointSplatLatticePlanes Axes[3];

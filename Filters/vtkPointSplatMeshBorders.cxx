@@ -215,8 +215,12 @@ void vtkPointSplatMeshBorders::AddNearLines(
     }
     for (const vtkPointSplatFans::BorderEdge& edge : edges)
     {
+      if (edge.Next == id)
+      {
+        continue;
+      }
       const Side walked = this->Walk(neighbor, edge, normal, least);
-      if (edge.Next == id || walked.End == id)
+      if (walked.End == id)
       {
         continue;
       }
@@ -311,9 +315,13 @@ void vtkPointSplatMeshBorders::Write(vtkFloatArray* clips) const
       std::copy(found[i].begin(), found[i].end(), clip);
     }
   }
-  for (vtkIdType id = 0; id < clips->GetNumberOfTuples() && !this->Fans.IsEmpty(); ++id)
+  for (vtkIdType id = 0; id < clips->GetNumberOfTuples(); ++id)
   {
-    std::copy_n(clips->GetPointer(6 * this->Fans.GetSame(id)), 6, clips->GetPointer(6 * id));
+    const vtkIdType same = this->Fans.GetSame(id);
+    if (same != id)
+    {
+      std::copy_n(clips->GetPointer(6 * same), 6, clips->GetPointer(6 * id));
+    }
   }
 }
 

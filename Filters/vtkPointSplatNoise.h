@@ -30,8 +30,8 @@ struct Shares
   /// Those that have a neighbour above or below them: the normals of both agree within 60 degrees,
   /// and the line from one to the other is nearer to these than to the surface, with no neighbour between that faces the
   /// other way. No surface goes through both. Relief, however rough, has none such: where points come nearer to one another, so do
-  /// their heights. Vertices of an isosurface with given normals, of parts of one as well, count as none, as a noisy volume's surface has this
-  /// relief itself.
+  /// their heights. Vertices of an isosurface with given normals, of parts of one as well, count as none, as a noisy
+  /// volume's surface has this relief itself.
   double Contradicted = 0;
 };
 

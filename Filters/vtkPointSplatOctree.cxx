@@ -77,7 +77,7 @@ public:
     // NaN compares false.
     const bool good = this->Used[id] && (n[0] != 0.0f || n[1] != 0.0f || n[2] != 0.0f) &&
       radius > 0.0 && radius <= vtkPointSplatInput::LargestCoordinate &&
-      !(this->Ghosts && (this->Ghosts[id] & vtkDataSetAttributes::DUPLICATEPOINT));
+      !vtkPointSplatInput::IsDuplicate(this->Ghosts, id);
     if (!good)
     {
       return false;

@@ -90,6 +90,23 @@ void AddSquare(vtkPolyData* data, int n, double z, double side)
   }
 }
 
+/// Makes a data set's cells anew of those that change(cell, ids), which may change them, says to keep.
+template <typename Change>
+void ChangeCells(vtkPolyData* data, const Change& change)
+{
+  vtkNew<vtkCellArray> changed;
+  for (vtkIdType cell = 0; cell < data->GetNumberOfPolys(); ++cell)
+  {
+    vtkNew<vtkIdList> ids;
+    data->GetPolys()->GetCellAtId(cell, ids);
+    if (change(cell, ids))
+    {
+      changed->InsertNextCell(ids);
+    }
+  }
+  data->SetPolys(changed);
+}
+
 vtkSmartPointer<vtkPolyData> MakeEmpty()
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();
@@ -260,25 +277,17 @@ void TestJoined()
   Estimated one(square);
   vtkSmartPointer<vtkPolyData> parted = MakeEmpty();
   AddSquare(parted, 8, 0, 1);
-  vtkNew<vtkCellArray> cells;
+  // The cell to the right of a point is its twin's.
+  ChangeCells(parted, [](vtkIdType, vtkIdList* ids) { return ids->GetId(0) != 27 && ids->GetId(0) != 4; });
+  vtkCellArray* cells = parted->GetPolys();
   for (const vtkIdType id : { 27, 4 }) // inside, and on the border
   {
     const vtkIdType twin = parted->GetPoints()->InsertNextPoint(parted->GetPoint(id));
     parted->GetPointData()->GetNormals()->InsertNextTuple3(0, 0, 1);
     const vtkIdType sliver[3] = { twin, id, id + 8 };
     cells->InsertNextCell(3, sliver);
-    // The cell to the right of the point is the twin's.
     const vtkIdType quad[4] = { twin, id + 1, id + 9, id + 8 };
     cells->InsertNextCell(4, quad);
-  }
-  for (vtkIdType cell = 0; cell < parted->GetNumberOfPolys(); ++cell)
-  {
-    vtkNew<vtkIdList> ids;
-    parted->GetPolys()->GetCellAtId(cell, ids);
-    if (ids->GetId(0) != 27 && ids->GetId(0) != 4)
-    {
-      cells->InsertNextCell(ids);
-    }
   }
   // Two at a place of their own have no area.
   const vtkIdType off = parted->GetPoints()->InsertNextPoint(20, 20, 0);
@@ -290,7 +299,6 @@ void TestJoined()
   }
   const vtkIdType speck[3] = { off, off + 1, off + 2 };
   cells->InsertNextCell(3, speck);
-  parted->SetPolys(cells);
   Estimated several(parted);
   AtMost(several.Radius(off), 0, "the radius of what has no area");
   vtkFloatArray* clips[2] = { Array(one.Filter->GetOutput(), vtkPointSplatArrays::Clip),
@@ -363,17 +371,7 @@ void TestBorders()
   // A cell is missing, whose corners are reflex: what is left of it, and what is not covered around.
   vtkSmartPointer<vtkPolyData> holed = MakeEmpty();
   AddSquare(holed, 6, 0, 1);
-  vtkNew<vtkCellArray> others;
-  for (vtkIdType cell = 0; cell < holed->GetNumberOfPolys(); ++cell)
-  {
-    vtkNew<vtkIdList> ids;
-    holed->GetPolys()->GetCellAtId(cell, ids);
-    if (cell != 12) // between 2 and 3
-    {
-      others->InsertNextCell(ids);
-    }
-  }
-  holed->SetPolys(others);
+  ChangeCells(holed, [](vtkIdType cell, vtkIdList*) { return cell != 12; }); // between 2 and 3
   Estimated around(holed);
   clips = Array(around.Filter->GetOutput(), vtkPointSplatArrays::Clip);
   int open = 0, uncovered = 0;
@@ -445,11 +443,7 @@ void TestBorders()
   // Next to a point of the border lies another one, so near to it that the edge between both goes anywhere.
   vtkSmartPointer<vtkPolyData> sliver = MakeEmpty();
   AddSquare(sliver, 20, 0, 1);
-  vtkNew<vtkCellArray> withSlivers;
-  for (vtkIdType cell = 0; cell < sliver->GetNumberOfPolys(); ++cell)
-  {
-    vtkNew<vtkIdList> ids;
-    sliver->GetPolys()->GetCellAtId(cell, ids);
+  ChangeCells(sliver, [&sliver](vtkIdType, vtkIdList* ids) {
     double x[3];
     sliver->GetPoint(ids->GetId(0), x);
     if (x[0] == 0)
@@ -457,9 +451,8 @@ void TestBorders()
       ids->InsertNextId(sliver->GetPoints()->InsertNextPoint(-1e-6, x[1] + 1e-8, 0));
       sliver->GetPointData()->GetNormals()->InsertNextTuple3(0, 0, 1);
     }
-    withSlivers->InsertNextCell(ids);
-  }
-  sliver->SetPolys(withSlivers);
+    return true;
+  });
   Estimated straight(sliver);
   AtMost(GetFarthest(straight), 0.03, "past a border with slivers");
   clips = Array(straight.Filter->GetOutput(), vtkPointSplatArrays::Clip);
