@@ -65,11 +65,11 @@ vtkPointSplatBorders::vtkPointSplatBorders(const vtkPointSplatNeighbors& neighbo
   , LeastReach(disks.Regular
         ? std::max(RegularReach, std::min(disks.HoleLimit, LargestAlpha) / this->Limit)
         : SureReach)
-  , Wide(!disks.Stretched && this->LeastReach * this->Limit > LargestAlpha)
+  , Wide(!disks.Regular || (!disks.Stretched && this->LeastReach * this->Limit > LargestAlpha))
 {
 }
 
-float vtkPointSplatBorders::GetAlpha(const Neighborhood& around) const
+float vtkPointSplatBorders::GetAlpha(const Neighborhood& around, float limit) const
 {
   std::vector<float> spacings, openings;
   for (int i = 0; i < around.Count; ++i)
@@ -89,7 +89,7 @@ float vtkPointSplatBorders::GetAlpha(const Neighborhood& around) const
   {
     return 0;
   }
-  const float alpha = this->Limit * vtkPointSplatDisks::GetQuantile(spacings, SpacingQuantile);
+  const float alpha = limit * vtkPointSplatDisks::GetQuantile(spacings, SpacingQuantile);
   return openings.empty()
     ? alpha
     : std::min(
@@ -100,12 +100,17 @@ bool vtkPointSplatBorders::FindEnd(
   const Neighborhood& around, const vtkPointSplatDisk& disk, End& end) const
 {
   int next[2];
-  const float alpha = this->GetAlpha(around);
+  const float alpha = this->GetAlpha(around, this->Limit);
   if (!(alpha > 0))
   {
     return false;
   }
-  const float reach = disk.FindBorder(alpha, next);
+  float reach = disk.FindBorder(alpha, next);
+  const bool bay = !(reach > 0) && !this->Disks.Regular;
+  if (bay)
+  {
+    reach = disk.FindBorder(this->GetAlpha(around, vtkPointSplatDisks::BayLimit), next);
+  }
   if (!(reach > 0))
   {
     return false;
@@ -149,7 +154,10 @@ bool vtkPointSplatBorders::FindEnd(
       least = std::max(least, this->Limit * inside);
     }
   });
-  end.Sure = reach > this->LeastReach * least;
+  // Where points are at random, how far an open cell reaches is not known of so few neighbours.
+  const bool open = !this->Disks.Regular && disk.Opening == 0;
+  end.Sure = !bay && !open && reach > this->LeastReach * least;
+  end.Bay = bay;
   for (int k = 0; k < 2; ++k)
   {
     end.Next[k] = around.Slots[next[k]];
@@ -232,7 +240,7 @@ void vtkPointSplatBorders::Sort()
 }
 
 bool vtkPointSplatBorders::Find(
-  vtkAlgorithm* self, bool elliptical, const std::vector<unsigned char>& candidates)
+  vtkAlgorithm* self, bool elliptical, const std::vector<Candidate>& candidates)
 {
   vtkSMPThreadLocal<std::vector<End>> found;
   auto find = [&](const Neighborhood& around, int round) {
@@ -259,18 +267,25 @@ bool vtkPointSplatBorders::Find(
     {
       ends.push_back(end);
       // What is a gap may be wider than these neighbours are far.
-      return end.Sure || !this->Wide;
+      return end.Sure || end.Bay || !this->Wide;
     }
     return round > 0 || !disk.InRow(NumberInRow);
   };
   const double progress = self->GetProgress();
-  if (!this->Neighbors.Visit(self, progress, progress, this->Wide ? NumberAtRandom : NumberOfNeighbors, find,
-        [&](Slot s) { return candidates[s] != 0; }))
+  for (const Candidate looked : { OfEnd, OfBay })
   {
-    return false;
+    if (!this->Neighbors.Visit(self, progress, progress, this->Wide ? NumberAtRandom : NumberOfNeighbors,
+          find, [&](Slot s) { return candidates[s] == looked; }))
+    {
+      return false;
+    }
+    this->Take(found);
+    this->Confirm();
+    if (this->Ends.empty())
+    {
+      break;
+    }
   }
-  this->Take(found);
-  this->Confirm();
   this->Rim = this->Ends;
   return true;
 }
@@ -307,18 +322,21 @@ bool vtkPointSplatBorders::IsOutside(Slot slot, const float direction[3]) const
 
 bool vtkPointSplatBorders::IsVoid(const Neighborhood& around, const End& end) const
 {
-  const float far = this->LeastReach * this->GetAlpha(around);
+  const float far = this->LeastReach * this->GetAlpha(around, this->Limit);
   if (around.Count == 0 || !(around.SquaredDistance[around.Count - 1] >= far * far))
   {
     return false;
   }
-  const vtkPointSplatBorderPlane plane(this->Normals + std::size_t(3) * end.At);
+  const float* n = this->Normals + std::size_t(3) * end.At;
+  vtkPointSplatSheet sheet;
+  sheet.Compare(around, this->Normals, n);
+  const vtkPointSplatBorderPlane plane(n);
   double from;
   const double sector = this->GetSector(plane, end, from);
   for (int i = 0; i < around.Count; ++i)
   {
     const float x[3] = { around.X[i], around.Y[i], around.Z[i] };
-    if (plane.IsInSector(x, from, sector, VoidMargin))
+    if (sheet.IsAcross(around, i) && plane.IsInSector(x, from, sector, VoidMargin))
     {
       return false;
     }

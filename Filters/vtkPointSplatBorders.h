@@ -29,12 +29,15 @@
  *    the border row of points that are much denser along rows, as wide as the way to the next row.
  *    Splats farther inside that reach over the border, as where points are denser across it than along,
  *    are clipped by the lines of the nearest points on it, as are its points beside its corners.
- * 6. Random samplings may end somewhere between their last points and the surface's border. There alpha
+ * 6. Where points are at random a border goes on into cells that are as wide as a gap, in bays that its points on the other side
+ *    close, if it is there without these. What few neighbours leave open is sure to be no gap if nothing of the sheet is as far as
+ *    that in the sector: other sheets' points may be.
+ * 7. Random samplings may end somewhere between their last points and the surface's border. There alpha
  *    is as wide as the gaps that are closed, and candidates, as where alpha is that wide in a regular one, are looked at with 64
  *    neighbours, or where the gap is wider than these reach with the nearest points of the leaves around. Each splat that reaches
  *    over the border ends at one line across the mean of the ways out of the surface there, past the
  *    outermost point beside it by as much as the last points scatter about a parabola: not at all where
- *    these are the vertices of a mesh's border.
+ *    these are the vertices of a mesh's border. Where these ways do not agree, at corners and in bays, lines are those of 4.
  *
  * Memory is 56 bytes a point at a border and two bytes a slot; candidates are points whose cells are
  * open or reach into holes, which smooth closed surfaces have hardly any of.
@@ -68,8 +71,15 @@ public:
   vtkPointSplatBorders(const vtkPointSplatNeighbors& neighbors, const float* normals,
     float usual, const vtkPointSplatDisks& disks);
 
-  /// candidates: of each slot, whether it is one. Returns false if self was aborted.
-  bool Find(vtkAlgorithm* self, bool elliptical, const std::vector<unsigned char>& candidates);
+  /// What a slot is looked at for: the surface's end, or where there are any, a bay of its border.
+  enum Candidate : unsigned char
+  {
+    NoCandidate,
+    OfEnd,
+    OfBay
+  };
+  /// candidates: one a slot. Returns false if self was aborted.
+  bool Find(vtkAlgorithm* self, bool elliptical, const std::vector<Candidate>& candidates);
 
   /// Takes ends back, of slots in ascending order, at which the surface goes on.
   void Reopen(const std::vector<Slot>& slots);
@@ -126,17 +136,18 @@ private:
     Slot At;
     Slot Next[2];
     bool Sure; // that this is no gap of the sampling
+    bool Bay;  // whether it is no wider than gaps are, and an end only as one of a border's others
     float Clip[6]; // as in the array
     float Out[3];  // from the surface, unit length
     float Gap;     // what its disk must at least be to cover the triangles there
   };
 
-  /// From which distance on a vertex of a Voronoi cell lies in a hole; 0 where none around has a cell.
-  float GetAlpha(const Neighborhood& around) const;
+  /// From which distance on a vertex of a Voronoi cell lies in a hole, of limits in spacings; 0 where none around has a cell.
+  float GetAlpha(const Neighborhood& around, float limit) const;
   bool FindEnd(const Neighborhood& around, const vtkPointSplatDisk& disk, End& end) const;
   /// The angle that an end's next points leave open in its plane, and where it begins: at the first of them.
   double GetSector(const vtkPointSplatBorderPlane& plane, const End& end, double& from) const;
-  /// Whether there is nothing in that sector, as far as a border is sure to reach, in neighbours that reach as far.
+  /// Whether there is nothing of the sheet in that sector, as far as a border is sure to reach, in neighbours that reach as far.
   bool IsVoid(const Neighborhood& around, const End& end) const;
   static const End* FindAt(const std::vector<End>& ends, Slot slot);
   const End* GetEnd(Slot slot) const { return FindAt(this->Ends, slot); }

@@ -80,7 +80,8 @@ bool vtkPointSplatBorders::Cut(
     const End* Of;
   };
   std::vector<Near> ends;
-  if (const End* own = this->GetEnd(around.Center))
+  const End* own = this->GetEnd(around.Center);
+  if (own)
   {
     ends.push_back({ { 0, 0, 0 }, own });
   }
@@ -103,7 +104,8 @@ bool vtkPointSplatBorders::Cut(
   }
   if (!(vtkMath::Norm(out) > LeastAgreed))
   {
-    return false;
+    // At a corner of the border, or in a bay: no one line is along it.
+    return this->ClipAsNearest(around, cut) || own;
   }
   const float off = vtkMath::Dot(out, n);
   for (int c = 0; c < 3; ++c)

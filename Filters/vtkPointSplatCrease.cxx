@@ -45,6 +45,12 @@ constexpr float OnLine = 0.15f;
 constexpr float EdgeBend = 0.1f;
 /// The distance, in spacings, of a line that the point is on.
 constexpr float OnLineDistance = 0.02f;
+/// Where a mesh was split a face's points are those near to its plane, by their slope, and nearer than to the other face's by
+/// this share; they are to one side of the line if their slope to it is that, and all but this part of them are.
+constexpr float FaceSlope = 0.3f;
+constexpr float FaceShare = 0.5f;
+constexpr float BesideSlope = 0.1f;
+constexpr float MostBeyond = 0.34f;
 /// Averages of normals are no farther than this cosine (37 degrees) from the mean of the faces' own, of which one may have
 /// more weight; the normal of a strip between the two sides of a plate is across theirs (Testing/Accuracy/fit_constants.py).
 constexpr float BetweenCosine = 0.8f;
@@ -373,6 +379,51 @@ void vtkPointSplatCrease::Find(const vtkPointSplatNeighbors::Neighborhood& aroun
     [](const Line& a, const Line& b) { return a.Distance < b.Distance; });
   this->Count = std::min(count, MaximumNumberOfLines);
   std::copy_n(found, this->Count, this->Lines);
+}
+
+void vtkPointSplatCrease::AddSplit(
+  const vtkPointSplatNeighbors::Neighborhood& around, const float n[3], const float m[3])
+{
+  Line line;
+  const float part = vtkMath::Dot(n, m);
+  for (int c = 0; c < 3; ++c)
+  {
+    line.Direction[c] = m[c] - part * n[c];
+  }
+  if (!Parts(n, m) || !(vtkMath::Normalize(line.Direction) > 0))
+  {
+    return;
+  }
+  line.Distance = OnLineDistance * this->Spacing;
+  int sides[2] = { 0, 0 }; // how many are behind the line, and before it
+  for (int i = 0; i < around.Count; ++i)
+  {
+    const float x[3] = { around.X[i], around.Y[i], around.Z[i] };
+    const float squared = around.SquaredDistance[i];
+    const float across = vtkMath::Dot(line.Direction, x);
+    const float height = vtkMath::Dot(n, x), other = vtkMath::Dot(m, x);
+    if (across * across > BesideSlope * BesideSlope * squared &&
+      height * height < std::min(FaceSlope * FaceSlope * squared, FaceShare * FaceShare * other * other))
+    {
+      ++sides[across > 0 ? 0 : 1];
+    }
+  }
+  if (sides[0] == sides[1] ||
+    std::min(sides[0], sides[1]) > MostBeyond * std::max(sides[0], sides[1]))
+  {
+    return;
+  }
+  if (sides[0] > sides[1])
+  {
+    vtkMath::MultiplyScalar(line.Direction, -1.0f);
+  }
+  const bool known = std::any_of(this->Lines, this->Lines + this->Count, [&line](const Line& other) {
+    return vtkMath::Dot(other.Direction, line.Direction) > SameDirection;
+  });
+  if (!known && this->Count < MaximumNumberOfLines)
+  {
+    this->Lines[this->Count++] = line;
+  }
 }
 
 /// The vote for the line that most say, of those that are still open; -1 if too few say any.

@@ -21,6 +21,9 @@
  *    either side of its foot, unless the point's face ends at it everywhere: a face with a reflex
  *    corner goes on past the ends of its edges. The two nearest lines are kept.
  *
+ * Where a mesh was split at an edge its points are there twice, with both faces' normals, and these alone tell the line:
+ * neighbours need not vote, but show on which side of it their face is.
+ *
  * A point with an average of faces' normals has no face of its own that is spread. It lies on those
  * of its neighbours' faces whose surfaces pass by it; these are told apart by their normals there, and its own is about
  * their mean. Where it is not, or no two such faces are there, and others have its normal, it lies on a strip that is narrower
@@ -97,6 +100,13 @@ public:
   /// Finds the lines of the centre, with the face that was fitted to it across the normal n.
   void Find(const vtkPointSplatNeighbors::Neighborhood& around, const vtkPointSplatFace& face,
     const float n[3], const vtkPointSplatFaces& faces);
+
+  /**
+   * Adds a line through the centre, after Find(), where points at its position have another face's normal m: the face
+   * across n ends there, if its points are to one side. Nothing is added to two lines, or to one of that direction.
+   */
+  void AddSplit(
+    const vtkPointSplatNeighbors::Neighborhood& around, const float n[3], const float m[3]);
 
   /// Whether Find(), or FindMeeting(), met points of no face, as those on an edge with averaged normals are, and
   /// else those of one face, and of others too few to say a line.

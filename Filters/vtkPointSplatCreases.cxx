@@ -31,6 +31,8 @@ constexpr int LeastCompany = 10;
 /// over a few points has at most 15: too short to gain from, where each line makes all frames
 /// dearer. Both are from Testing/Accuracy/fit_constants.py.
 constexpr int LeastSureCompany = 16;
+/// Of points of two faces at one position, as where somebody cut a mesh at its edges, so many.
+constexpr int LeastSplitCompany = 4;
 /// How far splats reach, of their disks' radius: the kernels' rim, and what joins a layer
 /// (vtkPointSplatMapper.h: SplatClip).
 constexpr float SplatReach = 2.5f;
@@ -181,7 +183,9 @@ bool vtkPointSplatCreases::FindSplat(
     std::copy_n(along, 3, row.Along);
     vtkMath::Normalize(row.Along);
   }
-  if (!face.Sound && !strip)
+  // Where a mesh was split normals are no averages, and say where the face ends.
+  const bool split = face.Members.Count > 0 && this->HasTwins(around.Center);
+  if (!face.Sound && !strip && !split)
   {
     if (!crease.FindMeeting(around, n, spacing, this->Faces))
     {
@@ -269,6 +273,15 @@ bool vtkPointSplatCreases::DescribeSplat(const Neighborhood& around, const float
   const vtkPointSplatFace& face, vtkPointSplatCrease& crease, Splat& splat) const
 {
   crease.Find(around, face, plane, this->Faces);
+  if (this->HasTwins(around.Center))
+  {
+    crease.AddSplit(around, plane, this->Faces.Normals + std::size_t(3) * around.Center);
+    for (auto twin = this->FindTwin(around.Center);
+         twin != this->Twins.end() && twin->At == around.Center; ++twin)
+    {
+      crease.AddSplit(around, plane, twin->Normal);
+    }
+  }
   if (crease.Count == 0)
   {
     return false;
@@ -463,9 +476,8 @@ bool vtkPointSplatCreases::Find(vtkAlgorithm* self, double from, double to,
   {
     looked[splat.At] = 1;
     lined[splat.At] |= HasLine(splat);
-    // Points of two faces at one position are where somebody cut a mesh at its edges.
     sure[splat.At] = kept[splat.At] =
-      beside[splat.At] >= (this->HasTwins(splat.At) ? LeastCompany : LeastSureCompany);
+      beside[splat.At] >= (this->HasTwins(splat.At) ? LeastSplitCompany : LeastSureCompany);
   }
   auto confirm = [&](const Neighborhood& around, int) {
     const Slot* end = around.Slots + around.Count;

@@ -28,7 +28,7 @@
  *    than say a line: the other face's points may be so sparse that hardly any of them is among these. Then the 128
  *    nearest count, however dense they are.
  * 5. Lines are kept where at least ten neighbours have some, and sixteen about the point or about
- *    one of its neighbours.
+ *    one of its neighbours; of points that a mesh was split at, where four do.
  *
  * Memory is 25 bytes a face and 10 a slot, and nothing without candidates; smooth surfaces have
  * hardly any.

@@ -78,14 +78,14 @@ struct Equations
 
 void vtkPointSplatCurvature::Estimate(const vtkPointSplatNeighbors::Neighborhood& around,
   const float* normals, const float centre[3],
-  const vtkPointSplatSheet& sheet)
+  const vtkPointSplatSheet& sheet, float radius)
 {
   std::fill_n(this->Tensor, 6, 0.0f);
   this->Strongest = 0;
   const double n[3] = { centre[0], centre[1], centre[2] };
   double a[3], b[3];
   vtkMath::Perpendiculars(n, a, b, 0);
-  const double soft = Softening * sheet.Spacing;
+  const double soft = Softening * std::max(sheet.Spacing, radius);
   const double softening = soft * soft;
   Equations equations;
   for (int k = 0; k < sheet.Count; ++k)

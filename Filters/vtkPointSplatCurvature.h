@@ -36,12 +36,12 @@ public:
 
   /**
    * Fits the tensor at the neighbourhood's centre, where the normal is n. normals: 3 floats a slot,
-   * unit length.
+   * unit length; radius: of the disk that is to bend, of which the normals of a few points that lie together say little.
    * Where the neighbours do not agree on it (noise, creases, too few of them), it is smaller
    * than the fit, down to 0: there the plane is the better guess.
    */
   void Estimate(const vtkPointSplatNeighbors::Neighborhood& around, const float* normals,
-    const float n[3], const vtkPointSplatSheet& sheet);
+    const float n[3], const vtkPointSplatSheet& sheet, float radius = 0.0f);
 };
 
 VTK_ABI_NAMESPACE_END

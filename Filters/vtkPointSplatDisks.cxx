@@ -38,6 +38,10 @@ constexpr float NearestShare = 0.6f;
 constexpr float MostSteepness = 4;
 constexpr float HoleFactor = 1.3f;
 constexpr float GapFactor = 3.0f;
+/// Points that lie together in places, as the vertices of tetrahedra's isosurfaces do, have cells of up to a hundred of their own
+/// spacings, which say nothing of gaps. In the largest spacings around that percentile is a third for them, and for points at
+/// random less by this.
+constexpr float AroundShare = 1.17f; // Testing/Cxx/TestSplatBorders.cxx
 /// Of HoleLimit counts HoleShare at a border, and this with the least spacing around, which is that farther inside: where
 /// cells are even none reaches so far.
 constexpr float InsideShare = 0.9f;
@@ -220,6 +224,13 @@ void vtkPointSplatDisks::FindLimits()
   const float beside = this->Stretched ? spread : std::min(spread, local);
   this->BorderLimit = large * factor(beside);
   this->Regular = beside < IrregularSpread || this->Stretched;
+  if (!this->Regular)
+  {
+    std::vector<float> around = GetSamples(this->Opening.size(), [this](std::size_t s) {
+      return this->Opening[s] > 0 ? this->Opening[s] / this->GetSpacingAround(static_cast<Slot>(s)) : 0.0f;
+    });
+    this->BorderLimit = std::min(this->BorderLimit, AroundShare * GetQuantile(around, 0.95) * factor(beside));
+  }
 }
 
 /// Calls visit(witness) for each that a slot has.
@@ -364,6 +375,14 @@ bool vtkPointSplatDisks::HasClosedWitness(Slot slot) const
   return any;
 }
 
+float vtkPointSplatDisks::GetSpacingAround(Slot slot) const
+{
+  float spacing = this->Spacing[slot];
+  this->VisitWitnesses(
+    slot, [&](Slot witness) { spacing = std::max(spacing, this->Spacing[witness]); });
+  return spacing;
+}
+
 bool vtkPointSplatDisks::MayEnd(Slot slot) const
 {
   const float opening = this->Opening[slot];
@@ -390,6 +409,11 @@ bool vtkPointSplatDisks::MayEnd(Slot slot) const
       opening > this->BorderLimit * std::max(this->GetSpacingInside(slot), InsideShare * inside);
   }
   return opening == 0 && this->HasClosedWitness(slot);
+}
+
+bool vtkPointSplatDisks::MayBeBay(Slot slot) const
+{
+  return !this->Regular && this->Opening[slot] > BayLimit * this->GetSpacingAround(slot);
 }
 
 void vtkPointSplatDisks::Shrink(Slot slot, float length)

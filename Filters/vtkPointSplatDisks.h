@@ -60,6 +60,11 @@ public:
    * its cell is open, and that of some witness is not, as beside a border, along which others are open, and unlike in vegetation.
    */
   bool MayEnd(Slot slot) const;
+  /// Whether a random sampling's cell is so wide that a border may go on into it from others.
+  bool MayBeBay(Slot slot) const;
+  /// The distance of a cell's vertex, in spacings around, from which on it may lie in a bay of the border: of points at random
+  /// one in thirty is.
+  static constexpr float BayLimit = 1.25f;
   /// Whether a closed cell is so wide that it may reach into a hole.
   bool MayReachHole(Slot slot) const { return this->Opening[slot] > this->HoleLimit * this->Spacing[slot]; }
   /// Of the spacing at a border, which is larger than farther inside, what that is.
@@ -146,6 +151,8 @@ private:
   template <typename Visitor>
   void VisitWitnesses(Slot slot, const Visitor& visit) const;
   float GetBound(Slot slot) const;
+  /// The largest spacing of a slot and its witnesses: of a few points that lie together it is that of those around.
+  float GetSpacingAround(Slot slot) const;
   /// The 95th percentile, in medians, of the disks' sizes over those of their witnesses.
   float GetLocalSpread() const;
 

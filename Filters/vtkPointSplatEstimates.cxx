@@ -412,18 +412,25 @@ bool vtkPointSplatEstimates::FindBorders(const Twins& twins)
     return true;
   }
   const Slot slots = this->Neighbors.GetNumberOfSlots();
-  std::vector<unsigned char> open(slots, 0);
+  std::vector<vtkPointSplatBorders::Candidate> candidates(slots, vtkPointSplatBorders::NoCandidate);
   vtkSMPTools::For(0, slots, [&](vtkIdType begin, vtkIdType end) {
     for (Slot s = static_cast<Slot>(begin); s < static_cast<Slot>(end); ++s)
     {
-      open[s] = this->Searched[s] && this->Disks->MayEnd(s);
+      if (this->Searched[s] && this->Disks->MayEnd(s))
+      {
+        candidates[s] = vtkPointSplatBorders::OfEnd;
+      }
+      else if (this->Searched[s] && this->Disks->MayBeBay(s))
+      {
+        candidates[s] = vtkPointSplatBorders::OfBay;
+      }
     }
   });
   for (const vtkPointSplatCreases::Twin& twin : twins)
   {
-    open[twin.At] = 0;
+    candidates[twin.At] = vtkPointSplatBorders::NoCandidate;
   }
-  return this->Borders->Find(this->Self, this->Elliptical, open);
+  return this->Borders->Find(this->Self, this->Elliptical, candidates);
 }
 
 bool vtkPointSplatEstimates::FindCreases(Twins twins)

@@ -457,7 +457,7 @@ vtkPointSplatFans::Disk vtkPointSplatFans::GetDisk(vtkIdType id, const float* no
   if (std::equal(disk.Normal, disk.Normal + 3, n))
   {
     vtkPointSplatCurvature curvature;
-    curvature.Estimate(around, normals, n, disk.Sheet);
+    curvature.Estimate(around, normals, n, disk.Sheet, found.Radius);
     std::copy(curvature.Tensor, curvature.Tensor + 6, found.Curvature);
   }
   return found;

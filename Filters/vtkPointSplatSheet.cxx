@@ -116,6 +116,22 @@ bool vtkPointSplatSheet::MeetsEdge(const Arc& arc, float squared)
   return arc.Cosine > LeastTipCosine && least * least < InPlane * InPlane * squared;
 }
 
+/// Whether normals part as those of two faces at an edge do. turn: how far they lean.
+bool vtkPointSplatSheet::IsEdge(const Arc& arc, float turn, float squared)
+{
+  return std::abs(arc.Cosine) < EdgeCosine ||
+    (arc.Cosine < 0 && turn * turn > EdgeTurn * EdgeTurn * squared);
+}
+
+bool vtkPointSplatSheet::IsAcross(const vtkPointSplatNeighbors::Neighborhood& around, int i) const
+{
+  const Arc& arc = this->Arcs[i];
+  const float squared = around.SquaredDistance[i];
+  const float turn = std::max(std::abs(arc.Height), std::abs(arc.OtherHeight));
+  return turn * turn <= FarTurn * FarTurn * squared &&
+    arc.Offset * arc.Offset <= FarOffset * FarOffset * squared && !IsEdge(arc, turn, squared);
+}
+
 void vtkPointSplatSheet::Select(
   const vtkPointSplatNeighbors::Neighborhood& around, int countNear, float spacing)
 {
@@ -139,25 +155,26 @@ void vtkPointSplatSheet::Select(
       this->Members[this->Count++] = i;
       continue;
     }
-    // Of near ones the mean of how far both normals lean tells, as where a disk ends at a rim.
-    const float lean = std::abs(arc.Height), otherLean = std::abs(arc.OtherHeight);
-    const float turn = isNear ? 0.5f * (lean + otherLean) : std::max(lean, otherLean);
-    const float mostTurn = isNear ? NearTurn : FarTurn;
-    const float offset2 = isNear ? near2 : FarOffset * FarOffset * squared;
-    if (turn * turn > mostTurn * mostTurn * squared || arc.Offset * arc.Offset > offset2)
+    if (!isNear)
     {
-      continue;
-    }
-    if (std::abs(arc.Cosine) < EdgeCosine ||
-      (arc.Cosine < 0 && turn * turn > EdgeTurn * EdgeTurn * squared))
-    {
-      if (isNear)
+      if (this->IsAcross(around, i))
       {
-        edge[edges++] = i;
+        this->Members[this->Count++] = i;
       }
       continue;
     }
-    this->Near += isNear ? 1 : 0;
+    // The mean of how far both normals lean tells, as where a disk ends at a rim.
+    const float turn = 0.5f * (std::abs(arc.Height) + std::abs(arc.OtherHeight));
+    if (turn * turn > NearTurn * NearTurn * squared || arc.Offset * arc.Offset > near2)
+    {
+      continue;
+    }
+    if (IsEdge(arc, turn, squared))
+    {
+      edge[edges++] = i;
+      continue;
+    }
+    ++this->Near;
     this->Members[this->Count++] = i;
   }
   this->Whole = this->Count == around.Count;

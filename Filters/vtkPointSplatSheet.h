@@ -62,6 +62,9 @@ public:
   /// each other by the last comparison: squared, as a part of their squared distances.
   float GetResidual(const vtkPointSplatNeighbors::Neighborhood& around, int count) const;
 
+  /// Whether a neighbour is of the sheet by the last comparison, as one across a gap is.
+  bool IsAcross(const vtkPointSplatNeighbors::Neighborhood& around, int i) const;
+
   /**
    * Selects of the neighbourhood, of which so many are near, by the last comparison. spacing: of the
    * points here.
@@ -87,6 +90,7 @@ public:
 
 private:
   static bool MeetsEdge(const Arc& arc, float squared);
+  static bool IsEdge(const Arc& arc, float turn, float squared);
 
   Arc Arcs[vtkPointSplatNeighbors::MaximumNumberOfNeighbors];
 };

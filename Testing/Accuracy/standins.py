@@ -22,6 +22,7 @@ from parametric import nearest, normals_of, parametric, random_of, to_parametric
 from reference.surfaces import unit
 from scenes import polydata, sphere_mesh
 from standin import StandIn, vertices
+import tetrahedra
 from volumes import (
     cut_by_volume, gear, holed_ball, noisy_vessels, thick_slices, tubes_and_specks)
 
@@ -529,6 +530,9 @@ ALL = {
     "cut_edges": lambda: cut_by_volume("edges"),
     "cut_noisy": lambda: cut_by_volume("edges", 48, 0.15),
     "cut_noisy_turned": lambda: turned(cut_by_volume("edges", 48, 0.25)),
+    "tetrahedra": tetrahedra.contoured,
+    "tetrahedra_clipped": tetrahedra.clipped,
+    "tetrahedra_clipped_means": lambda: tetrahedra.clipped(splitting=False),
     "gear": gear,
     "gear_points": lambda: gear("points"),
     "crossing": crossing,

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <random>
 
 namespace
 {
@@ -276,6 +277,52 @@ void Vertices(bool split)
   AtMost(missed, 0, what + ", points at the edge without a line");
 }
 
+/// Two faces at an angle, with points at random; those on their edge, which are there twice, lie together by sevens.
+void SplitClumps(double degrees)
+{
+  const std::string what = "clumps on an edge of " + std::to_string(static_cast<int>(degrees)) + " degrees";
+  const double angle = vtkMath::RadiansFromDegrees(degrees);
+  const double ways[2][3] = { { 0, 1, 0 }, { 0, std::cos(angle), std::sin(angle) } }; // from the edge, along x
+  const double normals[2][3] = { { 0, 0, -1 }, { 0, -std::sin(angle), std::cos(angle) } };
+  ScatteredFaces scene;
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> anywhere(0.01, 1);
+  constexpr int length = 60, width = 20;
+  for (const int face : { 0, 1 })
+  {
+    for (int k = 0; k < length * width; ++k)
+    {
+      const double across = width * anywhere(random), along = length * anywhere(random);
+      const double p[3] = { along, across * ways[face][1], across * ways[face][2] };
+      scene.Add(p, normals[face], {});
+    }
+    for (int k = 0; k < length; ++k)
+    {
+      const double p[3] = { k / 7 * 7 + 0.01 * (k % 7), 0, 0 };
+      scene.Add(p, normals[face], std::vector<ScatteredFaces::Edge>(1));
+    }
+  }
+  const Estimated splats(scene);
+  int missed = 0, wrong = 0, edge = 0;
+  for (vtkIdType id = 0; id < scene.GetNumberOfPoints(); ++id)
+  {
+    if (scene.EdgesOf[id].empty())
+    {
+      continue;
+    }
+    ++edge;
+    double c[3], n[3];
+    scene.Normals->GetTuple(id, n);
+    const double l = splats.GetLine(id, 0, c);
+    missed += l == 0;
+    // From the face that lies on its own side of the edge.
+    wrong += l > 0 && !(vtkMath::Dot(c, ways[n[1] == 0 ? 0 : 1]) < -0.99 * l);
+  }
+  std::cout << what << ": " << missed << " of " << edge << " without a line, wrong " << wrong << "\n";
+  AtMost(missed, 0.05 * edge, what + ", without a line");
+  AtMost(wrong, 0.05 * edge, what + ", with another line");
+}
+
 /// Where three faces meet whose normals were averaged, the disk folds twice, and not into its own plane, also
 /// where the faces lie aslant and their normals are rounded.
 void AveragedCorners(double degrees)
@@ -526,6 +573,10 @@ int TestSplatCreases(int, char*[])
   Smooth();
   Vertices(false);
   Vertices(true);
+  for (const double degrees : { 40.0, 75.0, 110.0, 140.0 })
+  {
+    SplitClumps(degrees);
+  }
   AveragedCorners(0);
   AveragedCorners(17);
   for (const bool inward : { false, true })
