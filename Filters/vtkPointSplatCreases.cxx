@@ -31,8 +31,10 @@ constexpr int LeastCompany = 10;
 /// over a few points has at most 15: too short to gain from, where each line makes all frames
 /// dearer. Both are from Testing/Accuracy/fit_constants.py.
 constexpr int LeastSureCompany = 16;
-/// Of points of two faces at one position, as where somebody cut a mesh at its edges, so many.
+/// Of points of two faces at one position, as where somebody cut a mesh at its edges, so many; and so many neighbours are
+/// such, too, the next ones along that edge.
 constexpr int LeastSplitCompany = 4;
+constexpr int NextAlongSplit = 2;
 /// How far splats reach, of their disks' radius: the kernels' rim, and what joins a layer
 /// (vtkPointSplatMapper.h: SplatClip).
 constexpr float SplatReach = 2.5f;
@@ -184,7 +186,7 @@ bool vtkPointSplatCreases::FindSplat(
     vtkMath::Normalize(row.Along);
   }
   // Where a mesh was split normals are no averages, and say where the face ends.
-  const bool split = face.Members.Count > 0 && this->HasTwins(around.Center);
+  const bool split = face.Members.Count > 0 && this->IsSplit(around);
   if (!face.Sound && !strip && !split)
   {
     if (!crease.FindMeeting(around, n, spacing, this->Faces))
@@ -273,7 +275,7 @@ bool vtkPointSplatCreases::DescribeSplat(const Neighborhood& around, const float
   const vtkPointSplatFace& face, vtkPointSplatCrease& crease, Splat& splat) const
 {
   crease.Find(around, face, plane, this->Faces);
-  if (this->HasTwins(around.Center))
+  if (this->IsSplit(around))
   {
     crease.AddSplit(around, plane, this->Faces.Normals + std::size_t(3) * around.Center);
     for (auto twin = this->FindTwin(around.Center);
@@ -343,6 +345,13 @@ bool vtkPointSplatCreases::HasTwins(Slot s) const
 {
   const auto twin = this->FindTwin(s);
   return twin != this->Twins.end() && twin->At == s;
+}
+
+bool vtkPointSplatCreases::IsSplit(const Neighborhood& around) const
+{
+  return this->HasTwins(around.Center) &&
+    std::count_if(around.Slots, around.Slots + around.Count, [this](Slot s) { return this->HasTwins(s); }) >=
+    NextAlongSplit;
 }
 
 /// Appends those of a slot and of its twins.

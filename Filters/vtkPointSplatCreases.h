@@ -112,6 +112,9 @@ private:
 
   bool FitFaces(
     vtkAlgorithm* self, double from, double to, std::vector<unsigned char>& wanted);
+  /// Whether a mesh was split at an edge through a point: this and others near have twins. Isosurfaces through samples of their
+  /// volume have some here and there.
+  bool IsSplit(const Neighborhood& around) const;
   /// The first twin of a slot, if it has some.
   std::vector<Twin>::const_iterator FindTwin(Slot s) const;
   struct Found

@@ -101,9 +101,10 @@
  *    estimated anew, as if the face went on behind them (vtkPointSplatCreases.h). Curved edges,
  *    convex and concave ones, corners, faces with reflex corners, and vertices that are there once
  *    for each face all are covered; where neighbours do not tell these vertices' lines, their normals do.
- *    A point with an average of faces' normals, as mesh vertices on edges have, lies on the planes of two or three faces that meet there. Its disk's plane is that
- *    of the face whose normal is nearest, ends at the lines, and `SplatFold` has the others: drawn
- *    in all of them with the point's own normal it shades as a mesh does, from face to face over a
+ *    A point with an average of faces' normals, as mesh vertices on edges have, lies on the planes
+ *    of two or three faces that meet there. Its disk's plane is that of the face whose normal is
+ *    nearest, ends at the lines, and `SplatFold` has the others: drawn in all of them with the
+ *    point's own normal it shades as a mesh does, from face to face over a
  *    triangle's width. Without given normals, or where IsRough(), creases are not looked for:
  *    estimated normals turn over the width of their neighbourhood, as on a fillet. Points without, as
  *    degenerate triangles of an isosurface leave some, say nothing of the others while most have one.
