@@ -240,7 +240,7 @@ void vtkPointSplatBorders::Sort()
 }
 
 bool vtkPointSplatBorders::Find(
-  vtkAlgorithm* self, bool elliptical, const std::vector<Candidate>& candidates)
+  vtkAlgorithm* self, bool elliptical, const std::vector<unsigned char>& candidates)
 {
   vtkSMPThreadLocal<std::vector<End>> found;
   auto find = [&](const Neighborhood& around, int round) {
@@ -272,10 +272,13 @@ bool vtkPointSplatBorders::Find(
     return round > 0 || !disk.InRow(NumberInRow);
   };
   const double progress = self->GetProgress();
-  for (const Candidate looked : { OfEnd, OfBay })
+  for (const bool bays : { false, true })
   {
+    const auto isWanted = [&](Slot s) {
+      return candidates[s] && (bays ? this->Disks.MayBeBay(s) : this->Disks.MayEnd(s));
+    };
     if (!this->Neighbors.Visit(self, progress, progress, this->Wide ? NumberAtRandom : NumberOfNeighbors,
-          find, [&](Slot s) { return candidates[s] == looked; }))
+          find, isWanted))
     {
       return false;
     }

@@ -71,15 +71,9 @@ public:
   vtkPointSplatBorders(const vtkPointSplatNeighbors& neighbors, const float* normals,
     float usual, const vtkPointSplatDisks& disks);
 
-  /// What a slot is looked at for: the surface's end, or where there are any, a bay of its border.
-  enum Candidate : unsigned char
-  {
-    NoCandidate,
-    OfEnd,
-    OfBay
-  };
-  /// candidates: one a slot. Returns false if self was aborted.
-  bool Find(vtkAlgorithm* self, bool elliptical, const std::vector<Candidate>& candidates);
+  /// candidates: of each slot, whether the surface may end there or its border have a bay, as far as its disk tells that. Returns
+  /// false if self was aborted.
+  bool Find(vtkAlgorithm* self, bool elliptical, const std::vector<unsigned char>& candidates);
 
   /// Takes ends back, of slots in ascending order, at which the surface goes on.
   void Reopen(const std::vector<Slot>& slots);

@@ -412,23 +412,14 @@ bool vtkPointSplatEstimates::FindBorders(const Twins& twins)
     return true;
   }
   const Slot slots = this->Neighbors.GetNumberOfSlots();
-  std::vector<vtkPointSplatBorders::Candidate> candidates(slots, vtkPointSplatBorders::NoCandidate);
-  vtkSMPTools::For(0, slots, [&](vtkIdType begin, vtkIdType end) {
-    for (Slot s = static_cast<Slot>(begin); s < static_cast<Slot>(end); ++s)
-    {
-      if (this->Searched[s] && this->Disks->MayEnd(s))
-      {
-        candidates[s] = vtkPointSplatBorders::OfEnd;
-      }
-      else if (this->Searched[s] && this->Disks->MayBeBay(s))
-      {
-        candidates[s] = vtkPointSplatBorders::OfBay;
-      }
-    }
-  });
+  std::vector<unsigned char> candidates(slots);
+  for (Slot s = 0; s < slots; ++s)
+  {
+    candidates[s] = this->Searched[s].load(std::memory_order_relaxed);
+  }
   for (const vtkPointSplatCreases::Twin& twin : twins)
   {
-    candidates[twin.At] = vtkPointSplatBorders::NoCandidate;
+    candidates[twin.At] = 0;
   }
   return this->Borders->Find(this->Self, this->Elliptical, candidates);
 }

@@ -116,14 +116,13 @@ def compare(standin, size=512, views=4, opacity=1.0, pictures=None, light=None):
         covered = np.abs(truth - background).max(2) > 2
         whole = (np.abs(sampled(drawn[0]) - background).max(4) > 2).all((1, 3))
         is_drawn = np.abs(drawn[2] - background).max(2) > 2
-        depths = [depth(view.window, view.renderer) for view in (splats, plain)]
         if opacity == 1:
+            depths = [depth(view.window, view.renderer) for view in (splats, plain)]
+            found["openings"] += openings(*depths, BEHIND * standin.mesh.GetLength())
             is_drawn |= np.isfinite(depths[0])  # also where its shade is the background's
         inside = inner(covered, 3)
         judged = inside & is_drawn
         found["holes"] += int((inside & whole & ~is_drawn).sum())
-        if opacity == 1:
-            found["openings"] += openings(*depths, BEHIND * standin.mesh.GetLength())
         spill = (is_drawn & ~grown(covered, 2)).sum() / max(1, covered.sum())
         found["spill"] = max(found["spill"], float(spill))
         both = [psnr(picture, truth, judged) or 0.0 for picture in drawn[1:]]

@@ -429,7 +429,6 @@ void OfRandomSheets(double gap)
   // Where the last points leave a bay, it may end at the inmost of them.
   AtMost(wrong, 1, what + ": lines elsewhere");
 }
-}
 
 /// A sheet without a hole, with points at random inside, of which some lie together, as many as around a node of a tetrahedral
 /// grid: how far these are from one another says nothing of how far the border's points are.
@@ -480,6 +479,7 @@ void OfClumps()
             << "\n";
   AtMost(missed, 0.03 * border, name + ": points of the border without a line");
   AtMost(outside / all, 0.002, name + ": of the disks' area past the border");
+}
 }
 
 int TestSplatBorders(int, char*[])
