@@ -56,7 +56,7 @@ install_packages() {
     [ -z "$one" ] && [ "${package%|}" != "$package" ] || chosen+=("${one:-$package}")
   done
   if [ ${#chosen[@]} -gt 0 ] && ! "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-    apt-get install -q -y -o DPkg::Lock::Timeout=120 --no-install-recommends "${chosen[@]}"; then
+    apt-get install -q -y -o DPkg::Lock::Timeout=600 --no-install-recommends "${chosen[@]}"; then
     echo "Could not install them. Have these installed, then start again: ${missing[*]}" >&2
     return 1
   fi
