@@ -21,7 +21,7 @@ if [ "${1:-}" = --everything ]; then
   # This system's VTK comes last, so that what is read last is the count of its tests.
   failed=
   bash "$top/Module/ParaView/test.sh" || failed="$failed ParaView"
-  # At once, since each of the two waits for downloads, packages and a browser half of its time.
+  # At once, since both wait for downloads, packages and a browser two fifths of the time.
   mkdir -p "$top/build"
   bash "$top/test.sh" --vtk 9.3 --slice >"$top/build/slice.log" 2>&1 &
   slice=$!

@@ -227,7 +227,7 @@ class TestStandIns(unittest.TestCase):
         self.assertEqual(found["holes"], 0)
 
     def test_thin_shell(self):
-        self.check("shell_03", 3.5, 0.005, 45)
+        self.check("shell_03", 3.5, 0.004, 45)
 
     def test_borders(self):
         # 32.6 dB where disks reach past the holes' borders, 36.3 where small holes are closed.
