@@ -27,6 +27,7 @@ vtkIsosurfaceBorders::vtkIsosurfaceBorders(
   for (int r = 0; r < 3; ++r)
   {
     std::copy_n(inverse[r], 3, this->Gradients[r]);
+    this->Steepest[r] = vtkMath::Norm(inverse[r]);
     this->Gradients[r][3] = 0;
     for (int c = 0; c < 3; ++c)
     {
@@ -46,6 +47,10 @@ bool vtkIsosurfaceBorders::FindLines(
     const double* g = this->Gradients[face / 2];
     const double index = vtkMath::Dot(g, x) + g[3];
     const double distance = face % 2 ? this->Last[face / 2] - index : index;
+    if (distance > reach * this->Steepest[face / 2])
+    {
+      continue;
+    }
     const double side = face % 2 ? 1 : -1;
     // Of lines through the point itself vectors would not be finite.
     const double scale =

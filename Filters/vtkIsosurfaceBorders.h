@@ -33,6 +33,7 @@ private:
   bool FindLines(const double x[3], const float n[3], double reach, float clip[6]) const;
 
   double Gradients[3][4]; // index coordinates of world ones
+  double Steepest[3];     // index coordinates per world unit, across the planes
   double Last[3];         // index coordinate
   std::array<bool, 6> Ends;
 };

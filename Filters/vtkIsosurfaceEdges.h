@@ -4,73 +4,24 @@
  * @class   vtkIsosurfaceEdges
  * @brief   a point on each edge of the grid that an isosurface crosses, and in cells where it bends
  *
- * Internal; see the stages in vtkIsosurfacePoints. Find() sweeps the slices for crossed edges; where sizes
- * are wanted it then goes through each cell's outlines once, which tell their points how far to reach,
- * and those that are bent are kept for Write(). Slices are done in parallel: the edges of one are
- * reached from the cells on either side, by different threads, so that each side has its own array.
+ * Internal; see the stages in vtkIsosurfacePoints. Find() sweeps the slices for crossed edges, and finds
+ * where these are crossed; where sizes are wanted it then goes through each cell's outlines once, which
+ * tell their points how far to reach, and those that are bent are kept for Write(). Slices are done in
+ * parallel: the edges of one are reached from the cells on either side, by different threads, so that
+ * each side has its own array.
  */
 #ifndef vtkIsosurfaceEdges_h
 #define vtkIsosurfaceEdges_h
 
+#include "vtkIsosurfaceEdgeLists.h"
 #include "vtkIsosurfaceExtraction.h"
-#include "vtkIsosurfaceField.h"
-#include "vtkIsosurfaceFill.h"
-#include "vtkIsosurfaceOutline.h"
 #include "vtkPointSplatBatches.h"
 #include "vtkSMPThreadLocal.h"
 
 #include <algorithm>
 #include <array>
-#include <tuple>
 
 VTK_ABI_NAMESPACE_BEGIN
-
-/// What is kept of a volume's slices, whatever the scalars' type.
-struct vtkIsosurfaceEdgeLists
-{
-  /// From sample (I, J, slice) one step along an axis.
-  struct Edge
-  {
-    std::uint32_t I, J;
-    std::uint8_t Axis;
-    vtkIsosurfaceClass Isovalue;
-
-    bool operator<(const Edge& other) const
-    {
-      return std::tie(this->J, this->I, this->Axis, this->Isovalue) <
-        std::tie(other.J, other.I, other.Axis, other.Isovalue);
-    }
-  };
-  /// An outline that is bent, in the cell whose first sample is (I, J, slice), by its first edge.
-  struct Bent
-  {
-    std::uint32_t I, J;
-    vtkIsosurfaceClass Isovalue;
-    std::uint8_t Corner, Axis;
-    vtkIsosurfaceFill Fill;
-  };
-  struct Slice
-  {
-    std::vector<Edge> Edges;                 // sorted
-    std::vector<std::size_t> Rows;           // the first of each row
-    std::vector<float> Normals;              // of edges, for FillGaps
-    std::vector<float> Reaches[2];           // of edges, into the cells before this slice, and behind; 0: none
-    std::vector<Bent> Bents;                 // in the cells behind
-    std::vector<vtkIdType> First, FirstFill; // for each isovalue
-  };
-  /// Where the isosurface crosses an edge.
-  struct Crossing
-  {
-    double Along; // the edge, 0 to 1
-    double Gradient[3];
-    double Normal[3];
-  };
-  struct Scratch
-  {
-    std::vector<vtkIsosurfaceClass> Classes[2];
-    std::vector<bool> Visited; // of each isovalue, the cells of a slice
-  };
-};
 
 template <typename T>
 class vtkIsosurfaceEdges : public vtkIsosurfaceExtraction
@@ -82,6 +33,7 @@ public:
     : Field(grid, values, isovalues)
     , Sizes(sizes)
     , FillGaps(sizes && fillGaps)
+    , Least(LeastReach * std::min({ grid.Spacing[0], grid.Spacing[1], grid.Spacing[2] }))
     , Slices(grid.Dimensions[2])
   {
   }
@@ -89,31 +41,24 @@ public:
   bool Find(
     vtkAlgorithm* self, double from, double to, std::vector<vtkIdType>& counts) override
   {
-    vtkSMPThreadLocal<Scratch> scratches;
+    vtkSMPThreadLocal<Classes> classes;
     auto sweep = [&](vtkIdType begin, vtkIdType end) {
-      this->Sweep(begin, end, scratches.Local());
-    };
-    auto prepare = [&](vtkIdType begin, vtkIdType end) {
+      this->Sweep(begin, end, classes.Local());
       for (vtkIdType k = begin; k < end; ++k)
       {
-        this->Prepare(k);
+        this->Cross(k);
       }
     };
     auto measure = [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType k = begin; k < end; ++k)
       {
-        this->MeasureOutlines(k, scratches.Local().Visited);
+        this->MeasureOutlines(k);
       }
     };
     const vtkIdType slices = this->Field.Grid.Dimensions[2];
-    const double third = this->Sizes ? (to - from) / 3 : to - from;
-    if (!vtkPointSplatBatches::For(self, slices, 8, from, from + third, sweep))
-    {
-      return false;
-    }
-    if (this->Sizes &&
-      (!vtkPointSplatBatches::For(self, slices, 1, from + third, to - third, prepare) ||
-        !vtkPointSplatBatches::For(self, slices, 1, to - third, to, measure)))
+    const double swept = this->Sizes ? 0.5 * (from + to) : to;
+    if (!vtkPointSplatBatches::For(self, slices, 8, from, swept, sweep) ||
+      (this->Sizes && !vtkPointSplatBatches::For(self, slices - 1, 1, swept, to, measure)))
     {
       return false;
     }
@@ -162,18 +107,21 @@ public:
   }
 
 private:
-  using Class = vtkIsosurfaceClass;
-  using Edge = vtkIsosurfaceEdgeLists::Edge;
-  using Bent = vtkIsosurfaceEdgeLists::Bent;
-  using Slice = vtkIsosurfaceEdgeLists::Slice;
-  using Crossing = vtkIsosurfaceEdgeLists::Crossing;
-  using Scratch = vtkIsosurfaceEdgeLists::Scratch;
+  using Lists = vtkIsosurfaceEdgeLists;
+  using Class = Lists::Class;
+  using Edge = Lists::Edge;
+  using Crossing = Lists::Crossing;
+  using Bent = Lists::Bent;
+  using Slice = Lists::Slice;
+  using Cell = Lists::Cell;
+  using Origin = std::array<vtkIdType, 3>; // of a cell, its first sample
+  using Classes = std::array<std::vector<Class>, 2>; // of a slice and the next one
 
-  void Sweep(vtkIdType begin, vtkIdType end, Scratch& scratch)
+  void Sweep(vtkIdType begin, vtkIdType end, Classes& classes)
   {
     const vtkIdType* n = this->Field.Grid.Dimensions;
     const vtkIdType stride = this->Field.GetClassStride();
-    std::vector<Class>*here = &scratch.Classes[0], *above = &scratch.Classes[1];
+    std::vector<Class>*here = &classes[0], *above = &classes[1];
     this->Field.Classify(begin, *here);
     for (vtkIdType k = begin; k < end; ++k)
     {
@@ -254,40 +202,60 @@ private:
     }
   }
 
-  Crossing GetCrossing(const vtkIdType from[3], int axis, double isovalue) const
+  /// Finds where the edges of a slice are crossed.
+  void Cross(vtkIdType k)
   {
+    Slice& slice = this->Slices[k];
+    slice.Crossings.reserve(slice.Edges.size());
+    for (const Edge& edge : slice.Edges)
+    {
+      slice.Crossings.push_back(this->GetCrossing(edge, k));
+    }
+    if (this->Sizes)
+    {
+      for (std::vector<float>& reaches : slice.Reaches)
+      {
+        reaches.assign(slice.Edges.size(), 0.0f);
+      }
+    }
+  }
+
+  Crossing GetCrossing(const Edge& edge, vtkIdType k) const
+  {
+    const int axis = edge.Axis;
+    const vtkIdType from[3] = { edge.I, edge.J, k };
     const vtkIdType to[3] = { from[0] + (axis == 0), from[1] + (axis == 1), from[2] + (axis == 2) };
     const double s0 = this->Field.Get(from[0], from[1], from[2]);
     const double s1 = this->Field.Get(to[0], to[1], to[2]);
+    const double isovalue = this->Field.Isovalues[edge.Isovalue];
     Crossing crossing;
     // Halves, since differences of doubles may overflow.
     crossing.Along = (0.5 * isovalue - 0.5 * s0) / (0.5 * s1 - 0.5 * s0);
-    double* g0 = crossing.Gradient;
-    double g1[3];
+    double g0[3], g1[3], normal[3];
     this->Field.GetGradient(from, g0);
     this->Field.GetGradient(to, g1);
     for (int c = 0; c < 3; ++c)
     {
       g0[c] += crossing.Along * (g1[c] - g0[c]);
     }
-    if (!this->Field.Grid.GetNormal(g0, crossing.Normal))
+    if (!this->Field.Grid.GetNormal(g0, normal))
     {
       // A sheet one sample thick has the same value on both sides; the edge knows better.
       double along[3] = { 0, 0, 0 };
       along[axis] = s1 > s0 ? 1 : -1;
-      this->Field.Grid.GetNormal(along, crossing.Normal);
+      this->Field.Grid.GetNormal(along, normal);
     }
+    crossing.Slope = this->Field.Grid.GetSlope(g0, normal);
+    std::copy_n(normal, 3, crossing.Normal);
     return crossing;
   }
 
   void WritePoint(vtkIdType k, std::size_t i, const Target& target, vtkIdType id) const
   {
     const Edge& edge = this->Slices[k].Edges[i];
+    const Crossing& crossing = this->Slices[k].Crossings[i];
     const int axis = edge.Axis;
     const vtkIdType from[3] = { edge.I, edge.J, k };
-    const vtkIdType to[3] = { from[0] + (axis == 0), from[1] + (axis == 1), from[2] + (axis == 2) };
-    const Crossing crossing =
-      this->GetCrossing(from, axis, this->Field.Isovalues[edge.Isovalue]);
     double index[3] = { static_cast<double>(from[0]), static_cast<double>(from[1]),
       static_cast<double>(from[2]) };
     index[axis] += crossing.Along;
@@ -297,6 +265,8 @@ private:
     if (target.HasSizes())
     {
       splat.Radius = this->GetRadius(k, i);
+      const vtkIdType to[3] = { from[0] + (axis == 0), from[1] + (axis == 1),
+        from[2] + (axis == 2) };
       double h0[6], h1[6];
       this->Field.GetHessian(from, h0);
       this->Field.GetHessian(to, h1);
@@ -304,67 +274,28 @@ private:
       {
         h0[c] += crossing.Along * (h1[c] - h0[c]);
       }
-      this->Field.Grid.Bend(crossing.Gradient, h0, splat);
+      this->Field.Grid.Bend(crossing.Slope, h0, splat);
     }
     target.Put(id, splat);
   }
 
-  /// What MeasureOutlines() reads and writes of a slice's edges.
-  void Prepare(vtkIdType k)
-  {
-    Slice& slice = this->Slices[k];
-    for (std::vector<float>& reaches : slice.Reaches)
-    {
-      reaches.assign(slice.Edges.size(), 0.0f);
-    }
-    if (!this->FillGaps)
-    {
-      return;
-    }
-    slice.Normals.reserve(3 * slice.Edges.size());
-    for (const Edge& edge : slice.Edges)
-    {
-      const vtkIdType from[3] = { edge.I, edge.J, k };
-      const Crossing crossing =
-        this->GetCrossing(from, edge.Axis, this->Field.Isovalues[edge.Isovalue]);
-      slice.Normals.insert(slice.Normals.end(), crossing.Normal, crossing.Normal + 3);
-    }
-  }
-
-  /// Of the cells between a slice and the next one. Each outline has an edge that begins in that slice.
-  void MeasureOutlines(vtkIdType k, std::vector<bool>& visited)
+  /// Of the cells between a slice and the next one.
+  void MeasureOutlines(vtkIdType k)
   {
     const vtkIdType* n = this->Field.Grid.Dimensions;
-    const Slice& slice = this->Slices[k];
-    if (slice.Edges.empty())
+    for (vtkIdType j = 0; j + 1 < n[1]; ++j)
     {
-      return;
-    }
-    visited.assign(n[0] * n[1] * this->Field.Isovalues.size(), false);
-    for (const Edge& edge : slice.Edges)
-    {
-      const std::array<vtkIdType, 2> last = { edge.I, edge.J };
-      for (vtkIdType j = last[1] - (edge.Axis != 1); j <= last[1]; ++j)
-      {
-        for (vtkIdType i = last[0] - (edge.Axis != 0); i <= last[0]; ++i)
+      Lists::VisitRow(this->Slices[k], this->Slices[k + 1], j, [&](vtkIdType i, const Cell& cell) {
+        for (int v = cell.GetLeast(); v <= cell.GetMost(); ++v)
         {
-          if (i < 0 || j < 0)
-          {
-            continue;
-          }
-          auto&& isVisited = visited[n[0] * (n[1] * edge.Isovalue + j) + i];
-          if (!isVisited)
-          {
-            isVisited = true;
-            this->MeasureOutlines({ i, j, k }, edge.Isovalue);
-          }
+          this->MeasureOutlines({ i, j, k }, cell, static_cast<Class>(v));
         }
-      }
+      });
     }
   }
 
   /// Of a cell.
-  void MeasureOutlines(const std::array<vtkIdType, 3>& origin, Class isovalue)
+  void MeasureOutlines(const Origin& origin, const Cell& cell, Class isovalue)
   {
     double values[8];
     if (!this->GetCell(origin.data(), this->Field.Isovalues[isovalue], values))
@@ -388,7 +319,7 @@ private:
           {
             followed |= bitOf(outline.GetEdge(i));
           }
-          this->Measure(origin, isovalue, outline);
+          this->Measure(origin, cell, isovalue, outline);
         }
       }
     }
@@ -396,47 +327,34 @@ private:
 
   /// An outline: how far its points' disks reach, and whether it gets a fill point.
   void Measure(
-    const std::array<vtkIdType, 3>& origin, Class isovalue, vtkIsosurfaceOutline& outline)
+    const Origin& origin, const Cell& cell, Class isovalue, vtkIsosurfaceOutline& outline)
   {
     const int count = outline.GetCount();
-    std::size_t ids[vtkIsosurfaceOutline::Most];
+    std::optional<std::size_t> ids[vtkIsosurfaceOutline::Most];
+    // Large integers that doubles round may lie on the other side of the isovalue here.
+    bool complete = true;
     for (int i = 0; i < count; ++i)
     {
-      ids[i] = this->FindEdge(origin, isovalue, outline.GetEdge(i));
+      ids[i] = cell.Find(outline.GetEdge(i), isovalue);
+      complete = complete && ids[i];
     }
     outline.FindPoints();
-    const bool bent = this->FillGaps && this->AddBent(origin, isovalue, outline, ids);
-    const double* h = this->Field.Grid.Spacing;
-    const double least = LeastReach * std::min({ h[0], h[1], h[2] });
+    const bool bent = this->FillGaps && complete && this->AddBent(origin, isovalue, outline, ids);
     for (int i = 0; i < count; ++i)
     {
-      const int above = outline.GetEdge(i).Corner >> 2;
-      std::vector<float>& reaches = this->Slices[origin[2] + above].Reaches[above ? 0 : 1];
-      if (ids[i] < reaches.size())
+      if (ids[i])
       {
-        const double reach = (bent ? BentShare : PlainShare) * outline.GetReach(i);
-        reaches[ids[i]] =
-          std::max(reaches[ids[i]], static_cast<float>(std::max(reach, least)));
+        const int above = outline.GetEdge(i).Corner >> 2;
+        float& reach = this->Slices[origin[2] + above].Reaches[above ? 0 : 1][*ids[i]];
+        const double wanted = (bent ? BentShare : PlainShare) * outline.GetReach(i);
+        reach = std::max(reach, static_cast<float>(std::max(wanted, this->Least)));
       }
     }
   }
 
-  /// An edge of a cell among those of its slice; the number of these where it is none of them.
-  std::size_t FindEdge(const std::array<vtkIdType, 3>& origin, Class isovalue,
-    const vtkIsosurfaceOutline::Edge& edge) const
-  {
-    const Slice& slice = this->Slices[origin[2] + (edge.Corner >> 2)];
-    const vtkIdType row = origin[1] + (edge.Corner >> 1 & 1);
-    const Edge wanted = { static_cast<std::uint32_t>(origin[0] + (edge.Corner & 1)),
-      static_cast<std::uint32_t>(row), static_cast<std::uint8_t>(edge.Axis), isovalue };
-    const auto end = slice.Edges.begin() + slice.Rows[row + 1];
-    const auto found = std::lower_bound(slice.Edges.begin() + slice.Rows[row], end, wanted);
-    return found != end && !(wanted < *found) ? found - slice.Edges.begin() : slice.Edges.size();
-  }
-
   /// Returns whether the outline is bent. ids: of its edges.
-  bool AddBent(const std::array<vtkIdType, 3>& origin, Class isovalue,
-    const vtkIsosurfaceOutline& outline, const std::size_t* ids)
+  bool AddBent(const Origin& origin, Class isovalue, const vtkIsosurfaceOutline& outline,
+    const std::optional<std::size_t>* ids)
   {
     if (!this->Field.Grid.HasCell(origin[0], origin[1], origin[2]))
     {
@@ -446,12 +364,7 @@ private:
     for (int i = 0; i < outline.GetCount(); ++i)
     {
       const Slice& slice = this->Slices[origin[2] + (outline.GetEdge(i).Corner >> 2)];
-      // Large integers that doubles round may lie on the other side of the isovalue here.
-      if (ids[i] == slice.Edges.size())
-      {
-        return false;
-      }
-      std::copy_n(slice.Normals.begin() + 3 * ids[i], 3, normals[i]);
+      std::copy_n(slice.Crossings[*ids[i]].Normal, 3, normals[i]);
     }
     if (!vtkIsosurfaceFill::IsBent(outline.GetCount(), normals))
     {
@@ -537,10 +450,9 @@ private:
     for (int corner = 0; corner < 8; ++corner)
     {
       const int i = corner & 1, j = corner >> 1 & 1, k = corner >> 2;
-      values[corner] = static_cast<double>(
-                         first[i * grid.Strides[0] + j * grid.Strides[1] + k * grid.Strides[2]]) -
-        isovalue;
-      if (!std::isfinite(values[corner]) ||
+      const T value = first[i * grid.Strides[0] + j * grid.Strides[1] + k * grid.Strides[2]];
+      values[corner] = static_cast<double>(value) - isovalue;
+      if ((std::is_floating_point<T>::value && !std::isfinite(values[corner])) ||
         grid.IsHidden(origin[0] + i, origin[1] + j, origin[2] + k))
       {
         return false;
@@ -561,6 +473,7 @@ private:
   vtkIsosurfaceField<T> Field;
   bool Sizes;
   bool FillGaps;
+  double Least; // reach, world units
   std::vector<Slice> Slices;
 };
 

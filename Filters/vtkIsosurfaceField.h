@@ -95,20 +95,26 @@ struct vtkIsosurfaceGrid
     return true;
   }
 
-  /// Bends a splat, its normal and radius set, by a gradient and a Hessian in index space.
-  void Bend(const double gradient[3], const double hessian[6], vtkIsosurfaceSplat& splat) const
+  /// The field's slope in world units along a normal, which is the gradient's direction or against it.
+  double GetSlope(const double gradient[3], const double normal[3]) const
+  {
+    double slope = 0;
+    for (int r = 0; r < 3; ++r)
+    {
+      const double* m = this->ToNormal[r];
+      slope += normal[r] * (m[0] * gradient[0] + m[1] * gradient[1] + m[2] * gradient[2]);
+    }
+    return slope;
+  }
+
+  /// Bends a splat, its normal and radius set, by the slope along it and a Hessian in index space.
+  void Bend(double slope, const double hessian[6], vtkIsosurfaceSplat& splat) const
   {
     const double (&m)[3][3] = this->ToNormal;
-    double slope = 0, rotated[6];
+    double rotated[6];
     static const int rows[6] = { 0, 1, 2, 0, 1, 0 };
     static const int columns[6] = { 0, 1, 2, 1, 2, 2 };
     const double* h = hessian;
-    for (int r = 0; r < 3; ++r)
-    {
-      // The normal is the gradient's direction, or against it.
-      slope += splat.Normal[r] *
-        (m[r][0] * gradient[0] + m[r][1] * gradient[1] + m[r][2] * gradient[2]);
-    }
     for (int k = 0; k < 6; ++k)
     {
       const double *p = m[rows[k]], *q = m[columns[k]];
@@ -173,32 +179,33 @@ public:
   /// The classes of slice k.
   void Classify(vtkIdType k, std::vector<Class>& classes) const
   {
-    const vtkIdType* n = this->Grid.Dimensions;
+    // Of its own, since a byte that is written may be part of whatever is read through a pointer.
+    const vtkIdType count = this->Grid.Dimensions[0], rows = this->Grid.Dimensions[1];
     const vtkIdType stride = this->GetClassStride();
-    classes.resize(stride * n[1]);
+    classes.resize(stride * rows);
     std::vector<T> row;
-    for (vtkIdType j = 0; j < n[1]; ++j)
+    for (vtkIdType j = 0; j < rows; ++j)
     {
       const T* values = this->GetPointer(0, j, k);
       if (this->Grid.Strides[0] != 1)
       {
-        row.resize(n[0]);
-        for (vtkIdType i = 0; i < n[0]; ++i)
+        row.resize(count);
+        for (vtkIdType i = 0; i < count; ++i)
         {
           row[i] = values[i * this->Grid.Strides[0]];
         }
         values = row.data();
       }
       Class* out = classes.data() + stride * j;
-      std::memset(out, this->ReachedByAll, n[0]);
+      std::memset(out, this->ReachedByAll, count);
       for (const T threshold : this->Thresholds)
       {
-        for (vtkIdType i = 0; i < n[0]; ++i)
+        for (vtkIdType i = 0; i < count; ++i)
         {
           out[i] = static_cast<Class>(out[i] + (values[i] >= threshold));
         }
       }
-      std::memset(out + n[0], out[n[0] - 1], stride - n[0]);
+      std::memset(out + count, out[count - 1], stride - count);
     }
   }
 

@@ -27,6 +27,10 @@ public:
     : Values(values)
     , Spacing(spacing)
   {
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      this->Above |= (values[corner] >= 0 ? 1 : 0) << corner;
+    }
   }
 
   static constexpr int Most = 12; // edges of a cell
@@ -106,7 +110,7 @@ private:
     return std::sqrt(squared);
   }
 
-  bool IsAbove(int corner) const { return this->Values[corner] >= 0; }
+  bool IsAbove(int corner) const { return (this->Above >> corner & 1) != 0; }
 
   void GetPoint(const Edge& edge, double x[3]) const
   {
@@ -152,6 +156,7 @@ private:
 
   const double* Values;
   const double* Spacing;
+  int Above = 0; // a bit for each corner
   int Count = 0;
   Edge Edges[Most];
   double Points[Most + 1][3]; // the last is the first again

@@ -258,7 +258,7 @@ private:
           double hessian[6];
           interpolant.InterpolateHessian(index, hessian);
           splat.Radius = RadiusPerDistance * this->Distance;
-          grid.Bend(gradient, hessian, splat);
+          grid.Bend(grid.GetSlope(gradient, splat.Normal), hessian, splat);
         }
         targets[v].Put(id++, splat);
       }

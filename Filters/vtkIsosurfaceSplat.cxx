@@ -35,7 +35,7 @@ void vtkIsosurfaceSplat::Bend(const double hessian[6], double slope)
   // B in the basis of the tangents, as its mean and what its eigenvalues are off it.
   const double aa = form(a, a), bb = form(b, b), ab = form(a, b);
   const double mean = 0.5 * (aa + bb), half = 0.5 * (aa - bb);
-  const double root = std::hypot(half, ab);
+  const double root = std::sqrt(half * half + ab * ab);
   const double strongest = std::abs(mean) + root;
   // NaN compares false; a slope of zero gives infinity.
   if (!(strongest > 0) || !std::isfinite(strongest) || !(this->Radius > 0))
