@@ -11,6 +11,7 @@
 #include "vtkPointSplatArrays.h"
 #include "vtkPointSplatInput.h"
 #include "vtkPointSplatLattice.h"
+#include "vtkPointSplatMeshNormals.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
@@ -82,18 +83,25 @@ void vtkPointSplatEstimates::ReadPoints(vtkDataArray* given)
 }
 
 /**
- * Meshes know their neighbours, but for those that were split at their creases. All other points' are
- * searched for, and a mesh's where normals tell of creases.
+ * Meshes know their normals and neighbours, but the latter not if they were split at their creases. All
+ * other points' are searched for, and a mesh's where normals tell of creases.
  */
 void vtkPointSplatEstimates::ReadMesh()
 {
-  const float* n = this->GetNormal(vtkIdType(0));
+  float* n = this->GetNormal(vtkIdType(0));
   vtkPolyData* mesh = vtkPolyData::SafeDownCast(this->Input);
-  const vtkIdType bad =
-    mesh && !this->Elliptical ? this->Fans.Read(mesh, this->Used.data(), n) : 0;
-  if (this->Fans.IsSplit(n))
+  const vtkIdType bad = mesh ? this->Fans.Read(mesh, this->Used.data()) : 0;
+  if (!this->Fans.IsEmpty() && vtkPointSplatMeshNormals::Complete(this->Fans, n))
+  {
+    this->Given = true;
+  }
+  if (this->Elliptical || this->Fans.IsSplit(n))
   {
     this->Fans.Clear();
+  }
+  else
+  {
+    this->Fans.Join(n);
   }
   // What has no area anywhere is no part of the surface.
   for (const vtkIdType id : this->Fans.GetCollapsed())

@@ -8,14 +8,14 @@
  * surface without holes and reach no farther than their own sheet's points say.
  *
  * Input: any vtkPointSet with points of any type; of cells only a vtkPolyData's polygons and
- * strips are used: where there are such, the points are a mesh's vertices, and their sizes come
- * from its triangles.
+ * strips are used: where there are such, the points are a mesh's vertices, and their sizes, and
+ * normals where these are missing, come from its triangles.
  * Coordinates may lie far from the origin: everything is measured from point to point.
  *
  * Output: a vtkPolyData with the same points in the same order, and behind them fill points if FillGaps
  * is on; all of the input's point data, of fill points interpolated, and field data, no cells, and
  * - the active normals (3 floats, unit length): those of the input, normalised and with their
- *   sign, where they are finite and not zero, otherwise estimated;
+ *   sign, where they are finite and not zero, otherwise those of the triangles, otherwise estimated;
  * - `SplatRadius` (1 float, world units) and `SplatPlaneNormal` (3 floats, unit length: the
  *   normal of the disk's plane, the point's normal but for stage 4's exception; 0 for bodies alone,
  *   stage 7, which have none) and
@@ -41,7 +41,8 @@
  * one isosurface of a volume tell its triangles by where they lie, vtkPointSplatLattice.h):
  * 1. *Neighbours.* For each point the NumberOfNeighbors nearest ones, found for all points at
  *    once. Of points at the same position one takes part, and the others share its result.
- * 2. *Normals*, where the input has none: the axis of least variance of the neighbours. Where these lie in a row, of scan
+ * 2. *Normals*, where the input has none: of triangles' corners the mean of their triangles' normals, on the side that
+ *    the order of their corners tells (vtkPointSplatMeshNormals.h); of others the axis of least variance of the neighbours. Where these lie in a row, of scan
  *    lines as of a solver's grid, that is any; there farther neighbours tell, if rows side by side lie in a surface, and
  *    where noise takes points off their row, four times as many (vtkPointSplatRows.h).
  * 3. *Orientation* of the normals from stage 2, either towards the Viewpoint, or consistently:

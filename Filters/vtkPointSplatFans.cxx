@@ -84,8 +84,7 @@ void vtkPointSplatFans::Add(
   }
 }
 
-vtkIdType vtkPointSplatFans::Read(
-  vtkPolyData* mesh, const unsigned char* used, const float* normals)
+vtkIdType vtkPointSplatFans::Read(vtkPolyData* mesh, const unsigned char* used)
 {
   this->Clear();
   const vtkIdType numberOfPoints = mesh->GetNumberOfPoints();
@@ -122,9 +121,7 @@ vtkIdType vtkPointSplatFans::Read(
   if (!this->IsEmpty())
   {
     this->Positions = vtkPointSplatInput::ReadPositions(mesh->GetPoints()->GetData());
-    this->Join(numberOfPoints, normals);
-    this->Sort(numberOfPoints);
-    this->FindBorder(numberOfPoints);
+    this->Arrange();
   }
   return bad;
 }
@@ -132,18 +129,31 @@ vtkIdType vtkPointSplatFans::Read(
 void vtkPointSplatFans::Take(
   std::vector<double> positions, std::vector<vtkIdType> corners, std::vector<vtkIdType> same)
 {
-  const vtkIdType numberOfPoints = static_cast<vtkIdType>(positions.size() / 3);
   this->Clear();
   this->Corners = std::move(corners);
   this->Same = std::move(same);
   this->Positions = std::move(positions);
-  this->Sort(numberOfPoints);
-  this->FindBorder(numberOfPoints);
+  this->Arrange();
 }
 
-/// Makes one of a triangle's corners that share place and normal, and leaves out the triangles that have no area by that.
-void vtkPointSplatFans::Join(vtkIdType numberOfPoints, const float* normals)
+void vtkPointSplatFans::Arrange()
 {
+  this->Sort(this->GetNumberOfPoints());
+  this->FindBorder(this->GetNumberOfPoints());
+}
+
+/// Makes one of two points, if they share place and normal.
+void vtkPointSplatFans::Unite(vtkIdType a, vtkIdType b, const float* normals)
+{
+  if (!this->IsSamePlace(a, b) || vtkPointSplatCrease::Parts(normals + 3 * a, normals + 3 * b))
+  {
+    return;
+  }
+  if (this->Same.empty())
+  {
+    this->Same.resize(this->GetNumberOfPoints());
+    std::iota(this->Same.begin(), this->Same.end(), vtkIdType(0));
+  }
   const auto getFirst = [this](vtkIdType id) {
     while (this->Same[id] != id)
     {
@@ -151,29 +161,29 @@ void vtkPointSplatFans::Join(vtkIdType numberOfPoints, const float* normals)
     }
     return id;
   };
+  const auto [first, second] = std::minmax({ getFirst(a), getFirst(b) });
+  this->Same[second] = first;
+}
+
+void vtkPointSplatFans::Join(const float* normals)
+{
   const std::size_t all = this->Corners.size();
   for (std::size_t i = 0; i < all; ++i)
   {
-    const vtkIdType a = this->Corners[i], b = this->Corners[i % 3 < 2 ? i + 1 : i - 2];
-    if (std::equal(this->GetPosition(a), this->GetPosition(a) + 3, this->GetPosition(b)) &&
-      !vtkPointSplatCrease::Parts(normals + 3 * a, normals + 3 * b))
-    {
-      if (this->Same.empty())
-      {
-        this->Same.resize(numberOfPoints);
-        std::iota(this->Same.begin(), this->Same.end(), vtkIdType(0));
-      }
-      const auto [first, second] = std::minmax({ getFirst(a), getFirst(b) });
-      this->Same[second] = first;
-    }
+    this->Unite(this->Corners[i], this->Corners[i % 3 < 2 ? i + 1 : i - 2], normals);
+  }
+  const std::vector<vtkIdType> border = this->GetBorderByPosition();
+  for (std::size_t i = 1; i < border.size(); ++i)
+  {
+    this->Unite(border[i - 1], border[i], normals);
   }
   if (this->Same.empty())
   {
     return;
   }
-  for (vtkIdType id = 0; id < numberOfPoints; ++id)
+  for (vtkIdType& same : this->Same)
   {
-    this->Same[id] = this->Same[this->Same[id]]; // the first ones come first
+    same = this->Same[same]; // the first ones come first
   }
   std::size_t kept = 0;
   for (std::size_t i = 0; i < all; i += 3)
@@ -192,6 +202,7 @@ void vtkPointSplatFans::Join(vtkIdType numberOfPoints, const float* normals)
     }
   }
   this->Corners.resize(kept);
+  this->Arrange();
 }
 
 /// Lists each point's triangles, in the order in which they were read.
@@ -359,9 +370,7 @@ bool vtkPointSplatFans::IsSplit(const float* normals) const
 {
   const std::vector<vtkIdType> border = this->GetBorderByPosition();
   return std::adjacent_find(border.begin(), border.end(), [&](vtkIdType a, vtkIdType b) {
-    return std::equal(
-             this->GetPosition(a), this->GetPosition(a) + 3, this->GetPosition(b)) &&
-      vtkPointSplatCrease::Parts(normals + 3 * a, normals + 3 * b);
+    return this->IsSamePlace(a, b) && vtkPointSplatCrease::Parts(normals + 3 * a, normals + 3 * b);
   }) != border.end();
 }
 

@@ -9,9 +9,10 @@
  * for: which points are next to each other on the surface.
  *
  * 1. Polygons (as triangles with their first corner) and strips are read; cells that index
- *    points which are not there, or that take no part, are left out. Corners of one triangle that have a place and
- *    about a normal in common, as isosurfaces through a sample of their volume leave them, are one point: the first of
- *    them takes part, and the others share its disk.
+ *    points which are not there, or that take no part, are left out. Corners of one triangle, and points of the mesh's
+ *    border, that have a place and about a normal in common are one point: the first of them takes part, and the others
+ *    share its disk. Isosurfaces through a sample of their volume leave the former; the latter lie along the seams of
+ *    textures, and are all that a mesh has whose triangles share no points.
  * 2. A vertex' neighbours are the other corners of its triangles, and for its curvature the
  *    nearest of those of their triangles, twelve together. Its plane, and which
  *    neighbours say how the surface bends, are found as for points without a mesh
@@ -27,6 +28,7 @@
 
 #include "vtkPointSplatNeighbors.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -38,10 +40,14 @@ class vtkPointSplatFans
 {
 public:
   /**
-   * Reads the mesh's triangles between points with used[id] not 0. normals: 3 floats a point, unit length or 0. Returns
-   * how many cells were left out since they index points that are not there.
+   * Reads the mesh's triangles between points with used[id] not 0. Returns how many cells were left out since they index
+   * points that are not there.
    */
-  vtkIdType Read(vtkPolyData* mesh, const unsigned char* used, const float* normals);
+  vtkIdType Read(vtkPolyData* mesh, const unsigned char* used);
+
+  /// Makes one of points in one place, and leaves out triangles that have no area by that. normals: 3 floats a point,
+  /// unit length or 0.
+  void Join(const float* normals);
 
   /// Takes over triangles between points, 3 coordinates each; same: GetSame() of each, or empty.
   void Take(
@@ -70,6 +76,12 @@ public:
 
   /// The points with an edge that one triangle alone has, in order.
   const std::vector<vtkIdType>& GetBorder() const { return this->Border; }
+  /// The same, those in one place beside one another.
+  std::vector<vtkIdType> GetBorderByPosition() const;
+  bool IsSamePlace(vtkIdType a, vtkIdType b) const
+  {
+    return std::equal(this->GetPosition(a), this->GetPosition(a) + 3, this->GetPosition(b));
+  }
   /// The edges of the border at a point.
   struct BorderEdges
   {
@@ -82,6 +94,9 @@ public:
   BorderEdges GetBorderEdges(vtkIdType id) const;
   const double* GetPosition(vtkIdType id) const { return this->Positions.data() + 3 * id; }
 
+  vtkIdType GetNumberOfPoints() const { return static_cast<vtkIdType>(this->Positions.size() / 3); }
+  /// Three a triangle.
+  const std::vector<vtkIdType>& GetCorners() const { return this->Corners; }
   vtkIdType GetNumberOfTriangles(vtkIdType id) const { return this->First[id + 1] - this->First[id]; }
   /// Calls visitor(id) for the other corners of a point's triangles, once for each triangle.
   template <typename Visitor>
@@ -136,13 +151,13 @@ public:
 
 private:
   void Add(vtkIdType a, vtkIdType b, vtkIdType c, const unsigned char* used);
-  void Join(vtkIdType numberOfPoints, const float* normals);
+  void Unite(vtkIdType a, vtkIdType b, const float* normals);
+  void Arrange();
   void Sort(vtkIdType numberOfPoints);
   void GetSingleEdges(vtkIdType id, std::vector<BorderEdge>& edges) const;
   void FindBorder(vtkIdType numberOfPoints);
   void RemoveSeams();
   bool IsBefore(vtkIdType a, vtkIdType b) const;
-  std::vector<vtkIdType> GetBorderByPosition() const;
 
   std::vector<double> Positions;    // 3 a point
   std::vector<vtkIdType> Corners;   // 3 a triangle, of points that take part

@@ -32,7 +32,7 @@
  * for those that no cell uses where there are cells, which VTK does not draw either. Cells serve cell
  * selection and cell scalars; splats end at a mesh's borders; triangles are drawn where Hybrid says
  * so. Blocks may be hidden, and have colours and opacities of their own: vtkPointSplatBlockMapper.
- * - Point normals, 3 components. Missing ones are estimated.
+ * - Point normals, 3 components. Missing ones are those of triangles, or are estimated.
  * - `SplatRadius`, 1 component, world units; or `SplatAxis1` and `SplatAxis2`, 3 components, world
  *   units, in the tangent plane. Missing ones are estimated.
  * - `SplatCurvature`, 6 components XX, YY, ZZ, XY, YZ, XZ, 1 / world units, beside `SplatRadius`:

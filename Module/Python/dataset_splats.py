@@ -36,6 +36,8 @@ class DataSetSplats:
     def estimate(self, neighbors=None, elliptical=False, viewpoint=None, fill=False):
         """Estimate normals where they are missing, splat sizes, curvature and creases.
 
+        A mesh's triangles tell sizes and normals of its vertices.
+
         Parameters
         ----------
         neighbors : int, optional

@@ -75,7 +75,7 @@ class PlotterSplats:
         ----------
         cloud : pyvista.DataSet, vtkDataSet or numpy.ndarray of shape (n, 3)
             Points, with normals or without (world units). Cells, where a mesh has some, tell the
-            splats' sizes; triangles are drawn where ``hybrid="automatic"`` says so. Normals, sizes
+            splats' sizes, and normals where there are none; triangles are drawn where ``hybrid="automatic"`` says so. Normals, sizes
             and curvature that are missing are estimated when the cloud is first drawn;
             `cloud.splats.estimate()` keeps them.
         scalars : str or numpy.ndarray, optional

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
-// That vtkPointSplatEstimation takes sizes and curvature from a mesh's triangles where there are such,
-// whatever the cells index.
+// That vtkPointSplatEstimation takes sizes, curvature and missing normals from a mesh's triangles where there
+// are such, whatever the cells index.
 #include "Expect.h"
 
 #include "vtkCallbackCommand.h"
@@ -316,6 +316,98 @@ void TestJoined()
   }
 }
 
+/// A mesh with points of its own for each triangle.
+vtkSmartPointer<vtkPolyData> MakeSoup(vtkPolyData* mesh)
+{
+  vtkSmartPointer<vtkPolyData> soup = MakeEmpty();
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    vtkNew<vtkIdList> ids;
+    mesh->GetCellPoints(cell, ids);
+    soup->GetPolys()->InsertNextCell(3);
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      soup->GetPointData()->GetNormals()->InsertNextTuple(
+        mesh->GetPointData()->GetNormals()->GetTuple(ids->GetId(k)));
+      soup->GetPolys()->InsertCellPoint(soup->GetPoints()->InsertNextPoint(mesh->GetPoint(ids->GetId(k))));
+    }
+  }
+  return soup;
+}
+
+/// How many normals are off those of a sphere about the origin by more than 3 degrees.
+int CountOff(Estimated& estimated)
+{
+  vtkPolyData* splats = estimated.Filter->GetOutput();
+  int off = 0;
+  for (vtkIdType id = 0; id < splats->GetNumberOfPoints(); ++id)
+  {
+    double x[3], n[3];
+    splats->GetPoint(id, x);
+    splats->GetPointData()->GetNormals()->GetTuple(id, n);
+    off += !(vtkMath::Dot(x, n) > std::cos(vtkMath::RadiansFromDegrees(3.0)) * vtkMath::Norm(x));
+  }
+  return off;
+}
+
+/// Triangles tell the normals that a mesh does not have, and on which side these are.
+void TestNormals()
+{
+  vtkSmartPointer<vtkPolyData> sphere = MakeSphere(5);
+  Estimated given(sphere);
+  vtkSmartPointer<vtkPolyData> soup = MakeSoup(sphere);
+  Estimated joined(soup);
+  vtkNew<vtkPolyData> flipped;
+  flipped->DeepCopy(sphere);
+  ChangeCells(flipped, [](vtkIdType cell, vtkIdList* ids) {
+    if (cell % 3 == 1)
+    {
+      const vtkIdType first = ids->GetId(0);
+      ids->SetId(0, ids->GetId(2));
+      ids->SetId(2, first);
+    }
+    return true;
+  });
+  for (vtkPolyData* mesh : { sphere.Get(), soup.Get(), flipped.Get() })
+  {
+    vtkNew<vtkPolyData> bare;
+    bare->ShallowCopy(mesh);
+    bare->GetPointData()->SetNormals(nullptr);
+    Estimated found(bare);
+    Expect(CountOff(found) == 0, std::to_string(CountOff(found)) + " normals from triangles are off");
+    Estimated ellipses(bare);
+    ellipses.Filter->SetShapeToElliptical();
+    ellipses.Filter->Update();
+    Expect(CountOff(ellipses) == 0, std::to_string(CountOff(ellipses)) + " normals of ellipses are off");
+    Estimated& same = mesh == soup ? joined : given;
+    for (vtkIdType id = 0; id < mesh->GetNumberOfPoints(); ++id)
+    {
+      AtMost(std::abs(found.Radius(id) / same.Radius(id) - 1), 0.01, "radius of point " + std::to_string(id));
+    }
+  }
+  // The first corner of each triangle of the soup, against the sphere's own points.
+  for (vtkIdType cell = 0; cell < sphere->GetNumberOfCells(); ++cell)
+  {
+    vtkNew<vtkIdList> ids;
+    sphere->GetCellPoints(cell, ids);
+    AtMost(std::abs(joined.Radius(3 * cell) / given.Radius(ids->GetId(0)) - 1), 0.01,
+      "the radius of triangle " + std::to_string(cell) + "'s corner");
+  }
+
+  // Normals that are given stay; of sheets that lie close to one another no search would tell the others.
+  vtkSmartPointer<vtkPolyData> sheets = MakeEmpty();
+  AddSquare(sheets, 20, 0, 0);
+  AddSquare(sheets, 20, 0.01, 0);
+  sheets->GetPointData()->GetNormals()->SetTuple3(7, 0, 0, -1);
+  Estimated completed(sheets);
+  vtkDataArray* normals = completed.Filter->GetOutput()->GetPointData()->GetNormals();
+  for (vtkIdType id = 0; id < 800; ++id)
+  {
+    AtMost(std::abs(normals->GetComponent(id, 2) - (id == 7 ? -1 : 1)), 1e-6,
+      "the normal of point " + std::to_string(id));
+  }
+}
+
 /// How far disks, so many times as large, of a mesh in the plane z reach past x = 0, where it ends.
 double GetFarthest(Estimated& estimated, double times = 1)
 {
@@ -471,26 +563,7 @@ void TestBorders()
 
   // A sphere is closed; its points are there once for each triangle, and it still is.
   vtkSmartPointer<vtkPolyData> sphere = MakeSphere(5);
-  vtkNew<vtkPolyData> soup;
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkFloatArray> normals;
-  normals->SetNumberOfComponents(3);
-  vtkNew<vtkCellArray> cells;
-  for (vtkIdType cell = 0; cell < sphere->GetNumberOfCells(); ++cell)
-  {
-    vtkNew<vtkIdList> ids;
-    sphere->GetCellPoints(cell, ids);
-    cells->InsertNextCell(3);
-    for (vtkIdType k = 0; k < 3; ++k)
-    {
-      const double* n = sphere->GetPointData()->GetNormals()->GetTuple(ids->GetId(k));
-      normals->InsertNextTuple(n);
-      cells->InsertCellPoint(points->InsertNextPoint(sphere->GetPoint(ids->GetId(k))));
-    }
-  }
-  soup->SetPoints(points);
-  soup->SetPolys(cells);
-  soup->GetPointData()->SetNormals(normals);
+  vtkSmartPointer<vtkPolyData> soup = MakeSoup(sphere);
   for (vtkPolyData* closed : { sphere.Get(), soup.Get() })
   {
     Estimated estimated(closed);
@@ -507,6 +580,7 @@ int TestSplatMeshes(int, char*[])
   TestBadCells();
   TestMixed();
   TestJoined();
+  TestNormals();
   TestBorders();
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

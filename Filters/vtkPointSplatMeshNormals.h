@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPointSplatMeshNormals
+ * @brief   normals of a mesh's vertices that have none, from its triangles
+ *
+ * An internal helper of vtkPointSplatEstimation. These are vtkPolyDataNormals', without splitting: the
+ * mean of the normals of a vertex' triangles, which are turned the same way as those beside them
+ * before. Points of the mesh's border that share a place are one vertex, as in meshes that have
+ * corners of their own for each triangle, or on both sides of a texture's seam.
+ */
+#ifndef vtkPointSplatMeshNormals_h
+#define vtkPointSplatMeshNormals_h
+
+#include "vtkPointSplattingABI.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkPointSplatFans;
+
+class vtkPointSplatMeshNormals
+{
+public:
+  /// Sets normals (3 floats a point, unit length) of triangles' corners that have 0 there. Returns whether it set any.
+  static bool Complete(const vtkPointSplatFans& fans, float* normals);
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
