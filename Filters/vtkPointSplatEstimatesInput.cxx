@@ -91,6 +91,7 @@ void vtkPointSplatEstimates::ReadMesh()
   float* n = this->GetNormal(vtkIdType(0));
   vtkPolyData* mesh = vtkPolyData::SafeDownCast(this->Input);
   const vtkIdType bad = mesh ? this->Fans.Read(mesh, this->Used.data()) : 0;
+  this->Fans.Join(n);
   if (!this->Fans.IsEmpty() && vtkPointSplatMeshNormals::Complete(this->Fans, n))
   {
     this->Given = true;
@@ -98,10 +99,6 @@ void vtkPointSplatEstimates::ReadMesh()
   if (this->Elliptical || this->Fans.IsSplit(n))
   {
     this->Fans.Clear();
-  }
-  else
-  {
-    this->Fans.Join(n);
   }
   // What has no area anywhere is no part of the surface.
   for (const vtkIdType id : this->Fans.GetCollapsed())

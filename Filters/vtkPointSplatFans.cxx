@@ -142,12 +142,17 @@ void vtkPointSplatFans::Arrange()
   this->FindBorder(this->GetNumberOfPoints());
 }
 
-/// Makes one of two points, if they share place and normal.
-void vtkPointSplatFans::Unite(vtkIdType a, vtkIdType b, const float* normals)
+/// Makes one of two points, if they share their place, and their normal or have none, as is returned.
+bool vtkPointSplatFans::Unite(vtkIdType a, vtkIdType b, const float* normals)
 {
-  if (!this->IsSamePlace(a, b) || vtkPointSplatCrease::Parts(normals + 3 * a, normals + 3 * b))
+  const auto hasNormal = [normals](vtkIdType id) {
+    return vtkMath::Dot(normals + 3 * id, normals + 3 * id) > 0;
+  };
+  if (!this->IsSamePlace(a, b) ||
+    (hasNormal(a) && hasNormal(b) &&
+      vtkPointSplatCrease::Parts(normals + 3 * a, normals + 3 * b)))
   {
-    return;
+    return false;
   }
   if (this->Same.empty())
   {
@@ -163,30 +168,42 @@ void vtkPointSplatFans::Unite(vtkIdType a, vtkIdType b, const float* normals)
   };
   const auto [first, second] = std::minmax({ getFirst(a), getFirst(b) });
   this->Same[second] = first;
+  return true;
 }
 
 void vtkPointSplatFans::Join(const float* normals)
 {
-  const std::size_t all = this->Corners.size();
-  for (std::size_t i = 0; i < all; ++i)
+  bool any = false;
+  for (std::size_t i = 0; i < this->Corners.size(); ++i)
   {
-    this->Unite(this->Corners[i], this->Corners[i % 3 < 2 ? i + 1 : i - 2], normals);
+    any = this->Unite(this->Corners[i], this->Corners[i % 3 < 2 ? i + 1 : i - 2], normals) || any;
   }
-  const std::vector<vtkIdType> border = this->GetBorderByPosition();
-  for (std::size_t i = 1; i < border.size(); ++i)
+  if (any)
   {
-    this->Unite(border[i - 1], border[i], normals);
+    this->Merge();
   }
-  if (this->Same.empty())
+  // Not all of the border's: where it comes by a place twice it stays two borders.
+  const std::vector<vtkIdType> seams = this->ByPosition(this->Seams);
+  any = false;
+  for (std::size_t i = 1; i < seams.size(); ++i)
   {
-    return;
+    any = this->Unite(seams[i - 1], seams[i], normals) || any;
   }
+  if (any)
+  {
+    this->Merge();
+  }
+}
+
+/// Takes for corners what takes part for them, and leaves out triangles that have no area by that.
+void vtkPointSplatFans::Merge()
+{
   for (vtkIdType& same : this->Same)
   {
     same = this->Same[same]; // the first ones come first
   }
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < all; i += 3)
+  for (std::size_t i = 0; i < this->Corners.size(); i += 3)
   {
     vtkIdType read[3], corners[3];
     std::copy_n(this->Corners.begin() + i, 3, read);
@@ -305,19 +322,19 @@ bool vtkPointSplatFans::IsBefore(vtkIdType a, vtkIdType b) const
   return std::lexicographical_compare(x, x + 3, y, y + 3);
 }
 
-std::vector<vtkIdType> vtkPointSplatFans::GetBorderByPosition() const
+/// Points in an order in which those in one place are beside one another.
+std::vector<vtkIdType> vtkPointSplatFans::ByPosition(std::vector<vtkIdType> points) const
 {
-  std::vector<vtkIdType> border = this->Border;
-  std::sort(border.begin(), border.end(),
+  std::sort(points.begin(), points.end(),
     [this](vtkIdType a, vtkIdType b) { return this->IsBefore(a, b); });
-  return border;
+  return points;
 }
 
 /// Of the border's edges, removes those that have both ends where another one has its.
 void vtkPointSplatFans::RemoveSeams()
 {
   // Points in one place have the first one's number in the order of positions.
-  const std::vector<vtkIdType> placed = this->GetBorderByPosition();
+  const std::vector<vtkIdType> placed = this->ByPosition(this->Border);
   const auto getPlace = [&](vtkIdType id) -> std::ptrdiff_t {
     return std::lower_bound(placed.begin(), placed.end(), id,
              [this](vtkIdType a, vtkIdType b) { return this->IsBefore(a, b); }) -
@@ -337,9 +354,11 @@ void vtkPointSplatFans::RemoveSeams()
   // Each edge is there twice, once for each of its ends.
   std::vector<Places> sorted = places;
   std::sort(sorted.begin(), sorted.end());
+  this->Seams.clear();
   std::size_t kept = 0, k = 0;
   for (std::size_t i = 0; i < this->Border.size(); ++i)
   {
+    const std::size_t first = k, keptBefore = kept;
     for (; k < this->FirstOfBorder[i + 1]; ++k)
     {
       const auto same = std::equal_range(sorted.begin(), sorted.end(), places[k]);
@@ -349,6 +368,10 @@ void vtkPointSplatFans::RemoveSeams()
       }
     }
     this->FirstOfBorder[i + 1] = kept;
+    if (kept - keptBefore < k - first)
+    {
+      this->Seams.push_back(this->Border[i]);
+    }
   }
   this->EdgesOfBorder.resize(kept);
 }
@@ -368,7 +391,7 @@ bool vtkPointSplatFans::AreAll(
 
 bool vtkPointSplatFans::IsSplit(const float* normals) const
 {
-  const std::vector<vtkIdType> border = this->GetBorderByPosition();
+  const std::vector<vtkIdType> border = this->ByPosition(this->Border);
   return std::adjacent_find(border.begin(), border.end(), [&](vtkIdType a, vtkIdType b) {
     return this->IsSamePlace(a, b) && vtkPointSplatCrease::Parts(normals + 3 * a, normals + 3 * b);
   }) != border.end();

@@ -9,10 +9,10 @@
  * for: which points are next to each other on the surface.
  *
  * 1. Polygons (as triangles with their first corner) and strips are read; cells that index
- *    points which are not there, or that take no part, are left out. Corners of one triangle, and points of the mesh's
- *    border, that have a place and about a normal in common are one point: the first of them takes part, and the others
- *    share its disk. Isosurfaces through a sample of their volume leave the former; the latter lie along the seams of
- *    textures, and are all that a mesh has whose triangles share no points.
+ *    points which are not there, or that take no part, are left out. Corners of one triangle, and ends of edges with both
+ *    ends in common, that have a place and about a normal in common are one point: the first of them takes part, and the
+ *    others share its disk. Isosurfaces through a sample of their volume leave the former; the latter lie along the seams
+ *    of textures, and are all that a mesh has whose triangles share no points.
  * 2. A vertex' neighbours are the other corners of its triangles, and for its curvature the
  *    nearest of those of their triangles, twelve together. Its plane, and which
  *    neighbours say how the surface bends, are found as for points without a mesh
@@ -76,12 +76,6 @@ public:
 
   /// The points with an edge that one triangle alone has, in order.
   const std::vector<vtkIdType>& GetBorder() const { return this->Border; }
-  /// The same, those in one place beside one another.
-  std::vector<vtkIdType> GetBorderByPosition() const;
-  bool IsSamePlace(vtkIdType a, vtkIdType b) const
-  {
-    return std::equal(this->GetPosition(a), this->GetPosition(a) + 3, this->GetPosition(b));
-  }
   /// The edges of the border at a point.
   struct BorderEdges
   {
@@ -151,13 +145,19 @@ public:
 
 private:
   void Add(vtkIdType a, vtkIdType b, vtkIdType c, const unsigned char* used);
-  void Unite(vtkIdType a, vtkIdType b, const float* normals);
+  bool Unite(vtkIdType a, vtkIdType b, const float* normals);
+  void Merge();
   void Arrange();
   void Sort(vtkIdType numberOfPoints);
   void GetSingleEdges(vtkIdType id, std::vector<BorderEdge>& edges) const;
   void FindBorder(vtkIdType numberOfPoints);
   void RemoveSeams();
   bool IsBefore(vtkIdType a, vtkIdType b) const;
+  bool IsSamePlace(vtkIdType a, vtkIdType b) const
+  {
+    return std::equal(this->GetPosition(a), this->GetPosition(a) + 3, this->GetPosition(b));
+  }
+  std::vector<vtkIdType> ByPosition(std::vector<vtkIdType> points) const;
 
   std::vector<double> Positions;    // 3 a point
   std::vector<vtkIdType> Corners;   // 3 a triangle, of points that take part
@@ -168,6 +168,7 @@ private:
   std::vector<vtkIdType> Border;          // points, in order
   std::vector<std::size_t> FirstOfBorder; // of these: where their edges begin in EdgesOfBorder
   std::vector<BorderEdge> EdgesOfBorder;
+  std::vector<vtkIdType> Seams;           // points of edges where the mesh goes on with points of its own
 };
 
 VTK_ABI_NAMESPACE_END

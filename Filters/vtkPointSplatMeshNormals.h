@@ -6,8 +6,7 @@
  *
  * An internal helper of vtkPointSplatEstimation. These are vtkPolyDataNormals', without splitting: the
  * mean of the normals of a vertex' triangles, which are turned the same way as those beside them
- * before. Points of the mesh's border that share a place are one vertex, as in meshes that have
- * corners of their own for each triangle, or on both sides of a texture's seam.
+ * before. Points that are one by vtkPointSplatFans have one normal.
  */
 #ifndef vtkPointSplatMeshNormals_h
 #define vtkPointSplatMeshNormals_h
