@@ -36,14 +36,7 @@ bool vtkPointSplatPasses::Reconstruct(
     image.Allocate(size);
   }
 
-  // Of the light behind a layer, at most this is left.
-  double most = 0.0;
-  for (const vtkPointSplatItem& item : request.Items)
-  {
-    const double least =
-      item.Cloud->HasColours() ? 0.0 : std::min(item.Opacities.x, item.Opacities.y);
-    most = std::max(most, 1.0 - least);
-  }
+  const double through = request.GetLightThrough();
   const int bound = request.MaximumLayers;
   int capacity = std::min(bound, std::max(FirstPassLayers, layers.GetCapacity()));
   int count = 0;
@@ -58,7 +51,7 @@ bool vtkPointSplatPasses::Reconstruct(
       {
         return false;
       }
-      remaining *= most;
+      remaining *= through;
     }
     count -= empty ? 1 : 0;
     fits = empty || capacity == bound || remaining < request.LeastContribution;

@@ -142,6 +142,31 @@ int vtkPointSplatRequest::GetMostLayers(vtkIdType room) const
 }
 
 //------------------------------------------------------------------------------
+double vtkPointSplatRequest::GetLightThrough() const
+{
+  double most = 0.0;
+  for (const vtkPointSplatItem& item : this->Items)
+  {
+    const double least =
+      item.Cloud->HasColours() ? 0.0 : std::min(item.Opacities.x, item.Opacities.y);
+    most = std::max(most, 1.0 - least);
+  }
+  return most;
+}
+
+//------------------------------------------------------------------------------
+int vtkPointSplatRequest::GetLayersThatCount() const
+{
+  const double through = this->GetLightThrough();
+  int count = 0;
+  for (double light = 1.0; light >= this->LeastContribution && count < this->MaximumLayers; ++count)
+  {
+    light *= through;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
 double vtkPointSplatRequest::GetVoronoiScale() const
 {
   double layer = 0.0;

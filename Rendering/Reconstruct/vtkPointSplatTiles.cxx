@@ -19,8 +19,9 @@ namespace
 constexpr size_t MostEntries = size_t(1) << 25;
 // The last word of the summary of a tile in which nothing is (vtkPointSplatTileSummary.glsl).
 constexpr GLuint EmptyTile = 0xffffu;
-// Room for layers before it is known how many there are.
-constexpr int FirstTileLayers = 8;
+// Room for layers before it is known how many there are. Where there is too little the frame is drawn again,
+// which graphics cards do in no time, and have less memory for room that nobody needs.
+constexpr int FirstTileLayers[2] = { 12, 8 }; // of the processor, and of a card
 
 /// Pixels that an invocation has, or shares with others.
 std::string SizeDefines(const glm::ivec2& size, int lanes)
@@ -420,7 +421,9 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::Reconstruct(const vtkPointSplatRe
     texels / std::max(variant.Looks, 1) /
     (static_cast<vtkIdType>(request.View.Size.x) * request.View.Size.y));
   this->Items.Upload(request.Items, request.View);
-  int capacity = std::min(request.MaximumLayers, std::max(FirstTileLayers, layers.GetCapacity()));
+  int capacity = std::max(layers.GetCapacity(),
+    std::min(FirstTileLayers[request.OnDevice ? 1 : 0], request.GetLayersThatCount()));
+  capacity = std::min(capacity, request.MaximumLayers);
   Result result = Made;
   for (bool fits = false; !fits && result == Made;)
   {
