@@ -91,7 +91,6 @@ void vtkPointSplatEstimates::ReadMesh()
   float* n = this->GetNormal(vtkIdType(0));
   vtkPolyData* mesh = vtkPolyData::SafeDownCast(this->Input);
   const vtkIdType bad = mesh ? this->Fans.Read(mesh, this->Used.data()) : 0;
-  this->Fans.Join(n);
   if (!this->Fans.IsEmpty() && vtkPointSplatMeshNormals::Complete(this->Fans, n))
   {
     this->Given = true;

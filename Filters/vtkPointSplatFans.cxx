@@ -171,7 +171,7 @@ bool vtkPointSplatFans::Unite(vtkIdType a, vtkIdType b, const float* normals)
   return true;
 }
 
-void vtkPointSplatFans::Join(const float* normals)
+bool vtkPointSplatFans::Join(const float* normals)
 {
   bool any = false;
   for (std::size_t i = 0; i < this->Corners.size(); ++i)
@@ -184,15 +184,35 @@ void vtkPointSplatFans::Join(const float* normals)
   }
   // Not all of the border's: where it comes by a place twice it stays two borders.
   const std::vector<vtkIdType> seams = this->ByPosition(this->Seams);
-  any = false;
-  for (std::size_t i = 1; i < seams.size(); ++i)
+  std::vector<vtkIdType> apart; // of one place, those that no other one was united with before
+  bool anyOfSeams = false;
+  for (const vtkIdType id : seams)
   {
-    any = this->Unite(seams[i - 1], seams[i], normals) || any;
+    if (!apart.empty() && !this->IsSamePlace(apart.front(), id))
+    {
+      apart.clear();
+    }
+    if (std::any_of(apart.begin(), apart.end(),
+          [&](vtkIdType other) { return this->Unite(other, id, normals); }))
+    {
+      anyOfSeams = true;
+    }
+    else
+    {
+      apart.push_back(id);
+    }
   }
-  if (any)
+  if (anyOfSeams)
   {
     this->Merge();
   }
+  return any || anyOfSeams;
+}
+
+bool vtkPointSplatFans::AreApart() const
+{
+  return std::all_of(this->Seams.begin(), this->Seams.end(),
+    [this](vtkIdType id) { return this->GetNumberOfTriangles(id) == 1; });
 }
 
 /// Takes for corners what takes part for them, and leaves out triangles that have no area by that.

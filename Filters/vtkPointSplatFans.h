@@ -46,8 +46,10 @@ public:
   vtkIdType Read(vtkPolyData* mesh, const unsigned char* used);
 
   /// Makes one of points in one place, and leaves out triangles that have no area by that. normals: 3 floats a point,
-  /// unit length or 0.
-  void Join(const float* normals);
+  /// unit length or 0. Returns whether there were any.
+  bool Join(const float* normals);
+  /// Whether triangles have points of their own, wherever they meet.
+  bool AreApart() const;
 
   /// Takes over triangles between points, 3 coordinates each; same: GetSame() of each, or empty.
   void Take(

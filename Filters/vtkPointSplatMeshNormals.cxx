@@ -39,20 +39,11 @@ vtkSmartPointer<vtkPolyData> MakeMesh(const vtkPointSplatFans& fans)
   mesh->SetPolys(polygons);
   return mesh;
 }
-}
 
-bool vtkPointSplatMeshNormals::Complete(const vtkPointSplatFans& fans, float* normals)
+/// Sets some points' normals to those of their triangles, where these have one; returns whether any has.
+bool Find(const vtkPointSplatFans& fans, const std::vector<vtkIdType>& ids, float* normals)
 {
-  std::vector<vtkIdType> missing;
-  for (vtkIdType id = 0; id < fans.GetNumberOfPoints(); ++id)
-  {
-    const float* n = normals + 3 * id;
-    if (n[0] == 0 && n[1] == 0 && n[2] == 0 && fans.Has(id))
-    {
-      missing.push_back(id);
-    }
-  }
-  if (missing.empty())
+  if (ids.empty() || fans.IsEmpty())
   {
     return false;
   }
@@ -62,7 +53,7 @@ bool vtkPointSplatMeshNormals::Complete(const vtkPointSplatFans& fans, float* no
   filter->Update();
   vtkDataArray* found = filter->GetOutput()->GetPointData()->GetNormals();
   bool any = false;
-  for (const vtkIdType id : missing)
+  for (const vtkIdType id : ids)
   {
     double n[3];
     found->GetTuple(fans.GetSame(id), n);
@@ -74,6 +65,23 @@ bool vtkPointSplatMeshNormals::Complete(const vtkPointSplatFans& fans, float* no
     }
   }
   return any;
+}
+}
+
+bool vtkPointSplatMeshNormals::Complete(vtkPointSplatFans& fans, float* normals)
+{
+  std::vector<vtkIdType> missing;
+  for (vtkIdType id = 0; id < fans.GetNumberOfPoints(); ++id)
+  {
+    const float* n = normals + 3 * id;
+    if (n[0] == 0 && n[1] == 0 && n[2] == 0 && fans.Has(id))
+    {
+      missing.push_back(id);
+    }
+  }
+  const bool any = !fans.AreApart() && Find(fans, missing, normals);
+  const bool joined = fans.Join(normals);
+  return any && !joined ? any : Find(fans, missing, normals) || any;
 }
 
 VTK_ABI_NAMESPACE_END

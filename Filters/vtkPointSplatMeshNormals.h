@@ -6,7 +6,8 @@
  *
  * An internal helper of vtkPointSplatEstimation. These are vtkPolyDataNormals', without splitting: the
  * mean of the normals of a vertex' triangles, which are turned the same way as those beside them
- * before. Points that are one by vtkPointSplatFans have one normal.
+ * before. Points that are one have one normal: where a mesh is made of pieces, as of the sides of a
+ * body, the pieces' normals tell whether they are; where each triangle has points of its own, they are.
  */
 #ifndef vtkPointSplatMeshNormals_h
 #define vtkPointSplatMeshNormals_h
@@ -20,8 +21,9 @@ class vtkPointSplatFans;
 class vtkPointSplatMeshNormals
 {
 public:
-  /// Sets normals (3 floats a point, unit length) of triangles' corners that have 0 there. Returns whether it set any.
-  static bool Complete(const vtkPointSplatFans& fans, float* normals);
+  /// Joins the mesh, after setting normals (3 floats a point, unit length) of triangles' corners that have 0 there.
+  /// Returns whether it set any.
+  static bool Complete(vtkPointSplatFans& fans, float* normals);
 };
 
 VTK_ABI_NAMESPACE_END

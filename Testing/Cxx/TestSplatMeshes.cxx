@@ -1,25 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
-// That vtkPointSplatEstimation takes sizes, curvature and missing normals from a mesh's triangles where there
-// are such, whatever the cells index.
-#include "Expect.h"
+// That vtkPointSplatEstimation takes sizes and curvature from a mesh's triangles where there are such,
+// whatever the cells index.
+#include "MeshScene.h"
 
-#include "vtkCallbackCommand.h"
-#include "vtkCellArray.h"
 #include "vtkClipPolyData.h"
-#include "vtkFloatArray.h"
-#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMath.h"
-#include "vtkNew.h"
 #include "vtkPlane.h"
-#include "vtkPointData.h"
-#include "vtkPointSplatArrays.h"
-#include "vtkPointSplatEstimation.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
-#include "vtkSphereSource.h"
 #include "vtkTransform.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -29,96 +17,7 @@
 
 namespace
 {
-vtkFloatArray* Array(vtkPolyData* data, const char* name)
-{
-  return vtkFloatArray::SafeDownCast(data->GetPointData()->GetArray(name));
-}
-
-/// The estimation of a data set, and how often it warned.
-struct Estimated
-{
-  vtkNew<vtkPointSplatEstimation> Filter;
-  int Warnings = 0;
-
-  explicit Estimated(vtkPolyData* data)
-  {
-    vtkNew<vtkCallbackCommand> count;
-    count->SetClientData(&this->Warnings);
-    count->SetCallback([](vtkObject*, unsigned long, void* warnings, void*) {
-      ++*static_cast<int*>(warnings);
-    });
-    this->Filter->AddObserver(vtkCommand::WarningEvent, count);
-    this->Filter->SetInputData(data);
-    this->Filter->Update();
-  }
-  float Radius(vtkIdType id)
-  {
-    return Array(this->Filter->GetOutput(), vtkPointSplatArrays::Radius)->GetValue(id);
-  }
-};
-
-vtkSmartPointer<vtkPolyData> MakeSphere(double radius)
-{
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetRadius(radius);
-  sphere->SetThetaResolution(48);
-  sphere->SetPhiResolution(32);
-  sphere->Update();
-  return sphere->GetOutput();
-}
-
-/// A square of n x n points in the plane z, its normals up or down, its triangles' edges from 1.
-void AddSquare(vtkPolyData* data, int n, double z, double side)
-{
-  const vtkIdType first = data->GetNumberOfPoints();
-  for (int j = 0; j < n; ++j)
-  {
-    for (int i = 0; i < n; ++i)
-    {
-      data->GetPoints()->InsertNextPoint(i, j, z);
-      data->GetPointData()->GetNormals()->InsertNextTuple3(0, 0, side);
-    }
-  }
-  for (int j = 0; j + 1 < n; ++j)
-  {
-    for (int i = 0; i + 1 < n; ++i)
-    {
-      const vtkIdType a = first + i + n * j;
-      const vtkIdType quad[4] = { a, a + 1, a + n + 1, a + n };
-      data->GetPolys()->InsertNextCell(4, quad);
-    }
-  }
-}
-
-/// Makes a data set's cells anew of those that change(cell, ids), which may change them, says to keep.
-template <typename Change>
-void ChangeCells(vtkPolyData* data, const Change& change)
-{
-  vtkNew<vtkCellArray> changed;
-  for (vtkIdType cell = 0; cell < data->GetNumberOfPolys(); ++cell)
-  {
-    vtkNew<vtkIdList> ids;
-    data->GetPolys()->GetCellAtId(cell, ids);
-    if (change(cell, ids))
-    {
-      changed->InsertNextCell(ids);
-    }
-  }
-  data->SetPolys(changed);
-}
-
-vtkSmartPointer<vtkPolyData> MakeEmpty()
-{
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkFloatArray> normals;
-  normals->SetNumberOfComponents(3);
-  vtkNew<vtkCellArray> cells;
-  data->SetPoints(points);
-  data->GetPointData()->SetNormals(normals);
-  data->SetPolys(cells);
-  return data;
-}
+using namespace MeshScene;
 
 void TestSphere()
 {
@@ -316,98 +215,6 @@ void TestJoined()
   }
 }
 
-/// A mesh with points of its own for each triangle.
-vtkSmartPointer<vtkPolyData> MakeSoup(vtkPolyData* mesh)
-{
-  vtkSmartPointer<vtkPolyData> soup = MakeEmpty();
-  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
-  {
-    vtkNew<vtkIdList> ids;
-    mesh->GetCellPoints(cell, ids);
-    soup->GetPolys()->InsertNextCell(3);
-    for (vtkIdType k = 0; k < 3; ++k)
-    {
-      soup->GetPointData()->GetNormals()->InsertNextTuple(
-        mesh->GetPointData()->GetNormals()->GetTuple(ids->GetId(k)));
-      soup->GetPolys()->InsertCellPoint(soup->GetPoints()->InsertNextPoint(mesh->GetPoint(ids->GetId(k))));
-    }
-  }
-  return soup;
-}
-
-/// How many normals are off those of a sphere about the origin by more than 3 degrees.
-int CountOff(Estimated& estimated)
-{
-  vtkPolyData* splats = estimated.Filter->GetOutput();
-  int off = 0;
-  for (vtkIdType id = 0; id < splats->GetNumberOfPoints(); ++id)
-  {
-    double x[3], n[3];
-    splats->GetPoint(id, x);
-    splats->GetPointData()->GetNormals()->GetTuple(id, n);
-    off += !(vtkMath::Dot(x, n) > std::cos(vtkMath::RadiansFromDegrees(3.0)) * vtkMath::Norm(x));
-  }
-  return off;
-}
-
-/// Triangles tell the normals that a mesh does not have, and on which side these are.
-void TestNormals()
-{
-  vtkSmartPointer<vtkPolyData> sphere = MakeSphere(5);
-  Estimated given(sphere);
-  vtkSmartPointer<vtkPolyData> soup = MakeSoup(sphere);
-  Estimated joined(soup);
-  vtkNew<vtkPolyData> flipped;
-  flipped->DeepCopy(sphere);
-  ChangeCells(flipped, [](vtkIdType cell, vtkIdList* ids) {
-    if (cell % 3 == 1)
-    {
-      const vtkIdType first = ids->GetId(0);
-      ids->SetId(0, ids->GetId(2));
-      ids->SetId(2, first);
-    }
-    return true;
-  });
-  for (vtkPolyData* mesh : { sphere.Get(), soup.Get(), flipped.Get() })
-  {
-    vtkNew<vtkPolyData> bare;
-    bare->ShallowCopy(mesh);
-    bare->GetPointData()->SetNormals(nullptr);
-    Estimated found(bare);
-    Expect(CountOff(found) == 0, std::to_string(CountOff(found)) + " normals from triangles are off");
-    Estimated ellipses(bare);
-    ellipses.Filter->SetShapeToElliptical();
-    ellipses.Filter->Update();
-    Expect(CountOff(ellipses) == 0, std::to_string(CountOff(ellipses)) + " normals of ellipses are off");
-    Estimated& same = mesh == soup ? joined : given;
-    for (vtkIdType id = 0; id < mesh->GetNumberOfPoints(); ++id)
-    {
-      AtMost(std::abs(found.Radius(id) / same.Radius(id) - 1), 0.01, "radius of point " + std::to_string(id));
-    }
-  }
-  // The first corner of each triangle of the soup, against the sphere's own points.
-  for (vtkIdType cell = 0; cell < sphere->GetNumberOfCells(); ++cell)
-  {
-    vtkNew<vtkIdList> ids;
-    sphere->GetCellPoints(cell, ids);
-    AtMost(std::abs(joined.Radius(3 * cell) / given.Radius(ids->GetId(0)) - 1), 0.01,
-      "the radius of triangle " + std::to_string(cell) + "'s corner");
-  }
-
-  // Normals that are given stay; of sheets that lie close to one another no search would tell the others.
-  vtkSmartPointer<vtkPolyData> sheets = MakeEmpty();
-  AddSquare(sheets, 20, 0, 0);
-  AddSquare(sheets, 20, 0.01, 0);
-  sheets->GetPointData()->GetNormals()->SetTuple3(7, 0, 0, -1);
-  Estimated completed(sheets);
-  vtkDataArray* normals = completed.Filter->GetOutput()->GetPointData()->GetNormals();
-  for (vtkIdType id = 0; id < 800; ++id)
-  {
-    AtMost(std::abs(normals->GetComponent(id, 2) - (id == 7 ? -1 : 1)), 1e-6,
-      "the normal of point " + std::to_string(id));
-  }
-}
-
 /// How far disks, so many times as large, of a mesh in the plane z reach past x = 0, where it ends.
 double GetFarthest(Estimated& estimated, double times = 1)
 {
@@ -580,7 +387,6 @@ int TestSplatMeshes(int, char*[])
   TestBadCells();
   TestMixed();
   TestJoined();
-  TestNormals();
   TestBorders();
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
