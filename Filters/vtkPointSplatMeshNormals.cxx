@@ -81,7 +81,7 @@ bool vtkPointSplatMeshNormals::Complete(vtkPointSplatFans& fans, float* normals)
   }
   const bool any = !fans.AreApart() && Find(fans, missing, normals);
   const bool joined = fans.Join(normals);
-  return any && !joined ? any : Find(fans, missing, normals) || any;
+  return (any && !joined) || Find(fans, missing, normals) || any;
 }
 
 VTK_ABI_NAMESPACE_END
