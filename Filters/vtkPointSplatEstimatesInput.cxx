@@ -90,7 +90,9 @@ void vtkPointSplatEstimates::ReadMesh()
 {
   float* n = this->GetNormal(vtkIdType(0));
   vtkPolyData* mesh = vtkPolyData::SafeDownCast(this->Input);
-  const vtkIdType bad = mesh ? this->Fans.Read(mesh, this->Used.data()) : 0;
+  // Ellipses have triangles' normals, and nothing else of them.
+  const vtkIdType bad =
+    mesh && !(this->Elliptical && this->Given) ? this->Fans.Read(mesh, this->Used.data()) : 0;
   if (!this->Fans.IsEmpty() && vtkPointSplatMeshNormals::Complete(this->Fans, n))
   {
     this->Given = true;

@@ -121,7 +121,7 @@ vtkIdType vtkPointSplatFans::Read(vtkPolyData* mesh, const unsigned char* used)
   if (!this->IsEmpty())
   {
     this->Positions = vtkPointSplatInput::ReadPositions(mesh->GetPoints()->GetData());
-    this->Arrange();
+    this->Sort();
   }
   return bad;
 }
@@ -133,13 +133,8 @@ void vtkPointSplatFans::Take(
   this->Corners = std::move(corners);
   this->Same = std::move(same);
   this->Positions = std::move(positions);
-  this->Arrange();
-}
-
-void vtkPointSplatFans::Arrange()
-{
-  this->Sort(this->GetNumberOfPoints());
-  this->FindBorder(this->GetNumberOfPoints());
+  this->Sort();
+  this->FindBorder();
 }
 
 /// Makes one of two points, if they share their place, and their normal or have none, as is returned.
@@ -173,7 +168,7 @@ bool vtkPointSplatFans::Unite(vtkIdType a, vtkIdType b, const float* normals)
 
 bool vtkPointSplatFans::Join(const float* normals)
 {
-  bool any = false;
+  bool any = false, anyOfSeams = false;
   for (std::size_t i = 0; i < this->Corners.size(); ++i)
   {
     any = this->Unite(this->Corners[i], this->Corners[i % 3 < 2 ? i + 1 : i - 2], normals) || any;
@@ -182,10 +177,10 @@ bool vtkPointSplatFans::Join(const float* normals)
   {
     this->Merge();
   }
+  this->FindBorder();
   // Not all of the border's: where it comes by a place twice it stays two borders.
   const std::vector<vtkIdType> seams = this->ByPosition(this->Seams);
   std::vector<vtkIdType> apart; // of one place, those that no other one was united with before
-  bool anyOfSeams = false;
   for (const vtkIdType id : seams)
   {
     if (!apart.empty() && !this->IsSamePlace(apart.front(), id))
@@ -205,14 +200,16 @@ bool vtkPointSplatFans::Join(const float* normals)
   if (anyOfSeams)
   {
     this->Merge();
+    this->FindBorder();
   }
   return any || anyOfSeams;
 }
 
 bool vtkPointSplatFans::AreApart() const
 {
-  return std::all_of(this->Seams.begin(), this->Seams.end(),
-    [this](vtkIdType id) { return this->GetNumberOfTriangles(id) == 1; });
+  return std::adjacent_find(this->First.begin(), this->First.end(), [](vtkIdType first, vtkIdType next) {
+    return next - first > 1;
+  }) == this->First.end();
 }
 
 /// Takes for corners what takes part for them, and leaves out triangles that have no area by that.
@@ -239,12 +236,13 @@ void vtkPointSplatFans::Merge()
     }
   }
   this->Corners.resize(kept);
-  this->Arrange();
+  this->Sort();
 }
 
 /// Lists each point's triangles, in the order in which they were read.
-void vtkPointSplatFans::Sort(vtkIdType numberOfPoints)
+void vtkPointSplatFans::Sort()
 {
+  const vtkIdType numberOfPoints = this->GetNumberOfPoints();
   this->First.assign(numberOfPoints + 1, 0);
   for (const vtkIdType id : this->Corners)
   {
@@ -294,8 +292,9 @@ void vtkPointSplatFans::GetSingleEdges(vtkIdType id, std::vector<BorderEdge>& ed
   edges.resize(kept);
 }
 
-void vtkPointSplatFans::FindBorder(vtkIdType numberOfPoints)
+void vtkPointSplatFans::FindBorder()
 {
+  const vtkIdType numberOfPoints = this->GetNumberOfPoints();
   std::vector<unsigned char> atBorder(numberOfPoints, 0);
   vtkSMPThreadLocal<std::vector<BorderEdge>> scratch;
   vtkSMPTools::For(0, numberOfPoints, [&](vtkIdType begin, vtkIdType end) {

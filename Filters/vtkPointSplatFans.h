@@ -45,10 +45,10 @@ public:
    */
   vtkIdType Read(vtkPolyData* mesh, const unsigned char* used);
 
-  /// Makes one of points in one place, and leaves out triangles that have no area by that. normals: 3 floats a point,
-  /// unit length or 0. Returns whether there were any.
+  /// Makes one of points in one place, leaves out triangles that have no area by that, and finds the border. normals: 3
+  /// floats a point, unit length or 0. Returns whether any were joined.
   bool Join(const float* normals);
-  /// Whether triangles have points of their own, wherever they meet.
+  /// Whether all triangles have points of their own.
   bool AreApart() const;
 
   /// Takes over triangles between points, 3 coordinates each; same: GetSame() of each, or empty.
@@ -149,10 +149,9 @@ private:
   void Add(vtkIdType a, vtkIdType b, vtkIdType c, const unsigned char* used);
   bool Unite(vtkIdType a, vtkIdType b, const float* normals);
   void Merge();
-  void Arrange();
-  void Sort(vtkIdType numberOfPoints);
+  void Sort();
   void GetSingleEdges(vtkIdType id, std::vector<BorderEdge>& edges) const;
-  void FindBorder(vtkIdType numberOfPoints);
+  void FindBorder();
   void RemoveSeams();
   bool IsBefore(vtkIdType a, vtkIdType b) const;
   bool IsSamePlace(vtkIdType a, vtkIdType b) const
