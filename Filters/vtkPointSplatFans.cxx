@@ -137,15 +137,14 @@ void vtkPointSplatFans::Take(
   this->FindBorder();
 }
 
-/// Makes one of two points, if they share their place, and their normal or have none, as is returned.
+/// Makes one of two points, if they share their place, and their normal or have none, as is returned. At edges as sharp
+/// as a wing's trailing one normals are nearly opposite.
 bool vtkPointSplatFans::Unite(vtkIdType a, vtkIdType b, const float* normals)
 {
-  const auto hasNormal = [normals](vtkIdType id) {
-    return vtkMath::Dot(normals + 3 * id, normals + 3 * id) > 0;
-  };
+  const float *n = normals + 3 * a, *m = normals + 3 * b;
+  const bool both = vtkMath::Dot(n, n) > 0 && vtkMath::Dot(m, m) > 0;
   if (!this->IsSamePlace(a, b) ||
-    (hasNormal(a) && hasNormal(b) &&
-      vtkPointSplatCrease::Parts(normals + 3 * a, normals + 3 * b)))
+    (both && (vtkMath::Dot(n, m) < 0 || vtkPointSplatCrease::Parts(n, m))))
   {
     return false;
   }

@@ -111,6 +111,39 @@ void TestPieces()
       "the normal of a piece's point " + std::to_string(id));
   }
 }
+
+/// Two squares that meet at an edge of 10 degrees, as a wing's sides do: their normals are nearly opposite.
+void TestSharpEdge()
+{
+  vtkSmartPointer<vtkPolyData> wedge = MakeEmpty();
+  AddSquare(wedge, 20, 0, 0);
+  AddSquare(wedge, 20, 0, 0);
+  const double slope = std::tan(vtkMath::RadiansFromDegrees(10.0));
+  for (vtkIdType id = 400; id < 800; ++id)
+  {
+    double x[3];
+    wedge->GetPoint(id, x);
+    wedge->GetPoints()->SetPoint(id, x[0], x[1], -slope * x[0]);
+  }
+  ChangeCells(wedge, [](vtkIdType, vtkIdList* ids) {
+    for (vtkIdType k = 0; k < 2 && ids->GetId(0) >= 400; ++k)
+    {
+      const vtkIdType first = ids->GetId(k);
+      ids->SetId(k, ids->GetId(3 - k));
+      ids->SetId(3 - k, first);
+    }
+    return true;
+  });
+  wedge->GetPointData()->SetNormals(nullptr);
+  Estimated estimated(wedge);
+  vtkDataArray* normals = estimated.Filter->GetOutput()->GetPointData()->GetNormals();
+  for (vtkIdType id = 0; id < 800; ++id)
+  {
+    const double across = normals->GetComponent(id, 2) + (id < 400 ? 0 : slope) * normals->GetComponent(id, 0);
+    AtMost(1 - std::abs(across) / (id < 400 ? 1 : std::sqrt(1 + slope * slope)), 1e-5,
+      "the normal of a wedge's point " + std::to_string(id));
+  }
+}
 }
 
 int TestSplatMeshNormals(int, char*[])
@@ -118,5 +151,6 @@ int TestSplatMeshNormals(int, char*[])
   TestSpheres();
   TestNearSheets();
   TestPieces();
+  TestSharpEdge();
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
