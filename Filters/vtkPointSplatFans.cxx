@@ -178,9 +178,8 @@ bool vtkPointSplatFans::Join(const float* normals)
   }
   this->FindBorder();
   // Not all of the border's: where it comes by a place twice it stays two borders.
-  const std::vector<vtkIdType> seams = this->ByPosition(this->Seams);
   std::vector<vtkIdType> apart; // of one place, those that no other one was united with before
-  for (const vtkIdType id : seams)
+  for (const vtkIdType id : this->FindSeams())
   {
     if (!apart.empty() && !this->IsSamePlace(apart.front(), id))
     {
@@ -318,7 +317,6 @@ void vtkPointSplatFans::FindBorder()
       this->FirstOfBorder.push_back(this->EdgesOfBorder.size());
     }
   }
-  this->RemoveSeams();
 }
 
 vtkPointSplatFans::BorderEdges vtkPointSplatFans::GetBorderEdges(vtkIdType id) const
@@ -340,19 +338,13 @@ bool vtkPointSplatFans::IsBefore(vtkIdType a, vtkIdType b) const
   return std::lexicographical_compare(x, x + 3, y, y + 3);
 }
 
-/// Points in an order in which those in one place are beside one another.
-std::vector<vtkIdType> vtkPointSplatFans::ByPosition(std::vector<vtkIdType> points) const
-{
-  std::sort(points.begin(), points.end(),
-    [this](vtkIdType a, vtkIdType b) { return this->IsBefore(a, b); });
-  return points;
-}
-
-/// Of the border's edges, removes those that have both ends where another one has its.
-void vtkPointSplatFans::RemoveSeams()
+/// The ends of those of the border's edges that have both ends where another one has its, in the order of positions.
+std::vector<vtkIdType> vtkPointSplatFans::FindSeams() const
 {
   // Points in one place have the first one's number in the order of positions.
-  const std::vector<vtkIdType> placed = this->ByPosition(this->Border);
+  std::vector<vtkIdType> placed = this->Border;
+  std::sort(placed.begin(), placed.end(),
+    [this](vtkIdType a, vtkIdType b) { return this->IsBefore(a, b); });
   const auto getPlace = [&](vtkIdType id) -> std::ptrdiff_t {
     return std::lower_bound(placed.begin(), placed.end(), id,
              [this](vtkIdType a, vtkIdType b) { return this->IsBefore(a, b); }) -
@@ -372,26 +364,24 @@ void vtkPointSplatFans::RemoveSeams()
   // Each edge is there twice, once for each of its ends.
   std::vector<Places> sorted = places;
   std::sort(sorted.begin(), sorted.end());
-  this->Seams.clear();
-  std::size_t kept = 0, k = 0;
+  std::vector<vtkIdType> seams;
+  std::size_t k = 0;
   for (std::size_t i = 0; i < this->Border.size(); ++i)
   {
-    const std::size_t first = k, keptBefore = kept;
+    bool seam = false;
     for (; k < this->FirstOfBorder[i + 1]; ++k)
     {
       const auto same = std::equal_range(sorted.begin(), sorted.end(), places[k]);
-      if (same.second - same.first <= 2)
-      {
-        this->EdgesOfBorder[kept++] = this->EdgesOfBorder[k];
-      }
+      seam = seam || same.second - same.first > 2;
     }
-    this->FirstOfBorder[i + 1] = kept;
-    if (kept - keptBefore < k - first)
+    if (seam)
     {
-      this->Seams.push_back(this->Border[i]);
+      seams.push_back(this->Border[i]);
     }
   }
-  this->EdgesOfBorder.resize(kept);
+  std::sort(seams.begin(), seams.end(),
+    [this](vtkIdType a, vtkIdType b) { return this->IsBefore(a, b); });
+  return seams;
 }
 
 bool vtkPointSplatFans::AreAll(
@@ -405,14 +395,6 @@ bool vtkPointSplatFans::AreAll(
     all = !used[id] || (this->Has(static_cast<vtkIdType>(id)) && hasNormal);
   }
   return all;
-}
-
-bool vtkPointSplatFans::IsSplit(const float* normals) const
-{
-  const std::vector<vtkIdType> border = this->ByPosition(this->Border);
-  return std::adjacent_find(border.begin(), border.end(), [&](vtkIdType a, vtkIdType b) {
-    return this->IsSamePlace(a, b) && vtkPointSplatCrease::Parts(normals + 3 * a, normals + 3 * b);
-  }) != border.end();
 }
 
 vtkPointSplatFans::Disk vtkPointSplatFans::GetDisk(vtkIdType id, const float* normals) const
