@@ -111,8 +111,7 @@
  *    degenerate triangles of an isosurface leave some, say nothing of the others while most have one.
  *    *Borders*: where the sampling is as regular as a mesh's vertices, all over or from one point to the next, the surface ends between the
  *    points that its outline and its holes go through, and lines through these clip their splats, and
- *    those beside that would reach over (vtkPointSplatBorders.h). A mesh ends at edges that one triangle alone has, and so
- *    does each of its faces where it was split between them. Random samplings
+ *    those beside that would reach over (vtkPointSplatBorders.h). A mesh ends at edges that one triangle alone has. Random samplings
  *    end somewhere between their last points and the surface's border: there a line a little past the
  *    outermost of them clips all splats that reach over it. Where IsNoisy(), borders are not looked for.
  *    On tubes whose rings of points are farther apart than the tube is wide two lines clip disks beside the axis, which else would leave it.

@@ -178,8 +178,9 @@ bool vtkPointSplatFans::Join(const float* normals)
   }
   this->FindBorder();
   // Not all of the border's: where it comes by a place twice it stays two borders.
+  const std::vector<vtkIdType> seams = this->ByPosition(this->Seams);
   std::vector<vtkIdType> apart; // of one place, those that no other one was united with before
-  for (const vtkIdType id : this->FindSeams())
+  for (const vtkIdType id : seams)
   {
     if (!apart.empty() && !this->IsSamePlace(apart.front(), id))
     {
@@ -317,6 +318,7 @@ void vtkPointSplatFans::FindBorder()
       this->FirstOfBorder.push_back(this->EdgesOfBorder.size());
     }
   }
+  this->RemoveSeams();
 }
 
 vtkPointSplatFans::BorderEdges vtkPointSplatFans::GetBorderEdges(vtkIdType id) const
@@ -338,13 +340,19 @@ bool vtkPointSplatFans::IsBefore(vtkIdType a, vtkIdType b) const
   return std::lexicographical_compare(x, x + 3, y, y + 3);
 }
 
-/// The ends of those of the border's edges that have both ends where another one has its, in the order of positions.
-std::vector<vtkIdType> vtkPointSplatFans::FindSeams() const
+/// Points in an order in which those in one place are beside one another.
+std::vector<vtkIdType> vtkPointSplatFans::ByPosition(std::vector<vtkIdType> points) const
+{
+  std::sort(points.begin(), points.end(),
+    [this](vtkIdType a, vtkIdType b) { return this->IsBefore(a, b); });
+  return points;
+}
+
+/// Of the border's edges, removes those that have both ends where another one has its.
+void vtkPointSplatFans::RemoveSeams()
 {
   // Points in one place have the first one's number in the order of positions.
-  std::vector<vtkIdType> placed = this->Border;
-  std::sort(placed.begin(), placed.end(),
-    [this](vtkIdType a, vtkIdType b) { return this->IsBefore(a, b); });
+  const std::vector<vtkIdType> placed = this->ByPosition(this->Border);
   const auto getPlace = [&](vtkIdType id) -> std::ptrdiff_t {
     return std::lower_bound(placed.begin(), placed.end(), id,
              [this](vtkIdType a, vtkIdType b) { return this->IsBefore(a, b); }) -
@@ -364,24 +372,26 @@ std::vector<vtkIdType> vtkPointSplatFans::FindSeams() const
   // Each edge is there twice, once for each of its ends.
   std::vector<Places> sorted = places;
   std::sort(sorted.begin(), sorted.end());
-  std::vector<vtkIdType> seams;
-  std::size_t k = 0;
+  this->Seams.clear();
+  std::size_t kept = 0, k = 0;
   for (std::size_t i = 0; i < this->Border.size(); ++i)
   {
-    bool seam = false;
+    const std::size_t first = k, keptBefore = kept;
     for (; k < this->FirstOfBorder[i + 1]; ++k)
     {
       const auto same = std::equal_range(sorted.begin(), sorted.end(), places[k]);
-      seam = seam || same.second - same.first > 2;
+      if (same.second - same.first <= 2)
+      {
+        this->EdgesOfBorder[kept++] = this->EdgesOfBorder[k];
+      }
     }
-    if (seam)
+    this->FirstOfBorder[i + 1] = kept;
+    if (kept - keptBefore < k - first)
     {
-      seams.push_back(this->Border[i]);
+      this->Seams.push_back(this->Border[i]);
     }
   }
-  std::sort(seams.begin(), seams.end(),
-    [this](vtkIdType a, vtkIdType b) { return this->IsBefore(a, b); });
-  return seams;
+  this->EdgesOfBorder.resize(kept);
 }
 
 bool vtkPointSplatFans::AreAll(
@@ -395,6 +405,14 @@ bool vtkPointSplatFans::AreAll(
     all = !used[id] || (this->Has(static_cast<vtkIdType>(id)) && hasNormal);
   }
   return all;
+}
+
+bool vtkPointSplatFans::IsSplit(const float* normals) const
+{
+  const std::vector<vtkIdType> border = this->ByPosition(this->Border);
+  return std::adjacent_find(border.begin(), border.end(), [&](vtkIdType a, vtkIdType b) {
+    return this->IsSamePlace(a, b) && vtkPointSplatCrease::Parts(normals + 3 * a, normals + 3 * b);
+  }) != border.end();
 }
 
 vtkPointSplatFans::Disk vtkPointSplatFans::GetDisk(vtkIdType id, const float* normals) const

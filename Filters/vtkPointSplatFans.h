@@ -20,8 +20,8 @@
  * 3. The radius is LengthPerEdge of the mean distance of these neighbours, and at least
  *    LengthPerReach of what covering each triangle by its three disks together asks for
  *    (vtkPointSplatDisk::GetSquaredReach): blending kernels reach farther than disks do.
- * 4. Edges that belong to one triangle alone are the mesh's border. So are those at which it was split,
- *    as vtkPolyDataNormals splits it at creases: there each face ends, and the next one begins with points of its own.
+ * 4. Edges that belong to one triangle alone are the mesh's border, but for those that have both ends
+ *    where another such edge has them: there the mesh goes on, with points of its own.
  */
 #ifndef vtkPointSplatFans_h
 #define vtkPointSplatFans_h
@@ -61,6 +61,13 @@ public:
   /// Whether all points with used[id] not 0 are triangles' corners and have a normal (3 floats a
   /// point, 0 where there is none), and there are any triangles.
   bool AreAll(const std::vector<unsigned char>& used, const float* normals) const;
+
+  /**
+   * Whether the mesh was split at its creases, as vtkPolyDataNormals does: points at its borders have a
+   * position, but not a normal, in common. Then disks have to end at lines, which triangles around
+   * single points do not tell. normals: 3 floats a point, unit length or 0.
+   */
+  bool IsSplit(const float* normals) const;
 
   /// An edge of the border at a point.
   struct BorderEdge
@@ -145,12 +152,13 @@ private:
   void Sort();
   void GetSingleEdges(vtkIdType id, std::vector<BorderEdge>& edges) const;
   void FindBorder();
-  std::vector<vtkIdType> FindSeams() const;
+  void RemoveSeams();
   bool IsBefore(vtkIdType a, vtkIdType b) const;
   bool IsSamePlace(vtkIdType a, vtkIdType b) const
   {
     return std::equal(this->GetPosition(a), this->GetPosition(a) + 3, this->GetPosition(b));
   }
+  std::vector<vtkIdType> ByPosition(std::vector<vtkIdType> points) const;
 
   std::vector<double> Positions;    // 3 a point
   std::vector<vtkIdType> Corners;   // 3 a triangle, of points that take part
@@ -161,6 +169,7 @@ private:
   std::vector<vtkIdType> Border;          // points, in order
   std::vector<std::size_t> FirstOfBorder; // of these: where their edges begin in EdgesOfBorder
   std::vector<BorderEdge> EdgesOfBorder;
+  std::vector<vtkIdType> Seams;           // points of edges where the mesh goes on with points of its own
 };
 
 VTK_ABI_NAMESPACE_END

@@ -13,7 +13,6 @@ from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
-from scenes import polydata
 from standin import StandIn, vertices
 
 READERS = {".ply": vtkPLYReader, ".vtp": vtkXMLPolyDataReader, ".obj": vtkOBJReader, ".stl": vtkSTLReader}
@@ -53,16 +52,3 @@ def of_file(path):
         vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)], axis=1)
     spacing = float(np.median(np.linalg.norm(edges, axis=2)))
     return StandIn(os.path.basename(path), vertices(mesh), None, spacing, mesh, (lambda: fine) if fine else None)
-
-
-def triangles_of(standin, shared=True, normals=False):
-    """Its mesh as files have them: triangles that share their corners or not, mostly without normals."""
-    mesh = standin.mesh
-    triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-    p, n = (vtk_to_numpy(array)
-            for array in (mesh.GetPoints().GetData(), mesh.GetPointData().GetNormals()))
-    if not shared:
-        p, n = p[triangles.ravel()], n[triangles.ravel()]
-        triangles = np.arange(len(p)).reshape(-1, 3)
-    return StandIn(standin.name + ", triangles", polydata(p, n if normals else None, triangles), None, standin.spacing,
-                   mesh)

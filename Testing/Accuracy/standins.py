@@ -15,11 +15,9 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import (
     vtkAppendPolyData, vtkCleanPolyData, vtkPolyDataNormals, vtkTriangleFilter)
-from vtkmodules.vtkFiltersModeling import (
-    vtkAdaptiveSubdivisionFilter, vtkLinearExtrusionFilter, vtkLinearSubdivisionFilter)
-from vtkmodules.vtkFiltersSources import vtkCylinderSource, vtkSuperquadricSource
+from vtkmodules.vtkFiltersModeling import vtkAdaptiveSubdivisionFilter, vtkLinearExtrusionFilter
+from vtkmodules.vtkFiltersSources import vtkSuperquadricSource
 
-from meshes import triangles_of
 from parametric import nearest, normals_of, parametric, random_of, to_parametric, to_points
 from reference.surfaces import unit
 from scenes import polydata, sphere_mesh
@@ -146,25 +144,6 @@ def with_normals(source, splitting):
     normals.AutoOrientNormalsOn()
     normals.Update()
     return normals.GetOutput()
-
-
-def can(resolution=200, divisions=3):
-    """As CAD has its bodies: long triangles, those of the ends meet in one point, and each face has its own points."""
-    source = vtkCylinderSource()
-    source.SetResolution(resolution)
-    triangles = vtkTriangleFilter()
-    triangles.SetInputConnection(source.GetOutputPort())
-    triangles.Update()
-    bare = vtkPolyData()
-    bare.SetPoints(triangles.GetOutput().GetPoints())
-    bare.SetPolys(triangles.GetOutput().GetPolys())
-    merged = vtkCleanPolyData()
-    merged.SetInputData(bare)
-    divided = vtkLinearSubdivisionFilter()
-    divided.SetNumberOfSubdivisions(divisions)
-    divided.SetInputConnection(merged.GetOutputPort())
-    mesh = with_normals(divided, splitting=True)
-    return StandIn("can", mesh, None, np.pi / resolution, mesh)
 
 
 def extruded_distance(polygon, height, p):
@@ -531,6 +510,19 @@ def without_normals(standin):
     return StandIn(standin.name + ", no normals", polydata(p, None), standin.distance, standin.spacing, standin.mesh)
 
 
+def triangles_of(standin, shared=True, normals=False):
+    """Its mesh as files have them: triangles that share their corners or not, mostly without normals."""
+    mesh = standin.mesh
+    triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    p, n = (vtk_to_numpy(array)
+            for array in (mesh.GetPoints().GetData(), mesh.GetPointData().GetNormals()))
+    if not shared:
+        p, n = p[triangles.ravel()], n[triangles.ravel()]
+        triangles = np.arange(len(p)).reshape(-1, 3)
+    return StandIn(standin.name + ", triangles", polydata(p, n if normals else None, triangles), None, standin.spacing,
+                   mesh)
+
+
 def turned(standin):
     """By 20 degrees about two axes: no longer on the lattice of its volume."""
     c, s = math.cos(math.radians(20)), math.sin(math.radians(20))
@@ -562,7 +554,6 @@ ALL = {
     "thick_slices": thick_slices,
     "part_vertices": machined_part,
     "part_vertices_bare": lambda: without_normals(machined_part()),
-    "can": can,
     "part_triangles": lambda: triangles_of(machined_part()),
     "part_triangles_apart": lambda: triangles_of(machined_part(), shared=False),
     "part_random": lambda: machined_part(True),
