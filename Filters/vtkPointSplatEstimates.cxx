@@ -90,7 +90,7 @@ bool vtkPointSplatEstimates::FindNormals()
       const vtkIdType id = this->Neighbors.GetId(s);
       const float* normal = id >= 0 ? this->GetNormal(id) : none;
       std::copy_n(normal, 3, this->SlotNormals.data() + std::size_t(3) * s);
-      this->Known[s] = !IsZero(normal);
+      this->Known[s] = !vtkPointSplatInput::IsZero(normal);
       known += this->Known[s] ? 1 : 0;
       unknown += id >= 0 && !this->Known[s] ? 1 : 0;
     }
@@ -387,7 +387,7 @@ vtkPointSplatEstimates::Twins vtkPointSplatEstimates::FindTwins() const
     {
       const Slot s = slotOf[id];
       const float* n = this->Normals->GetPointer(3 * id);
-      if (s != vtkPointSplatNeighbors::None && this->Neighbors.GetId(s) != id && !IsZero(n) &&
+      if (s != vtkPointSplatNeighbors::None && this->Neighbors.GetId(s) != id && !vtkPointSplatInput::IsZero(n) &&
         vtkPointSplatCrease::Parts(n, this->GetSlotNormal(s)))
       {
         local.push_back({ id, s, { n[0], n[1], n[2] } });

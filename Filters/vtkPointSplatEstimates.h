@@ -94,7 +94,6 @@ private:
   bool MayBend() const { return !this->Guessed && (!this->IsNoisy() || this->Disks->Regular); }
   bool IsDrawn(vtkIdType id) const;
   float GetScaled(float length) const;
-  static bool IsZero(const float n[3]) { return n[0] == 0 && n[1] == 0 && n[2] == 0; }
   const vtkPointSplatFans::Disk& GetCorner(vtkIdType id) const { return this->Corners[this->Fans.GetSame(id)]; }
   float* GetNormal(vtkIdType id) { return this->Normals->GetPointer(3 * id); }
   const float* GetSlotNormal(Slot s) const { return this->SlotNormals.data() + std::size_t(3) * s; }

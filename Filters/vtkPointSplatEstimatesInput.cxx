@@ -158,7 +158,7 @@ void vtkPointSplatEstimates::ReadLattice()
   for (vtkIdType id = 0; id < this->NumberOfPoints; ++id)
   {
     this->Used[id] = this->Used[id] && this->Fans.Has(id);
-    if (this->Used[id] && IsZero(this->GetNormal(id)))
+    if (this->Used[id] && vtkPointSplatInput::IsZero(this->GetNormal(id)))
     {
       std::array<float, 3> sum{ { 0, 0, 0 } };
       this->Fans.VisitNeighbors(this->Fans.GetSame(id),

@@ -5,6 +5,7 @@
 #include "vtkPointSplatEstimates.h"
 
 #include "vtkPointSet.h"
+#include "vtkPointSplatInput.h"
 #include "vtkPointSplatMeshBorders.h"
 #include "vtkSMPTools.h"
 
@@ -67,7 +68,7 @@ void vtkPointSplatEstimates::Write()
             3 * id + c % 3, drawn ? length * disks.Axes[std::size_t(6) * s + c] : 0.0f);
         }
       }
-      if (s != vtkPointSplatNeighbors::None && IsZero(n))
+      if (s != vtkPointSplatNeighbors::None && vtkPointSplatInput::IsZero(n))
       {
         std::copy_n(this->GetSlotNormal(s), 3, n);
       }
@@ -186,7 +187,7 @@ void vtkPointSplatEstimates::ClipFill()
         const float* fold = this->Folds->GetNumberOfTuples() > 0
           ? this->Folds->GetPointer(6 * id + 3 * l)
           : nullptr;
-        if (!fold || IsZero(fold))
+        if (!fold || vtkPointSplatInput::IsZero(fold))
         {
           vtkPointSplatBorders::AddLine(
             this->Clips->GetPointer(6 * id + 3 * l), place, point.Plane, lines);

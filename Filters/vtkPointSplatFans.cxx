@@ -142,7 +142,7 @@ void vtkPointSplatFans::Take(
 bool vtkPointSplatFans::Unite(vtkIdType a, vtkIdType b, const float* normals)
 {
   const float *n = normals + 3 * a, *m = normals + 3 * b;
-  const bool both = vtkMath::Dot(n, n) > 0 && vtkMath::Dot(m, m) > 0;
+  const bool both = !vtkPointSplatInput::IsZero(n) && !vtkPointSplatInput::IsZero(m);
   if (!this->IsSamePlace(a, b) ||
     (both && (vtkMath::Dot(n, m) < 0 || vtkPointSplatCrease::Parts(n, m))))
   {
@@ -400,9 +400,8 @@ bool vtkPointSplatFans::AreAll(
   bool all = !this->IsEmpty();
   for (std::size_t id = 0; id < used.size() && all; ++id)
   {
-    const float* n = normals + 3 * id;
-    const bool hasNormal = n[0] != 0 || n[1] != 0 || n[2] != 0;
-    all = !used[id] || (this->Has(static_cast<vtkIdType>(id)) && hasNormal);
+    all = !used[id] ||
+      (this->Has(static_cast<vtkIdType>(id)) && !vtkPointSplatInput::IsZero(normals + 3 * id));
   }
   return all;
 }

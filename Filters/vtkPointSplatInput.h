@@ -161,6 +161,12 @@ inline std::vector<double> ReadPositions(vtkDataArray* points)
   return positions;
 }
 
+/// Of what ReadNormals() makes of a normal that cannot be used, and of planes' normals where there are none.
+inline bool IsZero(const float n[3])
+{
+  return n[0] == 0 && n[1] == 0 && n[2] == 0;
+}
+
 /// Unit normals, 3 floats a point, or zero where there is none to be had.
 inline void ReadNormals(vtkDataArray* given, float* normals)
 {

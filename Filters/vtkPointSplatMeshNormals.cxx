@@ -9,9 +9,11 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSplatFans.h"
+#include "vtkPointSplatInput.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataNormals.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -73,8 +75,7 @@ bool vtkPointSplatMeshNormals::Complete(vtkPointSplatFans& fans, float* normals)
   std::vector<vtkIdType> missing;
   for (vtkIdType id = 0; id < fans.GetNumberOfPoints(); ++id)
   {
-    const float* n = normals + 3 * id;
-    if (n[0] == 0 && n[1] == 0 && n[2] == 0 && fans.Has(id))
+    if (vtkPointSplatInput::IsZero(normals + 3 * id) && fans.Has(id))
     {
       missing.push_back(id);
     }

@@ -36,29 +36,26 @@ bool vtkPointSplatPasses::Reconstruct(
     image.Allocate(size);
   }
 
-  const double through = request.GetLightThrough();
-  const int bound = request.MaximumLayers;
+  const int bound = request.GetLayersThatCount();
   int capacity = std::min(bound, std::max(FirstPassLayers, layers.GetCapacity()));
   int count = 0;
   for (bool fits = false; !fits;)
   {
     layers.AllocateImages(size, capacity, content.Factors, request.HasIds);
-    double remaining = 1.0;
     bool empty = false;
-    for (count = 0; count < capacity && !empty && remaining >= request.LeastContribution; ++count)
+    for (count = 0; count < capacity && !empty; ++count)
     {
       if (!this->MakeLayer(request, count, layers, empty))
       {
         return false;
       }
-      remaining *= through;
     }
     count -= empty ? 1 : 0;
-    fits = empty || capacity == bound || remaining < request.LeastContribution;
+    fits = empty || capacity == bound;
     capacity = std::min(bound, 2 * capacity);
   }
   layers.SetNumberOfLayers(count);
-  layers.SetGathered(request.Gather ? bound - 1 : -1);
+  layers.SetGathered(request.Gather ? request.MaximumLayers - 1 : -1);
   this->FillSteps = this->Fills ? this->Fill.GetNumberOfSteps() : 0;
   return true;
 }

@@ -142,24 +142,17 @@ int vtkPointSplatRequest::GetMostLayers(vtkIdType room) const
 }
 
 //------------------------------------------------------------------------------
-double vtkPointSplatRequest::GetLightThrough() const
+int vtkPointSplatRequest::GetLayersThatCount() const
 {
-  double most = 0.0;
+  double through = 0.0; // of the light behind a layer, at most
   for (const vtkPointSplatItem& item : this->Items)
   {
     const double least =
       item.Cloud->HasColours() ? 0.0 : std::min(item.Opacities.x, item.Opacities.y);
-    most = std::max(most, 1.0 - least);
+    through = std::max(through, 1.0 - least);
   }
-  return most;
-}
-
-//------------------------------------------------------------------------------
-int vtkPointSplatRequest::GetLayersThatCount() const
-{
-  const double through = this->GetLightThrough();
-  int count = 0;
-  for (double light = 1.0; light >= this->LeastContribution && count < this->MaximumLayers; ++count)
+  int count = 1;
+  for (double light = through; light >= this->LeastContribution && count < this->MaximumLayers; ++count)
   {
     light *= through;
   }

@@ -64,8 +64,6 @@ struct vtkPointSplatRequest
   unsigned int GetTagMask() const;
   /// Layers that may be made where there is room for no more than this.
   int GetMostLayers(vtkIdType room) const;
-  /// Of the light behind a layer, at most this comes through it.
-  double GetLightThrough() const;
   /// So many layers leave less than LeastContribution of the light behind them; at most MaximumLayers.
   int GetLayersThatCount() const;
   /// Then: what the rim of a disk lies behind its centre, world units; or 0.
