@@ -68,12 +68,11 @@ public:
     }
   }
 
-  /// The one or two lines that leave out a sector, which begins at an angle. spacing: to the next
-  /// points; nearest: to the nearer one of the two that bound the sector.
-  void SetLines(double from, double sector, float spacing, float nearest, float clip[6]) const
+  /// The one or two lines that leave out a sector, which begins at an angle. least: how far off a line is at
+  /// least; nearest: how far the nearer one of the two points is that bound the sector.
+  void SetLines(double from, double sector, float least, float nearest, float clip[6]) const
   {
     std::fill_n(clip, 6, 0.0f);
-    const float least = LeastDistance * spacing;
     if (sector >= vtkMath::Pi())
     {
       this->SetLine(from + 0.5 * vtkMath::Pi(), least, clip);

@@ -164,7 +164,7 @@ bool vtkPointSplatBorders::FindEnd(
   }
   const float nearest =
     std::min(around.SquaredDistance[next[0]], around.SquaredDistance[next[1]]);
-  plane.SetLines(from, sector, spacing, std::sqrt(nearest), end.Clip);
+  plane.SetLines(from, sector, vtkPointSplatBorderPlane::LeastDistance * spacing, std::sqrt(nearest), end.Clip);
   return true;
 }
 

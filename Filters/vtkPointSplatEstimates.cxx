@@ -66,6 +66,7 @@ bool vtkPointSplatEstimates::Run()
     return false;
   }
   this->SetCreases();
+  this->BoundMesh();
   if (fills)
   {
     this->FindFill();
@@ -379,6 +380,10 @@ bool vtkPointSplatEstimates::FindDisks()
 /// Points that share a slot with one whose normal is another.
 vtkPointSplatEstimates::Twins vtkPointSplatEstimates::FindTwins() const
 {
+  if (this->MeshAlone)
+  {
+    return {}; // triangles tell where faces end
+  }
   const std::vector<Slot>& slotOf = this->Neighbors.GetSlots();
   vtkSMPThreadLocal<Twins> found;
   vtkSMPTools::For(0, this->NumberOfPoints, [&](vtkIdType begin, vtkIdType end) {

@@ -19,6 +19,7 @@
 #include "vtkPointSplatEstimation.h"
 #include "vtkPointSplatFans.h"
 #include "vtkPointSplatLargeArray.h"
+#include "vtkPointSplatMeshBorders.h"
 #include "vtkPointSplatNeighbors.h"
 #include "vtkPointSplatRefinement.h"
 #include "vtkPointSplatStars.h"
@@ -78,8 +79,10 @@ private:
   std::vector<unsigned char> GetSlotsAtCreases() const;
   bool FindStars();
   void FindFill();
+  void BoundMesh();
   void FindMeshFill();
   std::vector<float> Refine(vtkPointSplatStars& stars, const float* normals, const float* curvatures);
+  vtkPointSplatMeshBorders::End FindEnd(const vtkPointSplatRefinement::Point& point, float radius);
   void TakeFill(const vtkPointSplatRefinement& fill);
   void Write();
   void WriteMesh();
@@ -111,6 +114,8 @@ private:
   bool OfLattice = false; // whether its triangles are those of an isosurface's vertices
   bool MeshAlone = false; // all points are triangles' corners
   std::vector<vtkPointSplatFans::Disk> Corners; // if so, of those that take part
+  std::vector<vtkIdType> Bounded; // of these, those whose disks the border bounds
+  std::unique_ptr<vtkPointSplatMeshOutline> Outline; // if fill points ask for it
 
   vtkPointSplatNeighbors Neighbors;
   vtkPointSplatLargeArray<float> SlotNormals;

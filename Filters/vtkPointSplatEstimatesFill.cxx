@@ -10,6 +10,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -83,10 +84,37 @@ void vtkPointSplatEstimates::FindFill()
   }
 }
 
+/// Makes disks of a mesh no larger than its faces have room for. Arrays have them as they were, until Write().
+void vtkPointSplatEstimates::BoundMesh()
+{
+  if (!this->MeshAlone || this->Fans.GetBorder().empty())
+  {
+    return;
+  }
+  for (vtkIdType id = 0; id < this->NumberOfPoints; ++id)
+  {
+    this->Sizes[0]->SetValue(id, this->Corners[id].Radius);
+    std::copy_n(this->Corners[id].Plane, 3, this->Planes->GetPointer(3 * id));
+  }
+  const std::vector<unsigned char> creased = this->GetSlotsAtCreases();
+  for (const vtkPointSplatMeshBorders::End& end :
+    vtkPointSplatMeshBorders(this->Fans, this->Sizes[0], this->Planes).FindEnds())
+  {
+    float& radius = this->Corners[end.Id].Radius;
+    const Slot s = this->Neighbors.GetSlots()[end.Id];
+    if (end.Room < radius && (s == vtkPointSplatNeighbors::None || !creased[s]))
+    {
+      radius = end.Room;
+      this->Bounded.push_back(end.Id);
+    }
+  }
+}
+
 /// The same for a mesh, whose triangles tell the stars.
 void vtkPointSplatEstimates::FindMeshFill()
 {
   const std::vector<Slot>& slotOf = this->Neighbors.GetSlots();
+  const std::vector<unsigned char> creased = this->GetSlotsAtCreases();
   vtkPointSplatStars stars(this->NumberOfPoints, [this](Slot id, double x[3]) {
     std::copy_n(this->Fans.GetPosition(id), 3, x);
   });
@@ -94,20 +122,27 @@ void vtkPointSplatEstimates::FindMeshFill()
   for (vtkIdType id = 0; id < this->NumberOfPoints; ++id)
   {
     const vtkPointSplatFans::Disk& disk = this->Corners[id];
-    stars.SetSize(static_cast<Slot>(id), { disk.Distance, disk.Turn, disk.Farthest }, true);
-    if (stars.StandsOff(static_cast<Slot>(id), disk.Turn, disk.Radius))
-    {
-      stars.Uneven[id] = 1;
-    }
+    const Slot site = static_cast<Slot>(id);
+    stars.SetSize(site, { disk.Distance, disk.Turn, disk.Farthest }, true);
     std::copy_n(disk.Curvature, 6, curvatures.data() + 6 * id);
-  }
-  const std::vector<unsigned char> creased = this->GetSlotsAtCreases();
-  for (vtkIdType id = 0; id < this->NumberOfPoints; ++id)
-  {
     if (slotOf[id] != vtkPointSplatNeighbors::None && creased[slotOf[id]])
     {
-      stars.Uneven[id] = 0;
+      stars.Uneven[site] = 0;
+      continue;
     }
+    stars.BoundBent(site, disk.Curvature, disk.Radius, disk.Width);
+    if (disk.Tip)
+    {
+      stars.BoundTip(site, disk.Radius);
+    }
+    if (stars.StandsOff(site, disk.Turn, disk.Radius))
+    {
+      stars.Uneven[site] = 1;
+    }
+  }
+  for (const vtkIdType id : this->Bounded)
+  {
+    stars.Bound(static_cast<Slot>(id), this->Corners[id].Radius);
   }
   stars.Find(this->Fans);
   const std::vector<float> covers =
@@ -119,6 +154,18 @@ void vtkPointSplatEstimates::FindMeshFill()
       this->Corners[id].Radius = covers[id] * stars.GetRadius(static_cast<Slot>(id));
     }
   }
+}
+
+/// How a fill point of a mesh ends at its borders.
+vtkPointSplatMeshBorders::End vtkPointSplatEstimates::FindEnd(
+  const vtkPointSplatRefinement::Point& point, float radius)
+{
+  if (!this->Outline)
+  {
+    this->Outline = std::make_unique<vtkPointSplatMeshOutline>(this->Fans);
+  }
+  return vtkPointSplatMeshBorders(this->Fans, this->Sizes[0], this->Planes)
+    .FindEnd({ static_cast<vtkIdType>(point.Ends[0]), point.X, point.Plane, radius }, *this->Outline);
 }
 
 /**
@@ -133,6 +180,23 @@ std::vector<float> vtkPointSplatEstimates::Refine(
   {
     stars.RaiseSizes(least);
     vtkPointSplatRefinement fill(stars, normals, curvatures);
+    if (this->MeshAlone)
+    {
+      fill.GetRoom = [&](const vtkPointSplatRefinement::Point& point) {
+        float smallest = point.Size; // of its ends
+        for (int k = 0; k < point.Count; ++k)
+        {
+          smallest = std::min(smallest, stars.Sizes[point.Ends[k]]);
+        }
+        float radius = vtkPointSplatStars::GetRadius(
+          std::clamp(vtkPointSplatStars::GetBent(point.Curvature), smallest, point.Size));
+        if (!this->Fans.GetBorder().empty())
+        {
+          radius = std::min(radius, this->FindEnd(point, radius).Room);
+        }
+        return std::max(radius, vtkPointSplatStars::GetRadius(least));
+      };
+    }
     if (fill.Make(most))
     {
       this->TakeFill(fill);

@@ -83,8 +83,8 @@ void vtkPointSplatEstimates::ReadPoints(vtkDataArray* given)
 }
 
 /**
- * Meshes know their normals and neighbours, but the latter not if they were split at their creases. All
- * other points' are searched for, and a mesh's where normals tell of creases.
+ * Meshes know their normals and neighbours. All other points' are searched for, and a mesh's where
+ * normals tell of creases.
  */
 void vtkPointSplatEstimates::ReadMesh()
 {
@@ -97,7 +97,7 @@ void vtkPointSplatEstimates::ReadMesh()
   {
     this->Given = true;
   }
-  if (this->Elliptical || this->Fans.IsSplit(n))
+  if (this->Elliptical)
   {
     this->Fans.Clear();
   }

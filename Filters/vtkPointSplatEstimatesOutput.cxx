@@ -171,6 +171,8 @@ void vtkPointSplatEstimates::ClipFill()
     return;
   }
   vtkDataArray* points = this->Input->GetPoints()->GetData();
+  const std::vector<Slot>& slotOf = this->Neighbors.GetSlots();
+  const std::vector<unsigned char> creased = this->GetSlotsAtCreases();
   for (vtkPointSplatRefinement::Point& point : this->Fill)
   {
     vtkPointSplatBorders::Lines lines;
@@ -178,6 +180,10 @@ void vtkPointSplatEstimates::ClipFill()
     for (int k = 0; k < point.Count; ++k)
     {
       const vtkIdType id = point.Ends[k];
+      if (this->MeshAlone && (slotOf[id] == vtkPointSplatNeighbors::None || !creased[slotOf[id]]))
+      {
+        continue;
+      }
       double x[3];
       points->GetTuple(id, x);
       const float place[3] = { static_cast<float>(x[0] - point.X[0]),
@@ -194,7 +200,14 @@ void vtkPointSplatEstimates::ClipFill()
         }
       }
     }
-    lines.Write(point.Clip);
+    if (this->MeshAlone && !this->Fans.GetBorder().empty() && lines.Count == 0)
+    {
+      std::copy_n(this->FindEnd(point, point.Size).Clip, 6, point.Clip);
+    }
+    else
+    {
+      lines.Write(point.Clip);
+    }
   }
 }
 

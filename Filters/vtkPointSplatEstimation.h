@@ -111,14 +111,16 @@
  *    degenerate triangles of an isosurface leave some, say nothing of the others while most have one.
  *    *Borders*: where the sampling is as regular as a mesh's vertices, all over or from one point to the next, the surface ends between the
  *    points that its outline and its holes go through, and lines through these clip their splats, and
- *    those beside that would reach over (vtkPointSplatBorders.h). A mesh ends at edges that one triangle alone has. Random samplings
+ *    those beside that would reach over (vtkPointSplatBorders.h). A mesh ends at edges that one triangle alone has, and so
+ *    does each of its faces where it was split between them. Random samplings
  *    end somewhere between their last points and the surface's border: there a line a little past the
  *    outermost of them clips all splats that reach over it. Where IsNoisy(), borders are not looked for.
  *    On tubes whose rings of points are farther apart than the tube is wide two lines clip disks beside the axis, which else would leave it.
  * 6. *Fill*, if FillGaps is on, Shape is Circular and the point is on no crease. Where points are much denser on one
  *    side than on the other, as of meshes whose triangles are few where faces are flat, where given normals turn by
  *    more than 34 degrees from one point to the next, as on tubes, rims and small bodies, and where the surface bends and
- *    the disk would be 1.4 times as large as distances to the neighbours ask for, no round disk covers
+ *    the disk would be 1.4 times as large as distances to the neighbours ask for, as it would between triangles that are long
+ *    or of a face that is one triangle wide, no round disk covers
  *    what is around a point and does not stand off the surface. There disks are as small as the densest part and
  *    the bend ask for, graded from point to point (vtkPointSplatStars.h), and fill points lie between those that are
  *    farther apart than that (vtkPointSplatRefinement.h), with normals between theirs; so they do in holes of a regular
@@ -247,7 +249,7 @@ public:
   ///@{
   /**
    * Whether FillGaps is also between triangles' corners; on by default. Off for what draws large triangles
-   * as such, and not as splats.
+   * as such, and not as splats: disks leave open what they cannot cover without reaching past a face's border.
    */
   vtkSetMacro(FillMeshGaps, bool);
   vtkGetMacro(FillMeshGaps, bool);

@@ -32,6 +32,13 @@ constexpr float LengthPerReach = 0.9f;
 /// How many neighbours tell the curvature: as many as are searched for without a mesh.
 constexpr int CurvatureNeighbors = 12;
 
+// The next two are from fit_constants.py, too.
+/// Where triangles are long, what is beside them tells the curvature across: no spacing is more than so many times as far
+/// as the third neighbour.
+constexpr float ThirdsPerSpacing = 4;
+/// From which sine on a triangle at a vertex falls off so steeply from its disk that this is none of the surface: a tip.
+constexpr float SteepSine = 0.75f;
+
 constexpr int MaximumNumberOfNeighbors = vtkPointSplatNeighbors::MaximumNumberOfNeighbors;
 
 /// How many of a neighbour's triangles are looked at.
@@ -178,9 +185,8 @@ bool vtkPointSplatFans::Join(const float* normals)
   }
   this->FindBorder();
   // Not all of the border's: where it comes by a place twice it stays two borders.
-  const std::vector<vtkIdType> seams = this->ByPosition(this->Seams);
   std::vector<vtkIdType> apart; // of one place, those that no other one was united with before
-  for (const vtkIdType id : seams)
+  for (const vtkIdType id : this->FindSeams())
   {
     if (!apart.empty() && !this->IsSamePlace(apart.front(), id))
     {
@@ -318,7 +324,6 @@ void vtkPointSplatFans::FindBorder()
       this->FirstOfBorder.push_back(this->EdgesOfBorder.size());
     }
   }
-  this->RemoveSeams();
 }
 
 vtkPointSplatFans::BorderEdges vtkPointSplatFans::GetBorderEdges(vtkIdType id) const
@@ -340,19 +345,13 @@ bool vtkPointSplatFans::IsBefore(vtkIdType a, vtkIdType b) const
   return std::lexicographical_compare(x, x + 3, y, y + 3);
 }
 
-/// Points in an order in which those in one place are beside one another.
-std::vector<vtkIdType> vtkPointSplatFans::ByPosition(std::vector<vtkIdType> points) const
-{
-  std::sort(points.begin(), points.end(),
-    [this](vtkIdType a, vtkIdType b) { return this->IsBefore(a, b); });
-  return points;
-}
-
-/// Of the border's edges, removes those that have both ends where another one has its.
-void vtkPointSplatFans::RemoveSeams()
+/// The ends of those of the border's edges that have both ends where another one has its, in the order of positions.
+std::vector<vtkIdType> vtkPointSplatFans::FindSeams() const
 {
   // Points in one place have the first one's number in the order of positions.
-  const std::vector<vtkIdType> placed = this->ByPosition(this->Border);
+  std::vector<vtkIdType> placed = this->Border;
+  std::sort(placed.begin(), placed.end(),
+    [this](vtkIdType a, vtkIdType b) { return this->IsBefore(a, b); });
   const auto getPlace = [&](vtkIdType id) -> std::ptrdiff_t {
     return std::lower_bound(placed.begin(), placed.end(), id,
              [this](vtkIdType a, vtkIdType b) { return this->IsBefore(a, b); }) -
@@ -372,26 +371,24 @@ void vtkPointSplatFans::RemoveSeams()
   // Each edge is there twice, once for each of its ends.
   std::vector<Places> sorted = places;
   std::sort(sorted.begin(), sorted.end());
-  this->Seams.clear();
-  std::size_t kept = 0, k = 0;
+  std::vector<vtkIdType> seams;
+  std::size_t k = 0;
   for (std::size_t i = 0; i < this->Border.size(); ++i)
   {
-    const std::size_t first = k, keptBefore = kept;
+    bool seam = false;
     for (; k < this->FirstOfBorder[i + 1]; ++k)
     {
       const auto same = std::equal_range(sorted.begin(), sorted.end(), places[k]);
-      if (same.second - same.first <= 2)
-      {
-        this->EdgesOfBorder[kept++] = this->EdgesOfBorder[k];
-      }
+      seam = seam || same.second - same.first > 2;
     }
-    this->FirstOfBorder[i + 1] = kept;
-    if (kept - keptBefore < k - first)
+    if (seam)
     {
-      this->Seams.push_back(this->Border[i]);
+      seams.push_back(this->Border[i]);
     }
   }
-  this->EdgesOfBorder.resize(kept);
+  std::sort(seams.begin(), seams.end(),
+    [this](vtkIdType a, vtkIdType b) { return this->IsBefore(a, b); });
+  return seams;
 }
 
 bool vtkPointSplatFans::AreAll(
@@ -404,14 +401,6 @@ bool vtkPointSplatFans::AreAll(
       (this->Has(static_cast<vtkIdType>(id)) && !vtkPointSplatInput::IsZero(normals + 3 * id));
   }
   return all;
-}
-
-bool vtkPointSplatFans::IsSplit(const float* normals) const
-{
-  const std::vector<vtkIdType> border = this->ByPosition(this->Border);
-  return std::adjacent_find(border.begin(), border.end(), [&](vtkIdType a, vtkIdType b) {
-    return this->IsSamePlace(a, b) && vtkPointSplatCrease::Parts(normals + 3 * a, normals + 3 * b);
-  }) != border.end();
 }
 
 vtkPointSplatFans::Disk vtkPointSplatFans::GetDisk(vtkIdType id, const float* normals) const
@@ -461,14 +450,20 @@ vtkPointSplatFans::Disk vtkPointSplatFans::GetDisk(vtkIdType id, const float* no
   found.Radius = std::max(LengthPerEdge * sum / ring.Count, LengthPerReach * std::sqrt(reach2));
 
   found.Distance = vtkPointSplatDisk::GetDistance(ring.Squared, ring.Count, 0.0f);
+  found.Width = std::sqrt(ring.Squared[std::min(ring.Count - 1, 1)]);
   found.Farthest = std::sqrt(ring.Squared[ring.Count - 1]);
   const float grain = vtkPointSplatSheet::Grain * found.Farthest;
+  float lowest = 1, highest = -1; // neighbours, as sines
   for (int i = 0; i < ring.Count; ++i)
   {
     const float place[3] = { ring.X[i], ring.Y[i], ring.Z[i] };
     found.Turn = std::max(found.Turn, vtkPointSplatSheet::GetSquaredTurn(n, place, grain));
+    const float height = vtkMath::Dot(n, place) / vtkMath::Norm(place);
+    lowest = std::min(lowest, height);
+    highest = std::max(highest, height);
   }
   found.Turn = std::sqrt(found.Turn);
+  found.Tip = highest < -SteepSine || lowest > SteepSine;
 
   // How the surface bends the corners beyond tell, too: few normals are too noisy.
   const int next = ring.Count, most = std::max(next, CurvatureNeighbors);
@@ -506,7 +501,9 @@ vtkPointSplatFans::Disk vtkPointSplatFans::GetDisk(vtkIdType id, const float* no
   if (std::equal(disk.Normal, disk.Normal + 3, n))
   {
     vtkPointSplatCurvature curvature;
-    curvature.Estimate(around, normals, n, disk.Sheet, found.Radius);
+    const float most = ThirdsPerSpacing * std::sqrt(ring.Squared[std::min(ring.Count - 1, 2)]);
+    disk.Sheet.Spacing = std::min(disk.Sheet.Spacing, most);
+    curvature.Estimate(around, normals, n, disk.Sheet, std::min(found.Radius, most));
     std::copy(curvature.Tensor, curvature.Tensor + 6, found.Curvature);
   }
   return found;

@@ -20,8 +20,9 @@
  * 3. The radius is LengthPerEdge of the mean distance of these neighbours, and at least
  *    LengthPerReach of what covering each triangle by its three disks together asks for
  *    (vtkPointSplatDisk::GetSquaredReach): blending kernels reach farther than disks do.
- * 4. Edges that belong to one triangle alone are the mesh's border, but for those that have both ends
- *    where another such edge has them: there the mesh goes on, with points of its own.
+ *    Where triangles are long the curvature across is that of the points beside: they count in full, however far others are.
+ * 4. Edges that belong to one triangle alone are the mesh's border. So are those at which it was split,
+ *    as vtkPolyDataNormals splits it at creases: there each face ends, and the next one begins with points of its own.
  */
 #ifndef vtkPointSplatFans_h
 #define vtkPointSplatFans_h
@@ -62,13 +63,6 @@ public:
   /// point, 0 where there is none), and there are any triangles.
   bool AreAll(const std::vector<unsigned char>& used, const float* normals) const;
 
-  /**
-   * Whether the mesh was split at its creases, as vtkPolyDataNormals does: points at its borders have a
-   * position, but not a normal, in common. Then disks have to end at lines, which triangles around
-   * single points do not tell. normals: 3 floats a point, unit length or 0.
-   */
-  bool IsSplit(const float* normals) const;
-
   /// An edge of the border at a point.
   struct BorderEdge
   {
@@ -89,6 +83,10 @@ public:
   };
   BorderEdges GetBorderEdges(vtkIdType id) const;
   const double* GetPosition(vtkIdType id) const { return this->Positions.data() + 3 * id; }
+  bool IsSamePlace(vtkIdType a, vtkIdType b) const
+  {
+    return std::equal(this->GetPosition(a), this->GetPosition(a) + 3, this->GetPosition(b));
+  }
 
   vtkIdType GetNumberOfPoints() const { return static_cast<vtkIdType>(this->Positions.size() / 3); }
   /// Three a triangle.
@@ -139,6 +137,8 @@ public:
     float Plane[3] = { 0, 0, 0 };                // its normal, unit length
     float Curvature[6] = { 0, 0, 0, 0, 0, 0 };   // as vtkPointSplatCurvature's
     float Distance = 0, Turn = 0, Farthest = 0;  // as vtkPointSplatDisks'
+    float Width = 0;  // the second neighbour's distance: how wide triangles are that are long
+    bool Tip = false; // whether all triangles fall off steeply from its plane
     bool Creased = false; // whether a crease is likely to be near (vtkPointSplatCrease)
   };
 
@@ -152,13 +152,8 @@ private:
   void Sort();
   void GetSingleEdges(vtkIdType id, std::vector<BorderEdge>& edges) const;
   void FindBorder();
-  void RemoveSeams();
+  std::vector<vtkIdType> FindSeams() const;
   bool IsBefore(vtkIdType a, vtkIdType b) const;
-  bool IsSamePlace(vtkIdType a, vtkIdType b) const
-  {
-    return std::equal(this->GetPosition(a), this->GetPosition(a) + 3, this->GetPosition(b));
-  }
-  std::vector<vtkIdType> ByPosition(std::vector<vtkIdType> points) const;
 
   std::vector<double> Positions;    // 3 a point
   std::vector<vtkIdType> Corners;   // 3 a triangle, of points that take part
@@ -169,7 +164,6 @@ private:
   std::vector<vtkIdType> Border;          // points, in order
   std::vector<std::size_t> FirstOfBorder; // of these: where their edges begin in EdgesOfBorder
   std::vector<BorderEdge> EdgesOfBorder;
-  std::vector<vtkIdType> Seams;           // points of edges where the mesh goes on with points of its own
 };
 
 VTK_ABI_NAMESPACE_END

@@ -6,11 +6,11 @@
 #include "vtkMath.h"
 #include "vtkPointSplatBorderPlane.h"
 #include "vtkPointSplatBorders.h"
+#include "vtkPointSplatInput.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -31,8 +31,15 @@ constexpr vtkIdType MostSeen = 256;
 /// isosurfaces lie as near to one another as they like, and an edge between two that nearly coincide goes anywhere.
 constexpr float LeastEdge = 0.1f;
 constexpr int MostSteps = 16;
-/// How far past the ends of an edge a point may lie that is beside it, of its length.
-constexpr float PastEnds = 0.25f;
+/// How far a triangle's normal may be from a disk's whose plane it is in, as a cosine (60 degrees).
+constexpr float AlikePlane = 0.5f;
+// The next two are from Testing/Accuracy/fit_constants.py.
+/// Lines do not go through the points themselves, but so many lengths of the edge off: their vectors are finite.
+constexpr float LeastOff = 0.002f;
+/// How far past an edge that has no line a kernel may reach, of its reach: where an outline bends it does.
+constexpr float MostPast = 0.05f;
+/// Products with lines up to which a place is kept, and not just on them.
+constexpr float StillKept = 0.999f;
 
 bool IsLine(const float line[3])
 {
@@ -53,21 +60,25 @@ void ProjectOnto(const float normal[3], float way[3])
     way[c] -= height * normal[c];
   }
 }
-
-/// A line along an edge of the border beside a point.
-struct NearLine
-{
-  float Distance;
-  float Line[3];
-};
 }
 
-void vtkPointSplatMeshBorders::GetOffset(vtkIdType from, vtkIdType to, float d[3]) const
+void vtkPointSplatMeshBorders::GetOffset(const double from[3], vtkIdType to, float d[3]) const
 {
   for (int c = 0; c < 3; ++c)
   {
-    d[c] = static_cast<float>(this->Fans.GetPosition(to)[c] - this->Fans.GetPosition(from)[c]);
+    d[c] = static_cast<float>(this->Fans.GetPosition(to)[c] - from[c]);
   }
+}
+
+float vtkPointSplatMeshBorders::GetFacing(
+  vtkIdType from, const vtkPointSplatFans::BorderEdge& edge, const float normal[3]) const
+{
+  float along[3], inward[3], across[3];
+  this->GetOffset(this->Fans.GetPosition(from), edge.Next, along);
+  this->GetOffset(this->Fans.GetPosition(from), edge.Inner, inward);
+  vtkMath::Cross(along, inward, across);
+  vtkMath::Normalize(across);
+  return vtkMath::Dot(across, normal);
 }
 
 /// Follows the border from a point along one of its edges until that is so far off, or as far as it goes on.
@@ -77,17 +88,12 @@ vtkPointSplatMeshBorders::Side vtkPointSplatMeshBorders::Walk(
   Side side;
   vtkIdType from = id;
   vtkPointSplatFans::BorderEdge step = edge;
-  for (int k = 0; k < MostSteps; ++k)
+  for (int k = 1;; ++k)
   {
-    float along[3], inward[3], across[3];
-    this->GetOffset(from, step.Next, along);
-    this->GetOffset(from, step.Inner, inward);
-    vtkMath::Cross(along, inward, across);
-    side.Left = vtkMath::Dot(across, normal) > 0;
     side.End = step.Next;
-    this->GetOffset(id, side.End, side.Way);
+    this->GetOffset(this->Fans.GetPosition(id), side.End, side.Way);
     const vtkPointSplatFans::BorderEdges next = this->Fans.GetBorderEdges(side.End);
-    if (vtkMath::Norm(side.Way) >= least || next.Count != 2)
+    if (vtkMath::Norm(side.Way) >= least || next.Count != 2 || k == MostSteps)
     {
       break;
     }
@@ -99,6 +105,7 @@ vtkPointSplatMeshBorders::Side vtkPointSplatMeshBorders::Walk(
     from = side.End;
     step = on;
   }
+  side.Facing = this->GetFacing(from, step, normal);
   return side;
 }
 
@@ -110,9 +117,9 @@ bool vtkPointSplatMeshBorders::FindOwnLines(vtkIdType id, float clip[6]) const
   {
     return false;
   }
-  if (edges.Count == 0)
+  if (edges.Count == 0 || (edges.Count == 2 && this->Fans.IsSamePlace(edges.First[0].Next, edges.First[1].Next)))
   {
-    return true;
+    return true; // it is in the midst, or at the end of a slit
   }
   const float* normal = this->Planes->GetPointer(3 * id);
   const vtkPointSplatBorderPlane plane(normal);
@@ -130,17 +137,17 @@ bool vtkPointSplatMeshBorders::FindOwnLines(vtkIdType id, float clip[6]) const
   }
   // Where the sector begins in which there is no surface, counterclockwise: at one edge or the other.
   const double first = plane.GetAngle(sides[0].Way);
-  nearest = std::max(nearest, vtkPointSplatBorderPlane::LeastDistance * least);
+  nearest = std::max(nearest, LeastOff * least);
   if (edges.Count == 1)
   {
-    const double from = sides[0].Left ? first + vtkMath::Pi() : first;
-    plane.SetLines(from, vtkMath::Pi(), nearest, nearest, clip);
+    const double from = sides[0].IsLeft() ? first + vtkMath::Pi() : first;
+    plane.SetLines(from, vtkMath::Pi(), LeastOff * nearest, nearest, clip);
   }
   else
   {
     const double turn = vtkPointSplatBorderPlane::Turn(first, plane.GetAngle(sides[1].Way));
-    plane.SetLines(sides[0].Left ? first + turn : first,
-      sides[0].Left ? 2 * vtkMath::Pi() - turn : turn, nearest, nearest, clip);
+    plane.SetLines(sides[0].IsLeft() ? first + turn : first,
+      sides[0].IsLeft() ? 2 * vtkMath::Pi() - turn : turn, LeastOff * nearest, nearest, clip);
   }
   return true;
 }
@@ -174,7 +181,7 @@ std::vector<vtkPointSplatMeshBorders::Near> vtkPointSplatMeshBorders::FindNear()
             return;
           }
           float d[3];
-          this->GetOffset(at, other, d);
+          this->GetOffset(this->Fans.GetPosition(at), other, d);
           const bool reaches = vtkMath::Norm(d) < this->GetReach(other);
           if (reaches || from == at)
           {
@@ -197,87 +204,190 @@ std::vector<vtkPointSplatMeshBorders::Near> vtkPointSplatMeshBorders::FindNear()
   return all;
 }
 
-void vtkPointSplatMeshBorders::AddNearLines(
-  const Near* first, const Near* last, float clip[6]) const
+/// An edge of the border in the disk's plane, if it is near, and not at the disk's own place.
+void vtkPointSplatMeshBorders::AddEdge(
+  const Disk& disk, vtkIdType from, const Side& side, std::vector<Edge>& edges) const
 {
-  const vtkIdType id = first->Id;
-  const float* normal = this->Planes->GetPointer(3 * id);
-  const float reach = this->GetReach(id);
-  const float least = LeastEdge * this->Radii->GetValue(id);
-  std::vector<NearLine> lines;
-  for (const Near* near = first; near != last; ++near)
+  float end[3];
+  Edge found;
+  this->GetOffset(disk.X, from, found.Start);
+  this->GetOffset(disk.X, side.End, end);
+  if (std::abs(side.Facing) < AlikePlane || vtkPointSplatInput::IsZero(found.Start) ||
+    vtkPointSplatInput::IsZero(end))
   {
-    const vtkIdType neighbor = near->Border;
-    const vtkPointSplatFans::BorderEdges edges = this->Fans.GetBorderEdges(neighbor);
-    if (edges.Count > 2 || neighbor == id)
+    return;
+  }
+  ProjectOnto(disk.Normal, found.Start);
+  std::copy_n(side.Way, 3, found.Way);
+  ProjectOnto(disk.Normal, found.Way);
+  vtkMath::Cross(found.Way, disk.Normal, found.Out);
+  found.Length = vtkMath::Normalize(found.Out);
+  if (!side.IsLeft())
+  {
+    vtkMath::MultiplyScalar(found.Out, -1.0f);
+  }
+  found.Distance = vtkMath::Dot(found.Start, found.Out);
+  found.Facing = std::abs(side.Facing);
+  if (found.Length > 0 && found.Distance >= -Edge::Rounding * found.Length && found.Distance < KernelReach * disk.Radius)
+  {
+    edges.push_back(found);
+  }
+}
+
+/// Where a mesh was split, but not all along, edges of both sides are one body's: of those through the disk's centre the
+/// ones are left out whose surface is on the other side.
+void vtkPointSplatMeshBorders::LeaveOutOtherSides(std::vector<Edge>& edges)
+{
+  const Edge* own = nullptr; // that whose triangle is most like the disk
+  for (const Edge& edge : edges)
+  {
+    if (edge.IsThrough() && (!own || edge.Facing > own->Facing))
+    {
+      own = &edge;
+    }
+  }
+  if (own)
+  {
+    const float out[3] = { own->Out[0], own->Out[1], own->Out[2] };
+    edges.erase(std::remove_if(edges.begin(), edges.end(),
+                  [&](const Edge& edge) { return edge.IsThrough() && vtkMath::Dot(edge.Out, out) < 0; }),
+      edges.end());
+  }
+}
+
+/// Gives an end, which may have lines, those along edges that it is beside, the nearest first.
+void vtkPointSplatMeshBorders::TakeLines(float least, const std::vector<Edge>& edges, float clip[6])
+{
+  for (const Edge& edge : edges)
+  {
+    if (!edge.IsBeside())
     {
       continue;
     }
-    for (const vtkPointSplatFans::BorderEdge& edge : edges)
+    float line[3];
+    const float off = std::max(edge.Distance, LeastOff * std::max(edge.Length, least));
+    for (int c = 0; c < 3; ++c)
     {
-      if (edge.Next == id)
-      {
-        continue;
-      }
-      const Side walked = this->Walk(neighbor, edge, normal, least);
-      if (walked.End == id)
-      {
-        continue;
-      }
-      // In the disk's plane.
-      float start[3], along[3], across[3];
-      this->GetOffset(id, neighbor, start);
-      ProjectOnto(normal, start);
-      std::copy_n(walked.Way, 3, along);
-      ProjectOnto(normal, along);
-      vtkMath::Cross(along, normal, across);
-      const float length = vtkMath::Normalize(across);
-      if (!(length > 0))
-      {
-        continue;
-      }
-      const float side = walked.Left ? 1.0f : -1.0f;
-      const float distance = side * vtkMath::Dot(start, across);
-      // Where the point is opposite to on the edge. Past its ends the border may turn away.
-      const float at = -vtkMath::Dot(start, along) / (length * length);
-      if (distance >= 0 && distance < reach && at > -PastEnds && at < 1 + PastEnds)
-      {
-        NearLine line;
-        line.Distance = distance;
-        const float off = std::max(
-          distance, vtkPointSplatBorderPlane::LeastDistance * std::max(length, least));
-        for (int c = 0; c < 3; ++c)
-        {
-          line.Line[c] = side * across[c] / off;
-        }
-        lines.push_back(line);
-      }
+      line[c] = edge.Out[c] / off;
     }
-  }
-  std::sort(lines.begin(), lines.end(),
-    [](const NearLine& a, const NearLine& b) { return a.Distance < b.Distance; });
-  for (const NearLine& line : lines)
-  {
     if (!IsLine(clip))
     {
-      std::copy_n(line.Line, 3, clip);
+      std::copy_n(line, 3, clip);
     }
-    else if (!IsOne(clip, line.Line) && !IsLine(clip + 3))
+    else if (!IsOne(clip, line) && !IsLine(clip + 3))
     {
-      std::copy_n(line.Line, 3, clip + 3);
+      std::copy_n(line, 3, clip + 3);
     }
-    else if (IsLine(clip + 3) && IsOne(clip, clip + 3) && !IsOne(clip, line.Line))
+    else if (IsLine(clip + 3) && IsOne(clip, clip + 3) && !IsOne(clip, line))
     {
       for (int c = 0; c < 3; ++c)
       {
         clip[c] = 0.5f * (clip[c] + clip[3 + c]);
       }
-      std::copy_n(line.Line, 3, clip + 3);
+      std::copy_n(line, 3, clip + 3);
     }
   }
 }
 
-void vtkPointSplatMeshBorders::Write(vtkFloatArray* clips) const
+/// The largest radius with which a disk's kernel, where lines keep it, goes past an edge by no more than MostPast of its
+/// reach; none where it does not with its own.
+float vtkPointSplatMeshBorders::GetRoom(const Edge& edge, const float clip[6], float radius)
+{
+  // The part of the edge that lines keep.
+  float first = 0, last = 1;
+  for (int k = 0; k < 2; ++k)
+  {
+    const float at = vtkMath::Dot(clip + 3 * k, edge.Start) - StillKept, slope = vtkMath::Dot(clip + 3 * k, edge.Way);
+    if (slope > 0)
+    {
+      last = std::min(last, -at / slope);
+    }
+    else if (slope < 0)
+    {
+      first = std::max(first, -at / slope);
+    }
+    else if (at > 0)
+    {
+      last = -1;
+    }
+  }
+  if (first > last || edge.Distance <= LeastOff * edge.Length)
+  {
+    return std::numeric_limits<float>::max();
+  }
+  float reach = KernelReach * radius;
+  for (const float at : { first, std::clamp(edge.GetPlace(), first, last), last })
+  {
+    float place[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      place[c] = edge.Start[c] + at * edge.Way[c];
+    }
+    // The ray through a place of the edge leaves the kernel, or is cut by a line.
+    const float way = vtkMath::Norm(place), sine = edge.Distance / way;
+    const float product = std::max(vtkMath::Dot(clip, place), vtkMath::Dot(clip + 3, place));
+    const float past = product > 0 ? std::min(reach / way, 1 / product) : reach / way;
+    if (edge.Distance * (past - 1) > MostPast * reach)
+    {
+      reach = edge.Distance / (sine - MostPast);
+    }
+  }
+  return reach < KernelReach * radius ? reach / KernelReach : std::numeric_limits<float>::max();
+}
+
+/// Lines along the edges, and the room that they leave.
+void vtkPointSplatMeshBorders::Take(const Disk& disk, std::vector<Edge>& edges, End& end)
+{
+  LeaveOutOtherSides(edges);
+  std::sort(edges.begin(), edges.end(),
+    [](const Edge& a, const Edge& b) { return a.Distance < b.Distance; });
+  TakeLines(LeastEdge * disk.Radius, edges, end.Clip);
+  for (const Edge& edge : edges)
+  {
+    end.Room = std::min(end.Room, GetRoom(edge, end.Clip, disk.Radius));
+  }
+}
+
+void vtkPointSplatMeshBorders::AddNearLines(const Near* first, const Near* last, End& end) const
+{
+  const Disk disk{ end.Id, this->Fans.GetPosition(end.Id), this->Planes->GetPointer(3 * end.Id),
+    this->Radii->GetValue(end.Id) };
+  std::vector<Edge> edges;
+  for (const Near* near = first; near != last; ++near)
+  {
+    const vtkPointSplatFans::BorderEdges from = this->Fans.GetBorderEdges(near->Border);
+    if (from.Count > 2)
+    {
+      continue;
+    }
+    for (const vtkPointSplatFans::BorderEdge& edge : from)
+    {
+      this->AddEdge(disk, near->Border, this->Walk(near->Border, edge, disk.Normal, LeastEdge * disk.Radius), edges);
+    }
+  }
+  Take(disk, edges, end);
+}
+
+vtkPointSplatMeshBorders::End vtkPointSplatMeshBorders::FindEnd(
+  const Disk& disk, vtkPointSplatMeshOutline& outline) const
+{
+  std::vector<vtkPointSplatMeshOutline::Piece> near;
+  outline.Find(disk.Vertex, disk.X, KernelReach * disk.Radius, near);
+  std::vector<Edge> edges;
+  for (const vtkPointSplatMeshOutline::Piece& piece : near)
+  {
+    Side side;
+    side.End = piece.To;
+    side.Facing = this->GetFacing(piece.From, piece.First, disk.Normal);
+    this->GetOffset(this->Fans.GetPosition(piece.From), piece.To, side.Way);
+    this->AddEdge(disk, piece.From, side, edges);
+  }
+  End end;
+  Take(disk, edges, end);
+  return end;
+}
+
+std::vector<vtkPointSplatMeshBorders::End> vtkPointSplatMeshBorders::FindEnds() const
 {
   const std::vector<Near> near = this->FindNear();
   std::vector<std::size_t> firsts; // of each point's, and the end
@@ -288,31 +398,35 @@ void vtkPointSplatMeshBorders::Write(vtkFloatArray* clips) const
       firsts.push_back(k);
     }
   }
-  const vtkIdType count = static_cast<vtkIdType>(firsts.size());
+  std::vector<End> ends(firsts.size());
   firsts.push_back(near.size());
-  std::vector<std::array<float, 6>> found(firsts.size());
-  vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType i = begin; i < end; ++i)
+  vtkSMPTools::For(0, static_cast<vtkIdType>(ends.size()), [&](vtkIdType begin, vtkIdType last) {
+    for (vtkIdType i = begin; i < last; ++i)
     {
-      found[i].fill(0);
       const Near* first = near.data() + firsts[i];
-      if (this->Radii->GetValue(first->Id) > 0 && this->FindOwnLines(first->Id, found[i].data()))
+      ends[i].Id = first->Id;
+      if (this->Radii->GetValue(first->Id) > 0 && this->FindOwnLines(first->Id, ends[i].Clip))
       {
-        this->AddNearLines(first, near.data() + firsts[i + 1], found[i].data());
+        this->AddNearLines(first, near.data() + firsts[i + 1], ends[i]);
       }
     }
   });
-  for (vtkIdType i = 0; i < count; ++i)
+  return ends;
+}
+
+void vtkPointSplatMeshBorders::Write(vtkFloatArray* clips) const
+{
+  for (const End& end : this->FindEnds())
   {
-    if (!IsLine(found[i].data()))
+    if (!IsLine(end.Clip))
     {
       continue;
     }
     vtkPointSplatBorders::MakeLines(clips, this->Radii->GetNumberOfTuples());
-    float* clip = clips->GetPointer(6 * near[firsts[i]].Id);
+    float* clip = clips->GetPointer(6 * end.Id);
     if (!IsLine(clip) && !IsLine(clip + 3))
     {
-      std::copy(found[i].begin(), found[i].end(), clip);
+      std::copy_n(end.Clip, 6, clip);
     }
   }
   for (vtkIdType id = 0; id < clips->GetNumberOfTuples(); ++id)

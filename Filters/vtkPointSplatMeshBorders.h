@@ -16,13 +16,21 @@
  *    cut has points as near to its border as it likes, whose disks are as large as others, and one whose
  *    triangles are long along the border has several rows of them. A point's own two lines
  *    become one in between if that leaves room for another and they are less than 10 degrees apart.
- * 3. A point where more than two edges of the border meet is left as it is, and ends no edges of 2.
+ * 3. A point where more than two edges of the border meet is left as it is, and ends no edges of 2. So is the end of a slit,
+ *    as meshes have that were split along a part of an edge.
+ * 4. Where a face is narrow, or its outline turns within a disk's reach, a disk that has its two lines reaches past other edges.
+ *    Its room is the radius with which its kernel goes past none by more than MostPast of its reach. What it leaves open then
+ *    is for fill points.
+ * 5. Fill points have lines and room in the same way, by the edges of their body that are near (vtkPointSplatMeshOutline.h).
  */
 #ifndef vtkPointSplatMeshBorders_h
 #define vtkPointSplatMeshBorders_h
 
 #include "vtkPointSplatFans.h"
+#include "vtkPointSplatMeshOutline.h"
 
+#include <cmath>
+#include <limits>
 #include <vector>
 
 class vtkFloatArray;
@@ -45,14 +53,37 @@ public:
   /// made if it has no tuples and any point has lines.
   void Write(vtkFloatArray* clips) const;
 
+  /// A disk, and a vertex of the body that it is of.
+  struct Disk
+  {
+    vtkIdType Vertex;
+    const double* X;     // world coordinates
+    const float* Normal; // of its plane, unit length
+    float Radius;        // world units
+  };
+  /// How a disk ends.
+  struct End
+  {
+    vtkIdType Id = -1;
+    float Clip[6] = { 0, 0, 0, 0, 0, 0 }; // as in the array
+    float Room = std::numeric_limits<float>::max(); // the largest radius with which it does not reach past other edges
+  };
+  /// Those of the points near the border, in order.
+  std::vector<End> FindEnds() const;
+  /// That of a disk between points.
+  End FindEnd(const Disk& disk, vtkPointSplatMeshOutline& outline) const;
+
 private:
   /// The border from a point on.
   struct Side
   {
     vtkIdType End = 0; // a point of it
     float Way[3] = { 0, 0, 0 }; // to that
-    bool Left = false; // whether the surface lies to the left of it, as seen from where the normal points
+    float Facing = 0; // cosine of the triangle's normal, whose side the surface's is left of it, and the disk's
+    /// Whether the surface lies to the left of it, as seen from where the disk's normal points.
+    bool IsLeft() const { return this->Facing > 0; }
   };
+  float GetFacing(vtkIdType from, const vtkPointSplatFans::BorderEdge& edge, const float normal[3]) const;
   Side Walk(vtkIdType id, const vtkPointSplatFans::BorderEdge& edge, const float normal[3], float least) const;
   bool FindOwnLines(vtkIdType id, float clip[6]) const;
   /// A point, and one on the border that is near to it.
@@ -67,8 +98,34 @@ private:
   };
   std::vector<Near> FindNear() const;
   float GetReach(vtkIdType id) const;
-  void AddNearLines(const Near* first, const Near* last, float clip[6]) const;
-  void GetOffset(vtkIdType from, vtkIdType to, float d[3]) const;
+  /// An edge of the border near to a disk, in its plane.
+  struct Edge
+  {
+    float Start[3], Way[3]; // from the disk's centre, and from there to the other end
+    float Out[3];           // from the surface, unit length
+    float Length, Distance; // of its line
+    float Facing;           // as a Side's, either way
+
+    /// How far off, of its length, a fill point may lie that was put on it.
+    static constexpr float Rounding = 1e-3f;
+    bool IsThrough() const { return std::abs(Distance) <= Rounding * Length; }
+    /// Where on its way it is nearest to the centre.
+    float GetPlace() const
+    {
+      return -(Start[0] * Way[0] + Start[1] * Way[1] + Start[2] * Way[2]) / (Length * Length);
+    }
+    /// Past its ends the border may turn away.
+    bool IsBeside() const { return GetPlace() > -PastEnds && GetPlace() < 1 + PastEnds; }
+  };
+  /// How far past the ends of an edge a point may lie that is beside it, of its length.
+  static constexpr float PastEnds = 0.25f;
+  void AddEdge(const Disk& disk, vtkIdType from, const Side& side, std::vector<Edge>& edges) const;
+  static void LeaveOutOtherSides(std::vector<Edge>& edges);
+  static void TakeLines(float least, const std::vector<Edge>& edges, float clip[6]);
+  static float GetRoom(const Edge& edge, const float clip[6], float radius);
+  static void Take(const Disk& disk, std::vector<Edge>& edges, End& end);
+  void AddNearLines(const Near* first, const Near* last, End& end) const;
+  void GetOffset(const double from[3], vtkIdType to, float d[3]) const;
 
   const vtkPointSplatFans& Fans;
   vtkFloatArray* Radii;

@@ -68,6 +68,57 @@ bool Find(const vtkPointSplatFans& fans, const std::vector<vtkIdType>& ids, floa
   }
   return any;
 }
+
+/// The same of triangles that have points of their own: at a crease a corner has the normal of its own face.
+bool FindSplit(const vtkPointSplatFans& apart, float* normals)
+{
+  vtkPointSplatFans joined = apart;
+  joined.Join(normals);
+  if (joined.IsEmpty())
+  {
+    return false;
+  }
+  vtkNew<vtkPolyDataNormals> filter; // splits at 30 degrees
+  filter->SetInputData(MakeMesh(joined));
+  filter->Update();
+  vtkPolyData* split = filter->GetOutput();
+  vtkDataArray* found = split->GetPointData()->GetNormals();
+  bool any = false;
+  vtkIdType triangle = 0;
+  const std::vector<vtkIdType>& corners = apart.GetCorners();
+  for (std::size_t i = 0; i < corners.size(); i += 3)
+  {
+    const auto getSame = [&](int k) { return joined.GetSame(corners[i + k]); };
+    if (getSame(0) == getSame(1) || getSame(1) == getSame(2) || getSame(2) == getSame(0))
+    {
+      continue; // it has no area, and is none of those joined
+    }
+    vtkIdType count;
+    const vtkIdType* ids;
+    split->GetPolys()->GetCellAtId(triangle++, count, ids);
+    for (int k = 0; k < 3; ++k)
+    {
+      float* normal = normals + 3 * corners[i + k];
+      // Triangles may have been turned.
+      const auto* id = std::find_if(ids, ids + count, [&](vtkIdType at) {
+        double x[3];
+        split->GetPoint(at, x);
+        return std::equal(x, x + 3, apart.GetPosition(corners[i + k]));
+      });
+      double n[3];
+      if (id != ids + count && vtkPointSplatInput::IsZero(normal))
+      {
+        found->GetTuple(*id, n);
+        if (std::isfinite(n[0] + n[1] + n[2]) && vtkMath::Normalize(n) > 0)
+        {
+          std::copy_n(n, 3, normal);
+          any = true;
+        }
+      }
+    }
+  }
+  return any;
+}
 }
 
 bool vtkPointSplatMeshNormals::Complete(vtkPointSplatFans& fans, float* normals)
@@ -80,7 +131,7 @@ bool vtkPointSplatMeshNormals::Complete(vtkPointSplatFans& fans, float* normals)
       missing.push_back(id);
     }
   }
-  const bool any = !fans.AreApart() && Find(fans, missing, normals);
+  const bool any = !missing.empty() && (fans.AreApart() ? FindSplit(fans, normals) : Find(fans, missing, normals));
   const bool joined = fans.Join(normals);
   return (any && !joined) || Find(fans, missing, normals) || any;
 }

@@ -7,7 +7,9 @@
  * An internal helper of vtkPointSplatEstimation. These are vtkPolyDataNormals', without splitting: the
  * mean of the normals of a vertex' triangles, which are turned the same way as those beside them
  * before. Points that are one have one normal: where a mesh is made of pieces, as of the sides of a
- * body, the pieces' normals tell whether they are; where each triangle has points of its own, they are.
+ * body, the pieces' normals tell whether they are. Where each triangle has points of its own, as in files of the STL
+ * format, those in one place are one within a face, which ends where triangles meet at more than 30 degrees: there
+ * vtkPolyDataNormals splits.
  */
 #ifndef vtkPointSplatMeshNormals_h
 #define vtkPointSplatMeshNormals_h

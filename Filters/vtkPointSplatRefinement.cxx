@@ -60,6 +60,7 @@ vtkPointSplatRefinement::Point vtkPointSplatRefinement::Get(Index index) const
   std::copy_n(this->Normals + std::size_t(3) * site, 3, point.Normal);
   std::copy_n(this->Curvatures + std::size_t(6) * site, 6, point.Curvature);
   point.Size = this->Stars.Sizes[site];
+  point.Tip = std::binary_search(this->Stars.Tips.begin(), this->Stars.Tips.end(), site);
   point.Cover = this->Covers[site];
   point.Count = 1;
   point.Ends[0] = site;
@@ -131,11 +132,13 @@ void Bend(const vtkPointSplatRefinement::Point& p, const vtkPointSplatRefinement
   vtkMath::Cross(plane, way, across);
   const double share = double(p.Size) * p.Size / (double(p.Size) * p.Size + double(q.Size) * q.Size);
   const int rows[6] = { 0, 1, 2, 0, 1, 0 }, columns[6] = { 0, 1, 2, 1, 2, 2 };
+  // Half way to a tip, as a cone's, the surface is half as wide, and bends twice as much.
+  const double ofP = p.Tip ? 0 : (q.Tip ? 2 : share), ofQ = q.Tip ? 0 : (p.Tip ? 2 : 1 - share);
   double beside = 0;
   for (int c = 0; c < 6; ++c)
   {
-    const double mean = share * p.Curvature[c] + (1 - share) * q.Curvature[c];
-    beside += (c < 3 ? 1 : 2) * mean * across[rows[c]] * across[columns[c]];
+    const double sum = ofP * p.Curvature[c] + ofQ * q.Curvature[c];
+    beside += (c < 3 ? 1 : 2) * sum * across[rows[c]] * across[columns[c]];
   }
   for (int c = 0; c < 6; ++c)
   {
@@ -197,6 +200,10 @@ vtkPointSplatRefinement::Point vtkPointSplatRefinement::MakeMiddle(
   middle.Size = std::min(graded, std::max(2 * ShareOfEdge * half, std::min(p.Size, q.Size)));
   this->AddEnds(p, middle);
   this->AddEnds(q, middle);
+  if (this->GetRoom)
+  {
+    middle.Size = std::min(middle.Size, vtkPointSplatStars::GetSize(this->GetRoom(middle)));
+  }
   return middle;
 }
 

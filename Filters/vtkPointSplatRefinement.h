@@ -21,7 +21,8 @@
  *    it, as on an arc, it is lifted by what an arc rises over its chord, a quarter of the length times the lesser of
  *    their sines; at an edge or a tip, where one end's normal is across it, it stays on the chord. Along
  *    the edge it is curved as the ends' normals say, and across it as the ends are in the mean, weighted by the
- *    squares of their sizes: a fillet's curvature says nothing of the face beside it.
+ *    squares of their sizes: a fillet's curvature says nothing of the face beside it. Half way to a tip it is twice that of
+ *    the other end.
  * 4. *Cover.* The splats of the triangles that remain are larger, in the same proportion, where those of its three
  *    corners do not cover one together; sizes stay as they are.
  * 5. Ends, and weights of them, tell what else a fill point has: of up to three sites.
@@ -37,6 +38,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <tuple>
@@ -59,6 +61,7 @@ public:
     float Clip[6];             // its lines, as in the array
     float Size;
     float Cover;               // by how much its splat is larger than its size asks for
+    bool Tip;                  // whether it is a site of Stars.Tips
     int Count;                 // of ends
     Site Ends[3];
     float Weights[3];          // their sum is 1
@@ -67,6 +70,9 @@ public:
   /// normals: 3 floats a site, unit length; curvatures: 6.
   vtkPointSplatRefinement(
     const vtkPointSplatStars& stars, const float* normals, const float* curvatures);
+
+  /// If set, gives the largest radius that the splat of a fill point has room for.
+  std::function<float(const Point&)> GetRoom;
 
   /// Returns false if more than most points are to be made, or are expected to be.
   bool Make(std::size_t most);

@@ -28,6 +28,12 @@ constexpr float FarNeighbor = 2.4f;
 constexpr float FlatTurn = 0.2f;
 /// How many times larger than its size asks for a disk may be where the surface bends: it would stand off that.
 constexpr float LargeDisk = 1.4f;
+/// By how much the surface of a mesh, where its curvature is known, may turn within a size.
+constexpr float MostBend = 0.4f;
+/// Of what a triangle beside a vertex is wide no size is less: a mesh is as fine across as its surface bends.
+constexpr float WidthShare = 0.8f;
+/// What is left of the disk at a tip.
+constexpr float TipShare = 0.05f;
 /// Normals of two faces part by more than this cosine (20 degrees), and where points are too few for the crease between
 /// them to be found from both, by this (60 degrees): else the surface may bend from one to the other.
 constexpr float CreaseCosine = 0.94f;
@@ -67,6 +73,39 @@ void vtkPointSplatStars::SetSize(Site site, const Measures& measures, bool bends
 bool vtkPointSplatStars::StandsOff(Site site, float turn, float reach) const
 {
   return IsBent(turn, reach) && reach > LargeDisk * this->GetRadius(site);
+}
+
+void vtkPointSplatStars::Bound(Site site, float radius)
+{
+  const float most = GetSize(radius);
+  float& size = this->Sizes[site];
+  size = size > 0 ? std::min(size, most) : most; // a corner of one triangle alone has none
+  this->Uneven[site] = 1;
+}
+
+float vtkPointSplatStars::GetBent(const float curvature[6])
+{
+  float squared = 0;
+  for (int c = 0; c < 6; ++c)
+  {
+    squared += (c < 3 ? 1 : 2) * curvature[c] * curvature[c];
+  }
+  return MostBend / std::sqrt(squared);
+}
+
+void vtkPointSplatStars::BoundBent(Site site, const float curvature[6], float radius, float width)
+{
+  const float most = GetRadius(std::max(GetBent(curvature), WidthShare * width));
+  if (radius > LargeDisk * most)
+  {
+    this->Bound(site, most);
+  }
+}
+
+void vtkPointSplatStars::BoundTip(Site site, float radius)
+{
+  this->Bound(site, TipShare * radius);
+  this->Tips.push_back(site);
 }
 
 float vtkPointSplatStars::GetMedianSize() const

@@ -36,6 +36,9 @@
  *    the same plane, as from an animal's sole to the next.
  * 4. *Grading.* No size is larger than that of a site next to it in such a triangle and Slope of the way to that:
  *    a disk does not reach over a denser part to what lies beyond, which may be an edge.
+ *    Of a mesh, whose curvature triangles tell, sizes are those within which it turns by MostBend, but for WidthShare of
+ *    triangles' width; disks at borders have the room that these leave (vtkPointSplatMeshBorders.h), and at tips, from which
+ *    all triangles fall off steeply, as a cone's do, next to none.
  * 5. *Continued borders.* Where a triangle goes on past a border (vtkPointSplatBorders.h) to a point that is much
  *    sparser, just the denser part of the points ends there, and not the surface.
  */
@@ -81,6 +84,17 @@ public:
   /// Of those that have a star.
   float GetMedianSize() const;
 
+  /// Makes a site uneven whose splat's radius may be no more than this.
+  void Bound(Site site, float radius);
+
+  /// The same where a mesh is so curved (as vtkPointSplatCurvature's tensor) that a disk of that radius would stand off;
+  /// width: of the narrowest triangle there.
+  void BoundBent(Site site, const float curvature[6], float radius, float width);
+  /// The same at a mesh's tip, of whose disk next to nothing is left.
+  void BoundTip(Site site, float radius);
+  /// The largest size of what is so curved.
+  static float GetBent(const float curvature[6]);
+
   /// Gives all sites with a star this size at least.
   void RaiseSizes(float least);
 
@@ -114,12 +128,14 @@ public:
   /// The radius of the splat of an uneven site.
   float GetRadius(Site site) const { return RadiusPerSize * this->Sizes[site]; }
   static float GetRadius(float size) { return RadiusPerSize * size; }
+  static float GetSize(float radius) { return radius / RadiusPerSize; }
   /// The size that a site some way off one of another size may have.
   static float GetGraded(float size, float way) { return size + Slope * way; }
 
   const PositionGetter GetPosition;
   vtkPointSplatLargeArray<float> Sizes; // 0 where there is no star
   vtkPointSplatLargeArray<unsigned char> Uneven;
+  std::vector<Site> Tips; // of a mesh, in order
   std::vector<Triangle> Triangles; // each once, in order
 
 private:

@@ -32,6 +32,7 @@ BENT = ("tubes_edges", "drapery_vertices")
 ROWS = ("grid_lines_bare", "grid_lines_20_bare", "grid_lines_noisy")
 SHADED = ("shaded_facets", "thick_slices")
 ISOSURFACES = ("tubes_points", "cut_points", "gear_points")
+LONG = ("can", "shaft", "arrow", "cog")
 # The file in Filters, the values to try, and the stand-ins that tell.
 CONSTANTS = {
     "AnglePerDeviation": ("vtkPointSplatCrease.cxx", (2, 3, 4, 6, 8), FOLDS + PARTS),
@@ -94,6 +95,13 @@ CONSTANTS = {
                       ("meshes:drapery_vertices", "meshes:part_vertices", "meshes:tubes_edges")),
     "LengthPerReach": ("vtkPointSplatFans.cxx", (0.8, 0.9, 1.0),
                        ("meshes:drapery_vertices", "meshes:part_vertices", "meshes:tubes_edges")),
+    "ThirdsPerSpacing": ("vtkPointSplatFans.cxx", (2, 4, 8, 16), LONG + ("meshes:drapery_vertices",)),
+    "SteepSine": ("vtkPointSplatFans.cxx", (0.6, 0.75, 0.9), ("arrow", "meshes:drapery_vertices")),
+    "MostBend": ("vtkPointSplatStars.cxx", (0.3, 0.4, 0.5, 0.6), LONG + ("meshes:tubes_contour",)),
+    "WidthShare": ("vtkPointSplatStars.cxx", (0.0, 0.5, 0.8, 1.2), LONG + ("meshes:tubes_contour",)),
+    "TipShare": ("vtkPointSplatStars.cxx", (0.02, 0.05, 0.2), ("arrow",)),
+    "MostPast": ("vtkPointSplatMeshBorders.cxx", (0.02, 0.05, 0.1), LONG),
+    "LeastOff": ("vtkPointSplatMeshBorders.cxx", (0.0005, 0.002, 0.01, 0.03), ("slab", "cog")),
 }
 
 

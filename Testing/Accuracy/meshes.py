@@ -13,15 +13,16 @@ from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
+from scenes import polydata
 from standin import StandIn, vertices
 
 READERS = {".ply": vtkPLYReader, ".vtp": vtkXMLPolyDataReader, ".obj": vtkOBJReader, ".stl": vtkSTLReader}
 
 
-def with_normals(mesh):
+def with_normals(mesh, splitting=False):
     normals = vtkPolyDataNormals()
     normals.SetInputData(mesh)
-    normals.SplittingOff()
+    normals.SetSplitting(splitting)
     normals.Update()
     return normals.GetOutput()
 
@@ -52,3 +53,18 @@ def of_file(path):
         vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)], axis=1)
     spacing = float(np.median(np.linalg.norm(edges, axis=2)))
     return StandIn(os.path.basename(path), vertices(mesh), None, spacing, mesh, (lambda: fine) if fine else None)
+
+
+def triangles_of(standin, shared=True, normals=False):
+    """Its mesh as files have them: triangles that share their corners or not, mostly without normals. Where neither tells
+    faces apart, edges of 30 degrees do."""
+    mesh = standin.mesh
+    triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    p, n = (vtk_to_numpy(array)
+            for array in (mesh.GetPoints().GetData(), mesh.GetPointData().GetNormals()))
+    if not shared:
+        p, n = p[triangles.ravel()], n[triangles.ravel()]
+        triangles = np.arange(len(p)).reshape(-1, 3)
+    cloud = polydata(p, n if normals else None, triangles)
+    truth = mesh if shared or normals else with_normals(mesh, splitting=True)
+    return StandIn(standin.name + ", triangles", cloud, None, standin.spacing, truth)

@@ -18,6 +18,8 @@ from vtkmodules.vtkFiltersCore import (
 from vtkmodules.vtkFiltersModeling import vtkAdaptiveSubdivisionFilter, vtkLinearExtrusionFilter
 from vtkmodules.vtkFiltersSources import vtkSuperquadricSource
 
+import cad
+from meshes import triangles_of
 from parametric import nearest, normals_of, parametric, random_of, to_parametric, to_points
 from reference.surfaces import unit
 from scenes import polydata, sphere_mesh
@@ -510,19 +512,6 @@ def without_normals(standin):
     return StandIn(standin.name + ", no normals", polydata(p, None), standin.distance, standin.spacing, standin.mesh)
 
 
-def triangles_of(standin, shared=True, normals=False):
-    """Its mesh as files have them: triangles that share their corners or not, mostly without normals."""
-    mesh = standin.mesh
-    triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-    p, n = (vtk_to_numpy(array)
-            for array in (mesh.GetPoints().GetData(), mesh.GetPointData().GetNormals()))
-    if not shared:
-        p, n = p[triangles.ravel()], n[triangles.ravel()]
-        triangles = np.arange(len(p)).reshape(-1, 3)
-    return StandIn(standin.name + ", triangles", polydata(p, n if normals else None, triangles), None, standin.spacing,
-                   mesh)
-
-
 def turned(standin):
     """By 20 degrees about two axes: no longer on the lattice of its volume."""
     c, s = math.cos(math.radians(20)), math.sin(math.radians(20))
@@ -554,6 +543,12 @@ ALL = {
     "thick_slices": thick_slices,
     "part_vertices": machined_part,
     "part_vertices_bare": lambda: without_normals(machined_part()),
+    "can": cad.can,
+    "slab": cad.slab,
+    "shaft": cad.shaft,
+    "arrow": cad.arrow,
+    "cog": cad.cog,
+    "cog_triangles_apart": lambda: triangles_of(cad.cog(), shared=False),
     "part_triangles": lambda: triangles_of(machined_part()),
     "part_triangles_apart": lambda: triangles_of(machined_part(), shared=False),
     "part_random": lambda: machined_part(True),

@@ -215,29 +215,6 @@ void TestJoined()
   }
 }
 
-/// How far disks, so many times as large, of a mesh in the plane z reach past x = 0, where it ends.
-double GetFarthest(Estimated& estimated, double times = 1)
-{
-  vtkPolyData* splats = estimated.Filter->GetOutput();
-  vtkFloatArray* clips = Array(splats, vtkPointSplatArrays::Clip);
-  double farthest = 0;
-  for (vtkIdType id = 0; id < splats->GetNumberOfPoints(); ++id)
-  {
-    double clip[6], x[3];
-    clips->GetTuple(id, clip);
-    splats->GetPoint(id, x);
-    for (int k = 0; k < 360; ++k)
-    {
-      const double angle = vtkMath::RadiansFromDegrees(static_cast<double>(k));
-      const double r = times * estimated.Radius(id);
-      const double d[3] = { r * std::cos(angle), r * std::sin(angle), 0 };
-      const bool kept = vtkMath::Dot(clip, d) <= 1 && vtkMath::Dot(clip + 3, d) <= 1;
-      farthest = kept ? std::max(farthest, -(x[0] + d[0])) : farthest;
-    }
-  }
-  return farthest;
-}
-
 /// A mesh's disks end at its border, however near to that its points lie.
 void TestBorders()
 {

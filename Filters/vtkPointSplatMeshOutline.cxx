@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatMeshOutline.h"
+
+#include "vtkCellArray.h"
+#include "vtkMath.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <set>
+#include <utility>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+/// What part of what is looked for around a place pieces are long.
+constexpr double PiecesPerReach = 32;
+}
+
+vtkPointSplatMeshOutline::vtkPointSplatMeshOutline(const vtkPointSplatFans& fans)
+  : Fans(fans)
+  , Bodies(fans.GetNumberOfPoints())
+{
+  std::iota(this->Bodies.begin(), this->Bodies.end(), vtkIdType(0));
+  const std::vector<vtkIdType>& corners = fans.GetCorners();
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    const auto [first, second] = std::minmax(
+      { this->GetBody(corners[i]), this->GetBody(corners[i % 3 < 2 ? i + 1 : i - 2]) });
+    this->Bodies[second] = first;
+  }
+
+  std::set<std::pair<vtkIdType, vtkIdType>> followed;
+  double shortest = std::numeric_limits<double>::max();
+  for (const vtkIdType begin : fans.GetBorder())
+  {
+    for (const vtkPointSplatFans::BorderEdge& edge : fans.GetBorderEdges(begin))
+    {
+      Piece piece{ begin, edge, edge.Next };
+      while (followed.insert(std::minmax(piece.From, piece.To)).second)
+      {
+        this->Edges.push_back(piece);
+        const double length = this->GetLength(piece);
+        shortest = length > 0 ? std::min(shortest, length) : shortest;
+        const vtkPointSplatFans::BorderEdges next = fans.GetBorderEdges(piece.To);
+        if (next.Count != 2)
+        {
+          break;
+        }
+        const vtkPointSplatFans::BorderEdge& on = next.First[next.First[0].Next == piece.From ? 1 : 0];
+        piece = { piece.To, on, on.Next };
+      }
+    }
+  }
+  this->Finest = std::ilogb(shortest);
+}
+
+double vtkPointSplatMeshOutline::GetLength(const Piece& edge) const
+{
+  return std::sqrt(
+    vtkMath::Distance2BetweenPoints(this->Fans.GetPosition(edge.From), this->Fans.GetPosition(edge.To)));
+}
+
+vtkIdType vtkPointSplatMeshOutline::GetBody(vtkIdType vertex)
+{
+  while (this->Bodies[vertex] != vertex)
+  {
+    vertex = this->Bodies[vertex] = this->Bodies[this->Bodies[vertex]];
+  }
+  return vertex;
+}
+
+/// Pieces up to two to that power long.
+const vtkPointSplatMeshOutline::Level& vtkPointSplatMeshOutline::GetLevel(int exponent)
+{
+  const auto [at, isNew] = this->Levels.try_emplace(exponent);
+  Level& level = at->second;
+  if (!isNew)
+  {
+    return level;
+  }
+  const double most = std::ldexp(1.0, exponent);
+  double along = 0;
+  for (const Piece& edge : this->Edges)
+  {
+    const double length = this->GetLength(edge);
+    along += length;
+    if (!level.Pieces.empty() && level.Pieces.back().To == edge.From && along <= most)
+    {
+      level.Pieces.back().To = edge.To;
+    }
+    else
+    {
+      level.Pieces.push_back(edge);
+      along = length;
+    }
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  for (const Piece& piece : level.Pieces)
+  {
+    lines->InsertNextCell(2);
+    lines->InsertCellPoint(points->InsertNextPoint(this->Fans.GetPosition(piece.From)));
+    lines->InsertCellPoint(points->InsertNextPoint(this->Fans.GetPosition(piece.To)));
+  }
+  vtkNew<vtkPolyData> border;
+  border->SetPoints(points);
+  border->SetLines(lines);
+  level.Locator->SetDataSet(border);
+  level.Locator->BuildLocator();
+  return level;
+}
+
+void vtkPointSplatMeshOutline::Find(
+  vtkIdType vertex, const double place[3], double reach, std::vector<Piece>& pieces)
+{
+  pieces.clear();
+  double bounds[6];
+  for (int c = 0; c < 3; ++c)
+  {
+    bounds[2 * c] = place[c] - reach;
+    bounds[2 * c + 1] = place[c] + reach;
+  }
+  const Level& level = this->GetLevel(std::max(this->Finest, std::ilogb(reach / PiecesPerReach)));
+  level.Locator->FindCellsWithinBounds(bounds, this->Found);
+  const vtkIdType body = this->GetBody(vertex);
+  for (const vtkIdType found : *this->Found)
+  {
+    if (this->GetBody(level.Pieces[found].From) == body)
+    {
+      pieces.push_back(level.Pieces[found]);
+    }
+  }
+}
+
+VTK_ABI_NAMESPACE_END

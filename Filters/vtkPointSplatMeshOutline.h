@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPointSplatMeshOutline
+ * @brief   the border of a mesh near a place on it
+ *
+ * An internal helper of vtkPointSplatMeshBorders, for places that are no vertices, at which fill points lie.
+ *
+ * 1. Edges of the border that follow one another are pieces as long as a 32nd of what is looked for around a place, by powers
+ *    of two, and longer ones stand alone: however fine an outline is, few are found (vtkStaticCellLocator).
+ * 2. Those of other bodies, which triangles do not connect with the place's, are left out: a face that was split from the
+ *    next one ends where that does, and a plate may lie on another one.
+ */
+#ifndef vtkPointSplatMeshOutline_h
+#define vtkPointSplatMeshOutline_h
+
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointSplatFans.h"
+#include "vtkStaticCellLocator.h"
+
+#include <map>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkPointSplatMeshOutline
+{
+public:
+  explicit vtkPointSplatMeshOutline(const vtkPointSplatFans& fans);
+
+  /// Of the border, from a vertex along an edge and on to another one.
+  struct Piece
+  {
+    vtkIdType From;
+    vtkPointSplatFans::BorderEdge First;
+    vtkIdType To;
+  };
+
+  /// Gives the pieces of a vertex' body that may be so near to a place.
+  void Find(vtkIdType vertex, const double place[3], double reach, std::vector<Piece>& pieces);
+
+private:
+  /// Pieces of about one length.
+  struct Level
+  {
+    std::vector<Piece> Pieces;
+    vtkNew<vtkStaticCellLocator> Locator;
+  };
+  const Level& GetLevel(int exponent);
+  double GetLength(const Piece& edge) const;
+  vtkIdType GetBody(vtkIdType vertex);
+
+  const vtkPointSplatFans& Fans;
+  std::vector<vtkIdType> Bodies; // of each vertex one of its body's; of one of them itself
+  std::vector<Piece> Edges; // each once, as they follow one another
+  int Finest;               // exponent of the shortest edge's length
+  std::map<int, Level> Levels;
+  vtkNew<vtkIdList> Found;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

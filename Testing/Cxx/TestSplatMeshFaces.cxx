@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// That splats of faces with few triangles, as CAD has them, cover these, and nothing beside them.
+#include "MeshScene.h"
+
+#include "vtkConeSource.h"
+#include "vtkCubeSource.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkTriangleFilter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <initializer_list>
+#include <string>
+
+namespace
+{
+using namespace MeshScene;
+
+/// A data set's splats, fill points among them.
+vtkSmartPointer<vtkPolyData> MakeSplats(vtkPolyData* data, double scale = 1)
+{
+  vtkNew<vtkPointSplatEstimation> filter;
+  filter->SetInputData(data);
+  filter->FillGapsOn();
+  filter->SetRadiusScale(scale);
+  filter->Update();
+  return filter->GetOutput();
+}
+
+/// Whether a splat, so many times as large, reaches a place.
+bool IsCovered(vtkPolyData* splats, const double place[3], double times)
+{
+  for (vtkIdType id = 0; id < splats->GetNumberOfPoints(); ++id)
+  {
+    double clip[6] = { 0, 0, 0, 0, 0, 0 }, x[3], d[3];
+    if (vtkFloatArray* clips = Array(splats, vtkPointSplatArrays::Clip))
+    {
+      clips->GetTuple(id, clip);
+    }
+    splats->GetPoint(id, x);
+    vtkMath::Subtract(place, x, d);
+    const double radius = Array(splats, vtkPointSplatArrays::Radius)->GetValue(id);
+    if (vtkMath::Norm(d) <= times * radius && vtkMath::Dot(clip, d) <= 1 && vtkMath::Dot(clip + 3, d) <= 1)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Looks at places of the plane z from -1 to 4 by x and by y. distance: to the faces, less than 0 inside.
+void CheckFaces(vtkPolyData* splats, const std::function<double(double, double)>& distance, const std::string& name)
+{
+  constexpr int samples = 60;
+  int open = 0, past = 0;
+  for (int j = 0; j <= samples; ++j)
+  {
+    for (int i = 0; i <= samples; ++i)
+    {
+      const double place[3] = { -1 + 5.0 * i / samples, -1 + 5.0 * j / samples, 0 };
+      const double off = distance(place[0], place[1]);
+      // Kernels reach farther than disks: they cover with less than they reach.
+      open += off < 0 && !IsCovered(splats, place, 1.1);
+      past += off > 0.12 && IsCovered(splats, place, 1.5);
+    }
+  }
+  Expect(open == 0, name + ": " + std::to_string(open) + " places are open");
+  Expect(past == 0, name + ": " + std::to_string(past) + " places beside it are covered");
+}
+
+double GetDistance(double x, double y, double width, double height)
+{
+  return std::max({ -x, -y, x - width, y - height });
+}
+
+void AddPolygon(vtkPolyData* data, std::initializer_list<std::array<double, 2>> corners)
+{
+  data->GetPolys()->InsertNextCell(static_cast<int>(corners.size()));
+  for (const std::array<double, 2>& corner : corners)
+  {
+    data->GetPolys()->InsertCellPoint(data->GetPoints()->InsertNextPoint(corner[0], corner[1], 0));
+    data->GetPointData()->GetNormals()->InsertNextTuple3(0, 0, 1);
+  }
+}
+
+void TestPolygons()
+{
+  vtkSmartPointer<vtkPolyData> square = MakeEmpty();
+  AddPolygon(square, { { { 0, 0 } }, { { 3, 0 } }, { { 3, 3 } }, { { 0, 3 } } });
+  vtkSmartPointer<vtkPolyData> splats = MakeSplats(square);
+  CheckFaces(splats, [](double x, double y) { return GetDistance(x, y, 3, 3); }, "a square");
+  Expect(splats->GetNumberOfPoints() > 4 && splats->GetNumberOfPoints() < 12, "a square takes few splats");
+
+  vtkSmartPointer<vtkPolyData> larger = MakeSplats(square, 1.5);
+  for (vtkIdType id = 0; id < 4; ++id)
+  {
+    AtMost(std::abs(Array(larger, vtkPointSplatArrays::Radius)->GetValue(id) -
+             1.5 * Array(splats, vtkPointSplatArrays::Radius)->GetValue(id)),
+      1e-5, "the scale changes what there is room for");
+  }
+
+  vtkSmartPointer<vtkPolyData> strip = MakeEmpty();
+  AddPolygon(strip, { { { 0, 0 } }, { { 3, 0 } }, { { 3, 0.4 } }, { { 0, 0.4 } } });
+  CheckFaces(MakeSplats(strip), [](double x, double y) { return GetDistance(x, y, 3, 0.4); }, "a strip");
+
+  vtkSmartPointer<vtkPolyData> triangle = MakeEmpty();
+  AddPolygon(triangle, { { { 0, 0 } }, { { 3, 0 } }, { { 0, 3 } } });
+  CheckFaces(MakeSplats(triangle),
+    [](double x, double y) { return std::max({ -x, -y, (x + y - 3) / std::sqrt(2.0) }); }, "a triangle");
+
+  // Two squares, and one of them lies on a plate that goes on.
+  vtkSmartPointer<vtkPolyData> two = MakeEmpty();
+  AddPolygon(two, { { { 0, 0 } }, { { 1, 0 } }, { { 1, 1 } }, { { 0, 1 } } });
+  AddPolygon(two, { { { -1, -1 } }, { { 4, -1 } }, { { 4, 4 } }, { { -1, 4 } } });
+  CheckFaces(MakeSplats(two), [](double, double) { return -1.0; }, "a square on a plate");
+}
+
+/// A mesh that was split along a part of a line, as where an edge gets blunt, is covered on both sides and at its end.
+void TestSlit()
+{
+  vtkSmartPointer<vtkPolyData> square = MakeEmpty();
+  AddSquare(square, 4, 0, 1);
+  const vtkIdType first = square->GetNumberOfPoints();
+  for (vtkIdType i = 0; i < 2; ++i)
+  {
+    // Of the line y = 1.
+    square->GetPoints()->InsertNextPoint(square->GetPoint(4 + i));
+    square->GetPointData()->GetNormals()->InsertNextTuple3(0, 0.35, 0.94);
+    square->GetPointData()->GetNormals()->SetTuple3(4 + i, 0, -0.35, 0.94);
+  }
+  ChangeCells(square, [&](vtkIdType cell, vtkIdList* ids) {
+    for (vtkIdType k = 0; k < 4 && cell >= 3; ++k)
+    {
+      const vtkIdType id = ids->GetId(k);
+      ids->SetId(k, id == 4 || id == 5 ? first + id - 4 : id);
+    }
+    return true;
+  });
+  CheckFaces(MakeSplats(square), [](double x, double y) { return GetDistance(x, y, 3, 3); }, "a square with a slit");
+}
+
+/// A polygon of many short edges: what is looked at for each fill point does not grow with them.
+void TestFineOutline()
+{
+  vtkSmartPointer<vtkPolyData> disc = MakeEmpty();
+  constexpr vtkIdType corners = 2000;
+  disc->GetPolys()->InsertNextCell(corners);
+  for (vtkIdType k = 0; k < corners; ++k)
+  {
+    const double angle = 2 * vtkMath::Pi() * k / corners;
+    disc->GetPolys()->InsertCellPoint(
+      disc->GetPoints()->InsertNextPoint(1.5 + 1.5 * std::cos(angle), 1.5 + 1.5 * std::sin(angle), 0));
+    disc->GetPointData()->GetNormals()->InsertNextTuple3(0, 0, 1);
+  }
+  CheckFaces(MakeSplats(disc), [](double x, double y) { return std::hypot(x - 1.5, y - 1.5) - 1.5; }, "a disc");
+}
+
+/// A cube of triangles with points of their own and no normals has those of its faces.
+void TestCube()
+{
+  vtkNew<vtkCubeSource> cube;
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputConnection(cube->GetOutputPort());
+  triangles->Update();
+  vtkSmartPointer<vtkPolyData> soup = MakeSoup(triangles->GetOutput());
+  soup->GetPointData()->SetNormals(nullptr);
+  vtkSmartPointer<vtkPolyData> splats = MakeSplats(soup);
+  for (vtkIdType id = 0; id < splats->GetNumberOfPoints(); ++id)
+  {
+    double n[3], x[3];
+    splats->GetPointData()->GetNormals()->GetTuple(id, n);
+    splats->GetPoint(id, x);
+    const int axis = static_cast<int>(std::max_element(n, n + 3, [](double a, double b) { return std::abs(a) < std::abs(b); }) - n);
+    AtMost(std::abs(n[axis] - 2 * x[axis]), 1e-5, "the normal of a cube's splat " + std::to_string(id));
+  }
+}
+
+/// A cone's tip is one point, about which no disk lies on the surface.
+void TestTip()
+{
+  vtkNew<vtkConeSource> cone;
+  cone->SetResolution(24);
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputConnection(cone->GetOutputPort());
+  normals->Update();
+  vtkSmartPointer<vtkPolyData> splats = MakeSplats(normals->GetOutput());
+  for (vtkIdType id = 0; id < splats->GetNumberOfPoints(); ++id)
+  {
+    double x[3];
+    splats->GetPoint(id, x);
+    const double width = std::hypot(x[1], x[2]);
+    // Its base lies at x = -0.5.
+    if (x[0] > -0.49)
+    {
+      AtMost(Array(splats, vtkPointSplatArrays::Radius)->GetValue(id), std::max(0.06, 0.8 * width),
+        "a splat's radius where the cone is " + std::to_string(2 * width) + " wide");
+    }
+  }
+}
+}
+
+int TestSplatMeshFaces(int, char*[])
+{
+  TestPolygons();
+  TestSlit();
+  TestFineOutline();
+  TestCube();
+  TestTip();
+  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
