@@ -27,13 +27,14 @@ constexpr float KernelReach = 2.0f;
 /// Of about how many points near to one on the border it is asked whether they reach it. Where triangles
 /// are long along the border rows of tens do; disks that reach farther than that are no mesh's.
 constexpr vtkIdType MostSeen = 256;
+// From Testing/Accuracy/fit_constants.py.
 /// How far the border is followed, in a point's radii, to tell where it goes, and over how many edges at most: vertices of
 /// isosurfaces lie as near to one another as they like, and an edge between two that nearly coincide goes anywhere.
-constexpr float LeastEdge = 0.1f;
+constexpr float LeastEdge = 0.002f;
 constexpr int MostSteps = 16;
 /// How far a triangle's normal may be from a disk's whose plane it is in, as a cosine (60 degrees).
 constexpr float AlikePlane = 0.5f;
-// The next two are from Testing/Accuracy/fit_constants.py.
+// The next two are from there, too.
 /// Lines do not go through the points themselves, but so many lengths of the edge off: their vectors are finite.
 constexpr float LeastOff = 0.002f;
 /// How far past an edge that has no line a kernel may reach, of its reach: where an outline bends it does.
@@ -311,7 +312,7 @@ float vtkPointSplatMeshBorders::GetRoom(const Edge& edge, const float clip[6], f
       last = -1;
     }
   }
-  if (first > last || edge.Distance <= LeastOff * edge.Length)
+  if (first > last || edge.Distance <= Edge::Rounding * edge.Length)
   {
     return std::numeric_limits<float>::max();
   }

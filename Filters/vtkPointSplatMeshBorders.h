@@ -10,7 +10,7 @@
  * 1. A point on the border is clipped by the lines along its two edges where the corner between
  *    them is convex, and by one across it where it is reflex, as vtkPointSplatBorders does. Where a
  *    seam meets the border it has one edge there, and one line. Edges go to the next point of the border that
- *    is a tenth of the disk's radius off: what is nearer says nothing of where the border goes.
+ *    is a five hundredth of the disk's radius off: what is nearer says nothing of where the border goes.
  * 2. Lines that are left to a point, of two, go along the nearest edges that end at points of its
  *    triangles, or of those beyond as far as its kernel reaches, and which it is beside: a mesh that was
  *    cut has points as near to its border as it likes, whose disks are as large as others, and one whose
@@ -107,7 +107,7 @@ private:
     float Facing;           // as a Side's, either way
 
     /// How far off, of its length, a fill point may lie that was put on it.
-    static constexpr float Rounding = 1e-3f;
+    static constexpr float Rounding = 1e-4f;
     bool IsThrough() const { return std::abs(Distance) <= Rounding * Length; }
     /// Where on its way it is nearest to the centre.
     float GetPlace() const

@@ -37,7 +37,7 @@ public:
     vtkIdType To;
   };
 
-  /// Gives the pieces of a vertex' body that may be so near to a place.
+  /// Gives the pieces of a vertex' body that may be so near to a place. Not for several threads at once.
   void Find(vtkIdType vertex, const double place[3], double reach, std::vector<Piece>& pieces);
 
 private:

@@ -39,8 +39,8 @@ def can(resolution=200, divisions=3):
     return body("can", source, divisions)
 
 
-def slab(thickness=0.05):
-    """Each face has two triangles."""
+def slab(thickness=0.01):
+    """Each face has two triangles, and four of them are a hundred times as long as they are wide."""
     source = vtkCubeSource()
     source.SetZLength(thickness)
     return body("slab", source)

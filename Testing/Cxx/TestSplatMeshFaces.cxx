@@ -106,6 +106,10 @@ void TestPolygons()
   AddPolygon(strip, { { { 0, 0 } }, { { 3, 0 } }, { { 3, 0.4 } }, { { 0, 0.4 } } });
   CheckFaces(MakeSplats(strip), [](double x, double y) { return GetDistance(x, y, 3, 0.4); }, "a strip");
 
+  vtkSmartPointer<vtkPolyData> thin = MakeEmpty();
+  AddPolygon(thin, { { { 0, 0 } }, { { 3, 0 } }, { { 3, 0.02 } }, { { 0, 0.02 } } });
+  CheckFaces(MakeSplats(thin), [](double x, double y) { return GetDistance(x, y, 3, 0.02); }, "a thin strip");
+
   vtkSmartPointer<vtkPolyData> triangle = MakeEmpty();
   AddPolygon(triangle, { { { 0, 0 } }, { { 3, 0 } }, { { 0, 3 } } });
   CheckFaces(MakeSplats(triangle),
