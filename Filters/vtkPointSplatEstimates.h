@@ -43,6 +43,9 @@ public:
   /// Returns false if self was aborted.
   bool Run();
 
+  /// Makes fill points of the input's last points, which are copies of others.
+  void MakeFill(const std::vector<vtkIdType>& sources);
+
   vtkNew<vtkFloatArray> Normals;
   vtkNew<vtkFloatArray> Sizes[2]; // radii, or both axes
   vtkNew<vtkFloatArray> Planes;

@@ -240,4 +240,46 @@ void vtkPointSplatEstimates::TakeFill(const vtkPointSplatRefinement& fill)
   }
 }
 
+void vtkPointSplatEstimates::MakeFill(const std::vector<vtkIdType>& sources)
+{
+  const vtkIdType own = this->NumberOfPoints - static_cast<vtkIdType>(sources.size());
+  for (vtkPointSplatRefinement::Point& point : this->Fill)
+  {
+    for (int k = 0; k < point.Count; ++k)
+    {
+      vtkIdType end = point.Ends[k];
+      point.Ends[k] = static_cast<Slot>(end < own ? end : sources[end - own]);
+    }
+  }
+  for (vtkIdType id = own; id < this->NumberOfPoints; ++id)
+  {
+    vtkPointSplatRefinement::Point point{};
+    point.Size = this->Sizes[0]->GetValue(id);
+    if (!(point.Size > 0))
+    {
+      continue; // it is not drawn
+    }
+    this->Input->GetPoint(id, point.X);
+    this->Normals->GetTypedTuple(id, point.Normal);
+    this->Planes->GetTypedTuple(id, point.Plane);
+    this->Curvatures->GetTypedTuple(id, point.Curvature);
+    if (this->Clips->GetNumberOfTuples() > 0)
+    {
+      this->Clips->GetTypedTuple(id, point.Clip);
+    }
+    point.Count = 1;
+    point.Ends[0] = static_cast<Slot>(sources[id - own]);
+    point.Weights[0] = 1;
+    this->Fill.push_back(point);
+  }
+  for (vtkFloatArray* array : { this->Normals.Get(), this->Sizes[0].Get(), this->Planes.Get(), this->Curvatures.Get(),
+         this->Clips.Get(), this->Folds.Get() })
+  {
+    if (array->GetNumberOfTuples() > 0)
+    {
+      array->SetNumberOfTuples(own);
+    }
+  }
+}
+
 VTK_ABI_NAMESPACE_END

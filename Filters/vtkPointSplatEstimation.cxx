@@ -13,6 +13,7 @@
 #include "vtkPointSet.h"
 #include "vtkPointSplatArrays.h"
 #include "vtkPointSplatEstimates.h"
+#include "vtkPointSplatMeshNormals.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -154,7 +155,13 @@ int vtkPointSplatEstimation::RequestData(
 {
   vtkPointSet* input = vtkPointSet::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  vtkPointSplatEstimates estimates(this, input);
+  // Points that are corners of several faces have a splat for each.
+  std::vector<vtkIdType> sources;
+  vtkPolyData* mesh = vtkPolyData::SafeDownCast(input);
+  const vtkSmartPointer<vtkPolyData> split = mesh && this->FillGaps && this->FillMeshGaps && this->Shape == Circular
+    ? vtkPointSplatMeshNormals::Split(mesh, sources)
+    : nullptr;
+  vtkPointSplatEstimates estimates(this, split ? split.Get() : input);
   const bool finished = estimates.Run();
   this->NumberOfPointsAlone = estimates.NumberOfPointsAlone;
   this->Noise = estimates.Noise;
@@ -163,6 +170,10 @@ int vtkPointSplatEstimation::RequestData(
   if (!finished)
   {
     return 1;
+  }
+  if (split)
+  {
+    estimates.MakeFill(sources);
   }
 
   vtkPointData* data = output->GetPointData();

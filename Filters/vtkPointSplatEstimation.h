@@ -42,7 +42,8 @@
  * 1. *Neighbours.* For each point the NumberOfNeighbors nearest ones, found for all points at
  *    once. Of points at the same position one takes part, and the others share its result.
  * 2. *Normals*, where the input has none: of triangles' corners the mean of their triangles' normals, on the side that
- *    the order of their corners tells (vtkPointSplatMeshNormals.h); of others the axis of least variance of the neighbours. Where these lie in a row, of scan
+ *    the order of their corners tells, or at edges of more than 30 degrees of a mesh that has flat faces the mean of one face's
+ *    (vtkPointSplatMeshNormals.h); of others the axis of least variance of the neighbours. Where these lie in a row, of scan
  *    lines as of a solver's grid, that is any; there farther neighbours tell, if rows side by side lie in a surface, and
  *    where noise takes points off their row, four times as many (vtkPointSplatRows.h).
  * 3. *Orientation* of the normals from stage 2, either towards the Viewpoint, or consistently:
@@ -125,7 +126,8 @@
  *    the bend ask for, graded from point to point (vtkPointSplatStars.h), and fill points lie between those that are
  *    farther apart than that (vtkPointSplatRefinement.h), with normals between theirs; so they do in holes of a regular
  *    sampling that no border surrounds, since these are gaps. Without it disks are as large as gaps are. Even samplings
- *    have no fill points, random ones few; noise (IsNoisy()) of points at random does not count as bend,
+ *    have no fill points, random ones few. What a mesh's point without a normal has on other faces than its own are fill points
+ *    in its place. Noise (IsNoisy()) of points at random does not count as bend,
  *    nor do steps that normals do not follow (vtkPointSplatDisks::TrustNormals()).
  * 7. *Bound.* No disk is larger than two and a half times those of its neighbours, which keeps
  *    outliers small. A point with no neighbour of its own sheet is a body alone, and so are points
@@ -248,7 +250,7 @@ public:
 
   ///@{
   /**
-   * Whether FillGaps is also between triangles' corners; on by default. Off for what draws large triangles
+   * Whether FillGaps is also between triangles' corners, and in these on other faces where they have no normals; on by default. Off for what draws large triangles
    * as such, and not as splats: disks leave open what they cannot cover without reaching past a face's border.
    */
   vtkSetMacro(FillMeshGaps, bool);

@@ -3,7 +3,10 @@
 #include "vtkPointSplatMeshNormals.h"
 
 #include "vtkCellArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -14,15 +17,35 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkSmartPointer.h"
+#include "vtkTriangle.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
+/// What part of a mesh's edges lie in a plane, to that sine (0.1 degrees), if it has faces, and of how many triangles they
+/// are looked at.
+constexpr double LeastFlat = 0.2;
+constexpr double FlatSine = 1.75e-3;
+constexpr std::size_t MostLookedAt = 10000;
+
+vtkSmartPointer<vtkCellArray> MakePolygons(const std::vector<vtkIdType>& corners)
+{
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetNumberOfValues(static_cast<vtkIdType>(corners.size()));
+  std::copy(corners.begin(), corners.end(), ids->GetPointer(0));
+  auto polygons = vtkSmartPointer<vtkCellArray>::New();
+  polygons->SetData(3, ids);
+  return polygons;
+}
+
 vtkSmartPointer<vtkPolyData> MakeMesh(const vtkPointSplatFans& fans)
 {
   vtkNew<vtkDoubleArray> positions;
@@ -31,15 +54,48 @@ vtkSmartPointer<vtkPolyData> MakeMesh(const vtkPointSplatFans& fans)
   std::copy_n(fans.GetPosition(0), positions->GetNumberOfValues(), positions->GetPointer(0));
   vtkNew<vtkPoints> points;
   points->SetData(positions);
-  vtkNew<vtkIdTypeArray> corners;
-  corners->SetNumberOfValues(static_cast<vtkIdType>(fans.GetCorners().size()));
-  std::copy(fans.GetCorners().begin(), fans.GetCorners().end(), corners->GetPointer(0));
-  vtkNew<vtkCellArray> polygons;
-  polygons->SetData(3, corners);
   auto mesh = vtkSmartPointer<vtkPolyData>::New();
   mesh->SetPoints(points);
-  mesh->SetPolys(polygons);
+  mesh->SetPolys(MakePolygons(fans.GetCorners()));
   return mesh;
+}
+
+/// A mesh with copies of some of its points after these.
+vtkSmartPointer<vtkPolyData> MakeSplit(vtkPolyData* mesh, const std::vector<vtkIdType>& sources,
+  const std::vector<float>& normals, const std::vector<vtkIdType>& corners)
+{
+  const vtkIdType count = mesh->GetNumberOfPoints(), copies = static_cast<vtkIdType>(sources.size());
+  vtkNew<vtkIdList> from, to;
+  for (vtkIdType k = 0; k < copies; ++k)
+  {
+    from->InsertNextId(sources[k]);
+    to->InsertNextId(count + k);
+  }
+  const auto extend = [&](vtkAbstractArray* array, vtkAbstractArray* extended) {
+    extended->SetName(array->GetName());
+    extended->SetNumberOfComponents(array->GetNumberOfComponents());
+    extended->SetNumberOfTuples(count + copies);
+    extended->InsertTuples(0, count, 0, array);
+    extended->InsertTuples(to, from, array);
+  };
+  vtkNew<vtkPoints> points;
+  points->SetDataType(mesh->GetPoints()->GetDataType());
+  extend(mesh->GetPoints()->GetData(), points->GetData());
+  vtkNew<vtkFloatArray> directions;
+  directions->SetNumberOfComponents(3);
+  directions->SetNumberOfTuples(count + copies);
+  std::copy(normals.begin(), normals.end(), directions->GetPointer(0));
+  auto split = vtkSmartPointer<vtkPolyData>::New();
+  split->SetPoints(points);
+  split->SetPolys(MakePolygons(corners));
+  split->GetPointData()->SetNormals(directions);
+  if (vtkPointSplatInput::GetGhosts(mesh))
+  {
+    vtkNew<vtkUnsignedCharArray> ghosts;
+    extend(mesh->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()), ghosts);
+    split->GetPointData()->AddArray(ghosts);
+  }
+  return split;
 }
 
 /// Sets some points' normals to those of their triangles, where these have one; returns whether any has.
@@ -69,56 +125,181 @@ bool Find(const vtkPointSplatFans& fans, const std::vector<vtkIdType>& ids, floa
   return any;
 }
 
-/// The same of triangles that have points of their own: at a crease a corner has the normal of its own face.
-bool FindSplit(const vtkPointSplatFans& apart, float* normals)
+/// Whether two triangles lie in a plane.
+bool AreFlat(const vtkPointSplatFans& fans, const vtkIdType a[3], const vtkIdType b[3])
 {
-  vtkPointSplatFans joined = apart;
-  joined.Join(normals);
-  if (joined.IsEmpty())
+  double n[3], m[3], across[3];
+  vtkTriangle::ComputeNormalDirection(fans.GetPosition(a[0]), fans.GetPosition(a[1]), fans.GetPosition(a[2]), n);
+  vtkTriangle::ComputeNormalDirection(fans.GetPosition(b[0]), fans.GetPosition(b[1]), fans.GetPosition(b[2]), m);
+  vtkMath::Cross(n, m, across);
+  return vtkMath::Norm(across) <= FlatSine * vtkMath::Norm(n) * vtkMath::Norm(m);
+}
+
+bool HasFaces(const vtkPointSplatFans& fans)
+{
+  const std::vector<vtkIdType>& corners = fans.GetCorners();
+  const std::size_t stride = 1 + corners.size() / 3 / MostLookedAt;
+  std::size_t edges = 0, flat = 0;
+  for (std::size_t i = 0; i < corners.size(); i += 3 * stride)
   {
-    return false;
-  }
-  vtkNew<vtkPolyDataNormals> filter; // splits at 30 degrees
-  filter->SetInputData(MakeMesh(joined));
-  filter->Update();
-  vtkPolyData* split = filter->GetOutput();
-  vtkDataArray* found = split->GetPointData()->GetNormals();
-  bool any = false;
-  vtkIdType triangle = 0;
-  const std::vector<vtkIdType>& corners = apart.GetCorners();
-  for (std::size_t i = 0; i < corners.size(); i += 3)
-  {
-    const auto getSame = [&](int k) { return joined.GetSame(corners[i + k]); };
-    if (getSame(0) == getSame(1) || getSame(1) == getSame(2) || getSame(2) == getSame(0))
-    {
-      continue; // it has no area, and is none of those joined
-    }
-    vtkIdType count;
-    const vtkIdType* ids;
-    split->GetPolys()->GetCellAtId(triangle++, count, ids);
+    const vtkIdType* own = corners.data() + i;
     for (int k = 0; k < 3; ++k)
     {
-      float* normal = normals + 3 * corners[i + k];
-      // Triangles may have been turned.
-      const auto* id = std::find_if(ids, ids + count, [&](vtkIdType at) {
-        double x[3];
-        split->GetPoint(at, x);
-        return std::equal(x, x + 3, apart.GetPosition(corners[i + k]));
-      });
-      double n[3];
-      if (id != ids + count && vtkPointSplatInput::IsZero(normal))
-      {
-        found->GetTuple(*id, n);
-        if (std::isfinite(n[0] + n[1] + n[2]) && vtkMath::Normalize(n) > 0)
+      const vtkIdType ends[2] = { own[k], own[(k + 1) % 3] };
+      // Fans of thousands meet in a point.
+      const int few = fans.GetNumberOfTriangles(ends[0]) < fans.GetNumberOfTriangles(ends[1]) ? 0 : 1;
+      fans.VisitTriangles(ends[few], [&](const vtkIdType other[3]) {
+        if (other != own && std::find(other, other + 3, ends[1 - few]) != other + 3)
         {
-          std::copy_n(n, 3, normal);
-          any = true;
+          ++edges;
+          flat += AreFlat(fans, own, other);
         }
+      });
+    }
+  }
+  return flat > LeastFlat * edges;
+}
+
+/// A mesh that was split where its faces end.
+struct Faces
+{
+  vtkNew<vtkPolyDataNormals> Filter; // splits at 30 degrees
+  std::vector<vtkIdType> Corners;    // of each triangle's corners the point there, or of those without area none
+  static constexpr vtkIdType None = -1;
+
+  /// joined: the mesh, as it is after Join().
+  Faces(const vtkPointSplatFans& mesh, const vtkPointSplatFans& joined)
+  {
+    this->Filter->SetInputData(MakeMesh(joined));
+    this->Filter->Update();
+    vtkPolyData* split = this->Filter->GetOutput();
+    const std::vector<vtkIdType>& corners = mesh.GetCorners();
+    this->Corners.assign(corners.size(), None);
+    vtkIdType triangle = 0;
+    for (std::size_t i = 0; i < corners.size(); i += 3)
+    {
+      const auto getSame = [&](int k) { return joined.GetSame(corners[i + k]); };
+      if (getSame(0) == getSame(1) || getSame(1) == getSame(2) || getSame(2) == getSame(0))
+      {
+        continue; // it has no area, and is none of those joined
+      }
+      vtkIdType count;
+      const vtkIdType* ids;
+      split->GetPolys()->GetCellAtId(triangle++, count, ids);
+      for (int k = 0; k < 3; ++k)
+      {
+        // Triangles may have been turned.
+        const auto* id = std::find_if(ids, ids + count, [&](vtkIdType at) {
+          double x[3];
+          split->GetPoint(at, x);
+          return std::equal(x, x + 3, mesh.GetPosition(corners[i + k]));
+        });
+        this->Corners[i + k] = id != ids + count ? *id : None;
       }
     }
   }
+
+  /// Gives a point's normal; returns whether it has one. Triangles that cancel one another, or that have no area, give none.
+  bool GetNormal(vtkIdType at, float normal[3]) const
+  {
+    double n[3];
+    this->Filter->GetOutput()->GetPointData()->GetNormals()->GetTuple(at, n);
+    if (!std::isfinite(n[0] + n[1] + n[2]) || !(vtkMath::Normalize(n) > 0))
+    {
+      return false;
+    }
+    std::copy_n(n, 3, normal);
+    return true;
+  }
+};
+
+/// Sets normals of triangles that have points of their own: at a crease a corner has that of its own face.
+bool FindOfFaces(const vtkPointSplatFans& apart, float* normals)
+{
+  vtkPointSplatFans joined = apart;
+  joined.Join(normals);
+  if (joined.IsEmpty() || !HasFaces(joined))
+  {
+    return false;
+  }
+  const Faces faces(apart, joined);
+  bool any = false;
+  for (std::size_t i = 0; i < faces.Corners.size(); ++i)
+  {
+    float* normal = normals + 3 * apart.GetCorners()[i];
+    any = (faces.Corners[i] != Faces::None && vtkPointSplatInput::IsZero(normal) &&
+            faces.GetNormal(faces.Corners[i], normal)) ||
+      any;
+  }
   return any;
 }
+}
+
+vtkSmartPointer<vtkPolyData> vtkPointSplatMeshNormals::Split(vtkPolyData* mesh, std::vector<vtkIdType>& sources)
+{
+  sources.clear();
+  std::vector<unsigned char> used;
+  vtkPointSplatFans fans;
+  const vtkIdType count = mesh->GetNumberOfPoints();
+  if (count == 0 || mesh->GetPointData()->GetNormals())
+  {
+    return nullptr;
+  }
+  vtkPointSplatInput::MarkUsable(mesh, used);
+  if (fans.Read(mesh, used.data()) > 0 || fans.IsEmpty() || fans.AreApart())
+  {
+    return nullptr;
+  }
+  for (vtkIdType id = 0; id < count; ++id)
+  {
+    if (used[id] && !fans.Has(id))
+    {
+      return nullptr;
+    }
+  }
+  std::vector<float> normals(3 * count, 0.0f);
+  vtkPointSplatFans joined = fans;
+  joined.Join(normals.data());
+  if (joined.IsEmpty() || !HasFaces(joined))
+  {
+    return nullptr;
+  }
+  const Faces faces(fans, joined);
+
+  // The first face at a point has this, and each other one a copy.
+  std::map<std::pair<vtkIdType, vtkIdType>, vtkIdType> copies; // of a point and a face's corner
+  std::vector<vtkIdType> first(count, Faces::None), corners = fans.GetCorners();
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    const vtkIdType point = corners[i], corner = faces.Corners[i];
+    if (corner == Faces::None)
+    {
+      continue;
+    }
+    if (first[point] == Faces::None)
+    {
+      first[point] = corner;
+      faces.GetNormal(corner, normals.data() + 3 * point);
+    }
+    if (first[point] == corner)
+    {
+      continue;
+    }
+    const vtkIdType next = count + static_cast<vtkIdType>(sources.size());
+    const auto [copy, isNew] = copies.try_emplace({ point, corner }, next);
+    corners[i] = copy->second;
+    if (isNew)
+    {
+      sources.push_back(point);
+      normals.resize(normals.size() + 3, 0.0f);
+      faces.GetNormal(corner, normals.data() + 3 * next);
+    }
+  }
+  if (sources.empty())
+  {
+    return nullptr;
+  }
+  return MakeSplit(mesh, sources, normals, corners);
 }
 
 bool vtkPointSplatMeshNormals::Complete(vtkPointSplatFans& fans, float* normals)
@@ -131,7 +312,7 @@ bool vtkPointSplatMeshNormals::Complete(vtkPointSplatFans& fans, float* normals)
       missing.push_back(id);
     }
   }
-  const bool any = !missing.empty() && (fans.AreApart() ? FindSplit(fans, normals) : Find(fans, missing, normals));
+  const bool any = !missing.empty() && (fans.AreApart() ? FindOfFaces(fans, normals) : Find(fans, missing, normals));
   const bool joined = fans.Join(normals);
   return (any && !joined) || Find(fans, missing, normals) || any;
 }

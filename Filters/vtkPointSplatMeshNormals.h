@@ -4,17 +4,27 @@
  * @class   vtkPointSplatMeshNormals
  * @brief   normals of a mesh's vertices that have none, from its triangles
  *
- * An internal helper of vtkPointSplatEstimation. These are vtkPolyDataNormals', without splitting: the
+ * An internal helper of vtkPointSplatEstimation. These are vtkPolyDataNormals': the
  * mean of the normals of a vertex' triangles, which are turned the same way as those beside them
- * before. Points that are one have one normal: where a mesh is made of pieces, as of the sides of a
- * body, the pieces' normals tell whether they are. Where each triangle has points of its own, as in files of the STL
- * format, those in one place are one within a face, which ends where triangles meet at more than 30 degrees: there
- * vtkPolyDataNormals splits.
+ * before.
+ *
+ * 1. A mesh has faces if a fifth of its edges lie in a plane to a tenth of a degree, as of what CAD makes. Of scans and
+ *    isosurfaces a twelfth does at most: their edges are of one surface, however sharp.
+ * 2. Faces end at edges of more than 30 degrees, where vtkPolyDataNormals splits. There a point that is the corner of
+ *    several faces has copies (Split()), unless triangles have points of their own, as in files of the STL format.
+ * 3. Points that are one have one normal: where a mesh is made of pieces, as of the sides of a
+ *    body, the pieces' normals tell whether they are; where each triangle has points of its own, faces do, if there are any.
  */
 #ifndef vtkPointSplatMeshNormals_h
 #define vtkPointSplatMeshNormals_h
 
 #include "vtkPointSplattingABI.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <vector>
+
+class vtkPolyData;
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -26,6 +36,13 @@ public:
   /// Joins the mesh, after setting normals (3 floats a point, unit length) of triangles' corners that have 0 there.
   /// Returns whether it set any.
   static bool Complete(vtkPointSplatFans& fans, float* normals);
+
+  /**
+   * A mesh with the points of one without normals, and after them copies of those that are corners of several faces; with
+   * normals and ghosts, and no other arrays. sources: of the copies. None is made if there are no copies, or if some points
+   * are no triangles' corners.
+   */
+  static vtkSmartPointer<vtkPolyData> Split(vtkPolyData* mesh, std::vector<vtkIdType>& sources);
 };
 
 VTK_ABI_NAMESPACE_END

@@ -32,6 +32,17 @@ def body(name, source, divisions=0):
     return StandIn(name, mesh, None, mesh.GetLength() / math.sqrt(mesh.GetNumberOfPoints()), mesh)
 
 
+def with_shared_points(standin):
+    """Without normals, and with one point in each place."""
+    bare = vtkPolyData()
+    bare.SetPoints(standin.mesh.GetPoints())
+    bare.SetPolys(standin.mesh.GetPolys())
+    merged = vtkCleanPolyData()
+    merged.SetInputData(bare)
+    merged.Update()
+    return StandIn(standin.name + ", shared points", merged.GetOutput(), None, standin.spacing, standin.mesh)
+
+
 def can(resolution=200, divisions=3):
     """The triangles of the ends meet in one point."""
     source = vtkCylinderSource()

@@ -56,8 +56,8 @@ def of_file(path):
 
 
 def triangles_of(standin, shared=True, normals=False):
-    """Its mesh as files have them: triangles that share their corners or not, mostly without normals. Where neither tells
-    faces apart, edges of 30 degrees do."""
+    """Its mesh as files have them: triangles that share their corners or not, mostly without normals. Then edges of 30
+    degrees tell faces apart."""
     mesh = standin.mesh
     triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     p, n = (vtk_to_numpy(array)
@@ -66,5 +66,5 @@ def triangles_of(standin, shared=True, normals=False):
         p, n = p[triangles.ravel()], n[triangles.ravel()]
         triangles = np.arange(len(p)).reshape(-1, 3)
     cloud = polydata(p, n if normals else None, triangles)
-    truth = mesh if shared or normals else with_normals(mesh, splitting=True)
+    truth = mesh if normals else with_normals(mesh, splitting=True)
     return StandIn(standin.name + ", triangles", cloud, None, standin.spacing, truth)

@@ -548,6 +548,7 @@ ALL = {
     "shaft": cad.shaft,
     "arrow": cad.arrow,
     "cog": cad.cog,
+    "cog_shared_points": lambda: cad.with_shared_points(cad.cog()),
     "cog_triangles_apart": lambda: triangles_of(cad.cog(), shared=False),
     "part_triangles": lambda: triangles_of(machined_part()),
     "part_triangles_apart": lambda: triangles_of(machined_part(), shared=False),

@@ -3,6 +3,7 @@
 // That splats of faces with few triangles, as CAD has them, cover these, and nothing beside them.
 #include "MeshScene.h"
 
+#include "vtkCleanPolyData.h"
 #include "vtkConeSource.h"
 #include "vtkCubeSource.h"
 #include "vtkPolyDataNormals.h"
@@ -162,6 +163,19 @@ void TestFineOutline()
   CheckFaces(MakeSplats(disc), [](double x, double y) { return std::hypot(x - 1.5, y - 1.5) - 1.5; }, "a disc");
 }
 
+void CheckCube(vtkPolyData* splats)
+{
+  for (vtkIdType id = 0; id < splats->GetNumberOfPoints(); ++id)
+  {
+    double n[3], x[3];
+    splats->GetPointData()->GetNormals()->GetTuple(id, n);
+    splats->GetPoint(id, x);
+    const int axis = static_cast<int>(
+      std::max_element(n, n + 3, [](double a, double b) { return std::abs(a) < std::abs(b); }) - n);
+    AtMost(std::abs(n[axis] - 2 * x[axis]), 1e-5, "the normal of a cube's splat " + std::to_string(id));
+  }
+}
+
 /// A cube of triangles with points of their own and no normals has those of its faces.
 void TestCube()
 {
@@ -171,14 +185,67 @@ void TestCube()
   triangles->Update();
   vtkSmartPointer<vtkPolyData> soup = MakeSoup(triangles->GetOutput());
   soup->GetPointData()->SetNormals(nullptr);
-  vtkSmartPointer<vtkPolyData> splats = MakeSplats(soup);
-  for (vtkIdType id = 0; id < splats->GetNumberOfPoints(); ++id)
+  CheckCube(MakeSplats(soup));
+}
+
+/// Of a cube's eight points each has a splat on all three faces, if it has no normal.
+void TestSharedPoints()
+{
+  vtkNew<vtkCubeSource> cube;
+  vtkNew<vtkCleanPolyData> merged;
+  vtkSmartPointer<vtkPolyData> bare = MakeEmpty();
+  cube->Update();
+  bare->SetPoints(cube->GetOutput()->GetPoints());
+  bare->SetPolys(cube->GetOutput()->GetPolys());
+  bare->GetPointData()->SetNormals(nullptr);
+  merged->SetInputData(bare);
+  merged->Update();
+  vtkPolyData* eight = merged->GetOutput();
+  vtkNew<vtkFloatArray> heat;
+  heat->SetName("heat");
+  for (vtkIdType id = 0; id < 8; ++id)
   {
-    double n[3], x[3];
-    splats->GetPointData()->GetNormals()->GetTuple(id, n);
+    heat->InsertNextValue(static_cast<float>(id));
+  }
+  eight->GetPointData()->AddArray(heat);
+  vtkSmartPointer<vtkPolyData> splats = MakeSplats(eight);
+  Expect(eight->GetNumberOfPoints() == 8 && splats->GetNumberOfPoints() == 24 + 6,
+    "a cube's splats are " + std::to_string(splats->GetNumberOfPoints()));
+  CheckCube(splats);
+  vtkDataArray* sources = splats->GetPointData()->GetArray(vtkPointSplatArrays::Source);
+  int copies = 0;
+  for (vtkIdType id = 8; sources && id < splats->GetNumberOfPoints(); ++id)
+  {
+    double x[3], y[3];
+    const vtkIdType source = static_cast<vtkIdType>(sources->GetTuple1(id));
+    Expect(source >= 0 && source < 8, "a fill point's source is a point");
     splats->GetPoint(id, x);
-    const int axis = static_cast<int>(std::max_element(n, n + 3, [](double a, double b) { return std::abs(a) < std::abs(b); }) - n);
-    AtMost(std::abs(n[axis] - 2 * x[axis]), 1e-5, "the normal of a cube's splat " + std::to_string(id));
+    splats->GetPoint(source, y);
+    if (std::equal(x, x + 3, y))
+    {
+      ++copies;
+      AtMost(std::abs(Array(splats, "heat")->GetValue(id) - static_cast<float>(source)), 0, "a copy's value");
+    }
+  }
+  Expect(copies == 16, std::to_string(copies) + " copies of a cube's points");
+
+  // Where the surface bends all over, and there are no faces, sharp edges are as others.
+  vtkSmartPointer<vtkPolyData> rough = MakeSphere(5);
+  rough->GetPointData()->SetNormals(nullptr);
+  for (vtkIdType id = 0; id < rough->GetNumberOfPoints(); ++id)
+  {
+    double x[3];
+    rough->GetPoint(id, x);
+    vtkMath::MultiplyScalar(x, 1 + 0.05 * std::sin(37.0 * id));
+    rough->GetPoints()->SetPoint(id, x);
+  }
+  splats = MakeSplats(rough);
+  for (vtkIdType id = rough->GetNumberOfPoints(); id < splats->GetNumberOfPoints(); ++id)
+  {
+    double x[3], y[3];
+    splats->GetPoint(id, x);
+    splats->GetPoint(static_cast<vtkIdType>(splats->GetPointData()->GetArray(vtkPointSplatArrays::Source)->GetTuple1(id)), y);
+    Expect(!std::equal(x, x + 3, y), "a rough ball's point has a copy");
   }
 }
 
@@ -212,6 +279,7 @@ int TestSplatMeshFaces(int, char*[])
   TestSlit();
   TestFineOutline();
   TestCube();
+  TestSharedPoints();
   TestTip();
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
