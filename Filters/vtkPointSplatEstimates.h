@@ -26,6 +26,7 @@
 
 #include <atomic>
 #include <memory>
+#include <utility>
 #include <vector>
 
 class vtkDataArray;
@@ -39,6 +40,9 @@ public:
   using Slot = vtkPointSplatNeighbors::Slot;
 
   vtkPointSplatEstimates(vtkPointSplatEstimation* self, vtkPointSet* input);
+
+  /// If the input's triangles were read before.
+  void SetFans(vtkPointSplatFans fans) { this->Fans = std::move(fans); }
 
   /// Returns false if self was aborted.
   bool Run();

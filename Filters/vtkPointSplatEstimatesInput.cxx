@@ -91,8 +91,8 @@ void vtkPointSplatEstimates::ReadMesh()
   float* n = this->GetNormal(vtkIdType(0));
   vtkPolyData* mesh = vtkPolyData::SafeDownCast(this->Input);
   // Ellipses have triangles' normals, and nothing else of them.
-  const vtkIdType bad =
-    mesh && !(this->Elliptical && this->Given) ? this->Fans.Read(mesh, this->Used.data()) : 0;
+  const bool reads = mesh && !(this->Elliptical && this->Given) && this->Fans.IsEmpty();
+  const vtkIdType bad = reads ? this->Fans.Read(mesh, this->Used.data()) : 0;
   if (!this->Fans.IsEmpty() && vtkPointSplatMeshNormals::Complete(this->Fans, n))
   {
     this->Given = true;

@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -157,11 +158,16 @@ int vtkPointSplatEstimation::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   // Points that are corners of several faces have a splat for each.
   std::vector<vtkIdType> sources;
+  vtkPointSplatFans fans;
   vtkPolyData* mesh = vtkPolyData::SafeDownCast(input);
   const vtkSmartPointer<vtkPolyData> split = mesh && this->FillGaps && this->FillMeshGaps && this->Shape == Circular
-    ? vtkPointSplatMeshNormals::Split(mesh, sources)
+    ? vtkPointSplatMeshNormals::Split(mesh, fans, sources)
     : nullptr;
   vtkPointSplatEstimates estimates(this, split ? split.Get() : input);
+  if (!split)
+  {
+    estimates.SetFans(std::move(fans));
+  }
   const bool finished = estimates.Run();
   this->NumberOfPointsAlone = estimates.NumberOfPointsAlone;
   this->Noise = estimates.Noise;

@@ -16,11 +16,13 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataNormals.h"
+#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkTriangle.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -35,6 +37,8 @@ namespace
 constexpr double LeastFlat = 0.2;
 constexpr double FlatSine = 1.75e-3;
 constexpr std::size_t MostLookedAt = 10000;
+/// Of the angle from which on vtkPolyDataNormals splits (30 degrees), and a little less.
+constexpr double SplitCosine = 0.87;
 
 vtkSmartPointer<vtkCellArray> MakePolygons(const std::vector<vtkIdType>& corners)
 {
@@ -125,39 +129,81 @@ bool Find(const vtkPointSplatFans& fans, const std::vector<vtkIdType>& ids, floa
   return any;
 }
 
-/// Whether two triangles lie in a plane.
-bool AreFlat(const vtkPointSplatFans& fans, const vtkIdType a[3], const vtkIdType b[3])
+/// How two triangles that share an edge meet there.
+struct Fold
 {
-  double n[3], m[3], across[3];
-  vtkTriangle::ComputeNormalDirection(fans.GetPosition(a[0]), fans.GetPosition(a[1]), fans.GetPosition(a[2]), n);
-  vtkTriangle::ComputeNormalDirection(fans.GetPosition(b[0]), fans.GetPosition(b[1]), fans.GetPosition(b[2]), m);
-  vtkMath::Cross(n, m, across);
-  return vtkMath::Norm(across) <= FlatSine * vtkMath::Norm(n) * vtkMath::Norm(m);
+  double Sine, Cosine; // of the angle between their normals, as if both were turned the same way
+
+  Fold(const vtkPointSplatFans& fans, const vtkIdType a[3], const vtkIdType b[3])
+  {
+    double n[3], m[3], across[3];
+    vtkTriangle::ComputeNormalDirection(fans.GetPosition(a[0]), fans.GetPosition(a[1]), fans.GetPosition(a[2]), n);
+    vtkTriangle::ComputeNormalDirection(fans.GetPosition(b[0]), fans.GetPosition(b[1]), fans.GetPosition(b[2]), m);
+    vtkMath::Cross(n, m, across);
+    const double lengths = vtkMath::Norm(n) * vtkMath::Norm(m);
+    this->Sine = vtkMath::Norm(across) / lengths;
+    this->Cosine = vtkMath::Dot(n, m) / lengths;
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto* end = std::find(b, b + 3, a[k]);
+      if (end != b + 3 && b[(end - b + 1) % 3] == a[(k + 1) % 3])
+      {
+        this->Cosine = -this->Cosine; // both go along the edge the same way
+      }
+    }
+  }
+};
+
+/// Calls visitor(fold) for the edges of the triangle whose corners begin there that it shares with later ones.
+template <typename Visitor>
+void VisitFolds(const vtkPointSplatFans& fans, std::size_t first, const Visitor& visitor)
+{
+  const vtkIdType* own = fans.GetCorners().data() + first;
+  for (int k = 0; k < 3; ++k)
+  {
+    const vtkIdType ends[2] = { own[k], own[(k + 1) % 3] };
+    // Fans of thousands meet in a point.
+    const int few = fans.GetNumberOfTriangles(ends[0]) < fans.GetNumberOfTriangles(ends[1]) ? 0 : 1;
+    fans.VisitTriangles(ends[few], [&](const vtkIdType other[3]) {
+      if (other > own && std::find(other, other + 3, ends[1 - few]) != other + 3)
+      {
+        visitor(Fold(fans, own, other));
+      }
+    });
+  }
 }
 
 bool HasFaces(const vtkPointSplatFans& fans)
 {
-  const std::vector<vtkIdType>& corners = fans.GetCorners();
-  const std::size_t stride = 1 + corners.size() / 3 / MostLookedAt;
+  const std::size_t count = fans.GetCorners().size();
+  const std::size_t stride = 1 + count / 3 / MostLookedAt;
   std::size_t edges = 0, flat = 0;
-  for (std::size_t i = 0; i < corners.size(); i += 3 * stride)
+  for (std::size_t i = 0; i < count; i += 3 * stride)
   {
-    const vtkIdType* own = corners.data() + i;
-    for (int k = 0; k < 3; ++k)
+    VisitFolds(fans, i, [&](const Fold& fold) {
+      ++edges;
+      flat += fold.Sine <= FlatSine;
+    });
+  }
+  return flat > LeastFlat * edges;
+}
+
+/// Whether any edge is so sharp that vtkPolyDataNormals splits there.
+bool HasCreases(const vtkPointSplatFans& fans)
+{
+  std::atomic<bool> any{ false };
+  vtkSMPTools::For(0, static_cast<vtkIdType>(fans.GetCorners().size() / 3), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType t = begin; t < end && !any; ++t)
     {
-      const vtkIdType ends[2] = { own[k], own[(k + 1) % 3] };
-      // Fans of thousands meet in a point.
-      const int few = fans.GetNumberOfTriangles(ends[0]) < fans.GetNumberOfTriangles(ends[1]) ? 0 : 1;
-      fans.VisitTriangles(ends[few], [&](const vtkIdType other[3]) {
-        if (other != own && std::find(other, other + 3, ends[1 - few]) != other + 3)
+      VisitFolds(fans, 3 * t, [&](const Fold& fold) {
+        if (fold.Cosine < SplitCosine)
         {
-          ++edges;
-          flat += AreFlat(fans, own, other);
+          any = true;
         }
       });
     }
-  }
-  return flat > LeastFlat * edges;
+  });
+  return any;
 }
 
 /// A mesh that was split where its faces end.
@@ -235,18 +281,23 @@ bool FindOfFaces(const vtkPointSplatFans& apart, float* normals)
 }
 }
 
-vtkSmartPointer<vtkPolyData> vtkPointSplatMeshNormals::Split(vtkPolyData* mesh, std::vector<vtkIdType>& sources)
+vtkSmartPointer<vtkPolyData> vtkPointSplatMeshNormals::Split(
+  vtkPolyData* mesh, vtkPointSplatFans& fans, std::vector<vtkIdType>& sources)
 {
+  fans.Clear();
   sources.clear();
   std::vector<unsigned char> used;
-  vtkPointSplatFans fans;
   const vtkIdType count = mesh->GetNumberOfPoints();
   if (count == 0 || mesh->GetPointData()->GetNormals())
   {
     return nullptr;
   }
   vtkPointSplatInput::MarkUsable(mesh, used);
-  if (fans.Read(mesh, used.data()) > 0 || fans.IsEmpty() || fans.AreApart())
+  if (fans.Read(mesh, used.data()) > 0)
+  {
+    fans.Clear(); // whoever reads it again tells of bad cells
+  }
+  if (fans.IsEmpty() || fans.AreApart() || !HasFaces(fans) || !HasCreases(fans))
   {
     return nullptr;
   }
@@ -260,7 +311,7 @@ vtkSmartPointer<vtkPolyData> vtkPointSplatMeshNormals::Split(vtkPolyData* mesh, 
   std::vector<float> normals(3 * count, 0.0f);
   vtkPointSplatFans joined = fans;
   joined.Join(normals.data());
-  if (joined.IsEmpty() || !HasFaces(joined))
+  if (joined.IsEmpty())
   {
     return nullptr;
   }

@@ -40,9 +40,10 @@ public:
   /**
    * A mesh with the points of one without normals, and after them copies of those that are corners of several faces; with
    * normals and ghosts, and no other arrays. sources: of the copies. None is made if there are no copies, or if some points
-   * are no triangles' corners.
+   * are no triangles' corners; then fans are those of the mesh, if they were read and all of its cells are good.
    */
-  static vtkSmartPointer<vtkPolyData> Split(vtkPolyData* mesh, std::vector<vtkIdType>& sources);
+  static vtkSmartPointer<vtkPolyData> Split(
+    vtkPolyData* mesh, vtkPointSplatFans& fans, std::vector<vtkIdType>& sources);
 };
 
 VTK_ABI_NAMESPACE_END
