@@ -84,6 +84,12 @@ private:
   bool FindCreases(Twins twins);
   void SetCreases();
   std::vector<unsigned char> GetSlotsAtCreases() const;
+  /// Whether a point is in a slot of those that are marked.
+  bool IsAt(const std::vector<unsigned char>& slots, vtkIdType id) const
+  {
+    const Slot s = this->Neighbors.GetSlots()[id];
+    return s != vtkPointSplatNeighbors::None && slots[s];
+  }
   bool FindStars();
   void FindFill();
   void BoundMesh();

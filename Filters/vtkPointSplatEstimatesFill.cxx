@@ -10,7 +10,6 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -101,8 +100,7 @@ void vtkPointSplatEstimates::BoundMesh()
     vtkPointSplatMeshBorders(this->Fans, this->Sizes[0], this->Planes).FindEnds())
   {
     float& radius = this->Corners[end.Id].Radius;
-    const Slot s = this->Neighbors.GetSlots()[end.Id];
-    if (end.Room < radius && (s == vtkPointSplatNeighbors::None || !creased[s]))
+    if (end.Room < radius && !this->IsAt(creased, end.Id))
     {
       radius = end.Room;
       this->Bounded.push_back(end.Id);
@@ -113,7 +111,6 @@ void vtkPointSplatEstimates::BoundMesh()
 /// The same for a mesh, whose triangles tell the stars.
 void vtkPointSplatEstimates::FindMeshFill()
 {
-  const std::vector<Slot>& slotOf = this->Neighbors.GetSlots();
   const std::vector<unsigned char> creased = this->GetSlotsAtCreases();
   vtkPointSplatStars stars(this->NumberOfPoints, [this](Slot id, double x[3]) {
     std::copy_n(this->Fans.GetPosition(id), 3, x);
@@ -125,7 +122,7 @@ void vtkPointSplatEstimates::FindMeshFill()
     const Slot site = static_cast<Slot>(id);
     stars.SetSize(site, { disk.Distance, disk.Turn, disk.Farthest }, true);
     std::copy_n(disk.Curvature, 6, curvatures.data() + 6 * id);
-    if (slotOf[id] != vtkPointSplatNeighbors::None && creased[slotOf[id]])
+    if (this->IsAt(creased, id))
     {
       stars.Uneven[site] = 0;
       continue;

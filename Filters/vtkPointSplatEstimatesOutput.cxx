@@ -90,15 +90,12 @@ void vtkPointSplatEstimates::WriteMesh()
   {
     return;
   }
-  const std::vector<Slot>& slotOf = this->Neighbors.GetSlots();
   const std::vector<unsigned char> ends = this->GetSlotsAtCreases();
   const float* n = this->Normals->GetPointer(0);
   vtkSMPTools::For(0, this->NumberOfPoints, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType id = begin; id < end; ++id)
     {
-      const Slot s = slotOf[id];
-      if (this->Fans.Has(id) && this->IsDrawn(id) &&
-        (s == vtkPointSplatNeighbors::None || !ends[s]))
+      if (this->Fans.Has(id) && this->IsDrawn(id) && !this->IsAt(ends, id))
       {
         const vtkPointSplatFans::Disk disk =
           this->MeshAlone ? this->GetCorner(id) : this->Fans.GetDisk(this->Fans.GetSame(id), n);
@@ -171,7 +168,6 @@ void vtkPointSplatEstimates::ClipFill()
     return;
   }
   vtkDataArray* points = this->Input->GetPoints()->GetData();
-  const std::vector<Slot>& slotOf = this->Neighbors.GetSlots();
   const std::vector<unsigned char> creased = this->GetSlotsAtCreases();
   for (vtkPointSplatRefinement::Point& point : this->Fill)
   {
@@ -180,7 +176,7 @@ void vtkPointSplatEstimates::ClipFill()
     for (int k = 0; k < point.Count; ++k)
     {
       const vtkIdType id = point.Ends[k];
-      if (this->MeshAlone && (slotOf[id] == vtkPointSplatNeighbors::None || !creased[slotOf[id]]))
+      if (this->MeshAlone && !this->IsAt(creased, id))
       {
         continue;
       }

@@ -102,6 +102,20 @@ vtkSmartPointer<vtkPolyData> MakeSplit(vtkPolyData* mesh, const std::vector<vtkI
   return split;
 }
 
+/// Gives a point's normal, of those that were found; returns whether it has one. Triangles that cancel one another, or that
+/// have no area, give none.
+bool GetNormal(vtkPolyDataNormals* found, vtkIdType at, float normal[3])
+{
+  double n[3];
+  found->GetOutput()->GetPointData()->GetNormals()->GetTuple(at, n);
+  if (!std::isfinite(n[0] + n[1] + n[2]) || !(vtkMath::Normalize(n) > 0))
+  {
+    return false;
+  }
+  std::copy_n(n, 3, normal);
+  return true;
+}
+
 /// Sets some points' normals to those of their triangles, where these have one; returns whether any has.
 bool Find(const vtkPointSplatFans& fans, const std::vector<vtkIdType>& ids, float* normals)
 {
@@ -113,18 +127,10 @@ bool Find(const vtkPointSplatFans& fans, const std::vector<vtkIdType>& ids, floa
   filter->SetInputData(MakeMesh(fans));
   filter->SplittingOff();
   filter->Update();
-  vtkDataArray* found = filter->GetOutput()->GetPointData()->GetNormals();
   bool any = false;
   for (const vtkIdType id : ids)
   {
-    double n[3];
-    found->GetTuple(fans.GetSame(id), n);
-    // Triangles that cancel one another, or that have no area, give none.
-    if (std::isfinite(n[0] + n[1] + n[2]) && vtkMath::Normalize(n) > 0)
-    {
-      std::copy_n(n, 3, normals + 3 * id);
-      any = true;
-    }
+    any = GetNormal(filter, fans.GetSame(id), normals + 3 * id) || any;
   }
   return any;
 }
@@ -244,19 +250,6 @@ struct Faces
       }
     }
   }
-
-  /// Gives a point's normal; returns whether it has one. Triangles that cancel one another, or that have no area, give none.
-  bool GetNormal(vtkIdType at, float normal[3]) const
-  {
-    double n[3];
-    this->Filter->GetOutput()->GetPointData()->GetNormals()->GetTuple(at, n);
-    if (!std::isfinite(n[0] + n[1] + n[2]) || !(vtkMath::Normalize(n) > 0))
-    {
-      return false;
-    }
-    std::copy_n(n, 3, normal);
-    return true;
-  }
 };
 
 /// Sets normals of triangles that have points of their own: at a crease a corner has that of its own face.
@@ -274,7 +267,7 @@ bool FindOfFaces(const vtkPointSplatFans& apart, float* normals)
   {
     float* normal = normals + 3 * apart.GetCorners()[i];
     any = (faces.Corners[i] != Faces::None && vtkPointSplatInput::IsZero(normal) &&
-            faces.GetNormal(faces.Corners[i], normal)) ||
+            GetNormal(faces.Filter, faces.Corners[i], normal)) ||
       any;
   }
   return any;
@@ -330,7 +323,7 @@ vtkSmartPointer<vtkPolyData> vtkPointSplatMeshNormals::Split(
     if (first[point] == Faces::None)
     {
       first[point] = corner;
-      faces.GetNormal(corner, normals.data() + 3 * point);
+      GetNormal(faces.Filter, corner, normals.data() + 3 * point);
     }
     if (first[point] == corner)
     {
@@ -343,7 +336,7 @@ vtkSmartPointer<vtkPolyData> vtkPointSplatMeshNormals::Split(
     {
       sources.push_back(point);
       normals.resize(normals.size() + 3, 0.0f);
-      faces.GetNormal(corner, normals.data() + 3 * next);
+      GetNormal(faces.Filter, corner, normals.data() + 3 * next);
     }
   }
   if (sources.empty())

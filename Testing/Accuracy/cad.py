@@ -3,13 +3,52 @@
 """Stand-ins for what CAD makes (standins.py): few and long triangles, and faces that have points of their own."""
 import math
 
+import numpy as np
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkPolyDataNormals, vtkTriangleFilter
-from vtkmodules.vtkFiltersModeling import vtkLinearExtrusionFilter, vtkLinearSubdivisionFilter
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkTriangleFilter
+from vtkmodules.vtkFiltersModeling import (
+    vtkAdaptiveSubdivisionFilter, vtkLinearExtrusionFilter, vtkLinearSubdivisionFilter)
 from vtkmodules.vtkFiltersSources import vtkArrowSource, vtkCubeSource, vtkCylinderSource
 
+from meshes import with_normals
 from standin import StandIn
+
+
+def extruded(polygon, height, edge=1e9):
+    """The triangles of a body with that outline, with edges no longer than that."""
+    points = vtkPoints()
+    for x, y in polygon:
+        points.InsertNextPoint(x, y, 0)
+    cells = vtkCellArray()
+    cells.InsertNextCell(len(polygon), list(range(len(polygon))))
+    flat = vtkPolyData()
+    flat.SetPoints(points)
+    flat.SetPolys(cells)
+    extrusion = vtkLinearExtrusionFilter()
+    extrusion.SetInputData(flat)
+    extrusion.SetExtrusionTypeToVectorExtrusion()
+    extrusion.SetVector(0, 0, height)
+    triangles = vtkTriangleFilter()
+    triangles.SetInputConnection(extrusion.GetOutputPort())
+    clean = vtkCleanPolyData()
+    clean.SetInputConnection(triangles.GetOutputPort())
+    divided = vtkAdaptiveSubdivisionFilter()
+    divided.SetInputConnection(clean.GetOutputPort())
+    divided.SetMaximumEdgeLength(edge)
+    divided.SetMaximumTriangleArea(1e9)
+    return divided
+
+
+def merged(mesh):
+    """Its triangles, with one point in each place and no normals."""
+    bare = vtkPolyData()
+    bare.SetPoints(mesh.GetPoints())
+    bare.SetPolys(mesh.GetPolys())
+    clean = vtkCleanPolyData()
+    clean.SetInputData(bare)
+    clean.Update()
+    return clean.GetOutput()
 
 
 def body(name, source, divisions=0):
@@ -17,30 +56,20 @@ def body(name, source, divisions=0):
     triangles = vtkTriangleFilter()
     triangles.SetInputConnection(source.GetOutputPort())
     triangles.Update()
-    bare = vtkPolyData()
-    bare.SetPoints(triangles.GetOutput().GetPoints())
-    bare.SetPolys(triangles.GetOutput().GetPolys())
-    merged = vtkCleanPolyData()
-    merged.SetInputData(bare)
-    divided = vtkLinearSubdivisionFilter()
-    divided.SetNumberOfSubdivisions(divisions)
-    divided.SetInputConnection(merged.GetOutputPort())
-    normals = vtkPolyDataNormals()
-    normals.SetInputConnection((divided if divisions else merged).GetOutputPort())
-    normals.Update()
-    mesh = normals.GetOutput()
+    mesh = merged(triangles.GetOutput())
+    if divisions:
+        divided = vtkLinearSubdivisionFilter()
+        divided.SetNumberOfSubdivisions(divisions)
+        divided.SetInputData(mesh)
+        divided.Update()
+        mesh = divided.GetOutput()
+    mesh = with_normals(mesh, splitting=True)
     return StandIn(name, mesh, None, mesh.GetLength() / math.sqrt(mesh.GetNumberOfPoints()), mesh)
 
 
 def with_shared_points(standin):
     """Without normals, and with one point in each place."""
-    bare = vtkPolyData()
-    bare.SetPoints(standin.mesh.GetPoints())
-    bare.SetPolys(standin.mesh.GetPolys())
-    merged = vtkCleanPolyData()
-    merged.SetInputData(bare)
-    merged.Update()
-    return StandIn(standin.name + ", shared points", merged.GetOutput(), None, standin.spacing, standin.mesh)
+    return StandIn(standin.name + ", shared points", merged(standin.mesh), None, standin.spacing, standin.mesh)
 
 
 def can(resolution=200, divisions=3):
@@ -75,17 +104,6 @@ def arrow(resolution=24):
 
 def cog(teeth=12, height=0.3):
     """Faces of its rim are two triangles wide and high, those of its ends a polygon's."""
-    points, outline = vtkPoints(), vtkCellArray()
-    outline.InsertNextCell(4 * teeth)
-    for k in range(4 * teeth):
-        radius, angle = 1.0 if k // 2 % 2 == 0 else 0.8, 2 * math.pi * k / (4 * teeth)
-        outline.InsertCellPoint(points.InsertNextPoint(radius * math.cos(angle), radius * math.sin(angle), 0))
-    polygon = vtkPolyData()
-    polygon.SetPoints(points)
-    polygon.SetPolys(outline)
-    source = vtkLinearExtrusionFilter()
-    source.SetInputData(polygon)
-    source.SetExtrusionTypeToNormalExtrusion()
-    source.SetVector(0, 0, 1)
-    source.SetScaleFactor(height)
-    return body("cog", source)
+    angles = 2 * np.pi * np.arange(4 * teeth) / (4 * teeth)
+    radii = np.where(np.arange(4 * teeth) // 2 % 2 == 0, 1.0, 0.8)
+    return body("cog", extruded(np.stack([radii * np.cos(angles), radii * np.sin(angles)], 1), height))

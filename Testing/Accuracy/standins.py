@@ -11,14 +11,11 @@ import math
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersCore import (
-    vtkAppendPolyData, vtkCleanPolyData, vtkPolyDataNormals, vtkTriangleFilter)
-from vtkmodules.vtkFiltersModeling import vtkAdaptiveSubdivisionFilter, vtkLinearExtrusionFilter
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkCleanPolyData, vtkPolyDataNormals
 from vtkmodules.vtkFiltersSources import vtkSuperquadricSource
 
 import cad
+from cad import extruded
 from meshes import triangles_of
 from parametric import nearest, normals_of, parametric, random_of, to_parametric, to_points
 from reference.surfaces import unit
@@ -110,31 +107,6 @@ def outline(steps=16):
 
 
 PART_HEIGHT = 1.2
-
-
-def extruded(polygon, height, edge=1e9):
-    """The triangles of a body with that outline, with edges no longer than that."""
-    points = vtkPoints()
-    for x, y in polygon:
-        points.InsertNextPoint(x, y, 0)
-    cells = vtkCellArray()
-    cells.InsertNextCell(len(polygon), list(range(len(polygon))))
-    flat = vtkPolyData()
-    flat.SetPoints(points)
-    flat.SetPolys(cells)
-    extrusion = vtkLinearExtrusionFilter()
-    extrusion.SetInputData(flat)
-    extrusion.SetExtrusionTypeToVectorExtrusion()
-    extrusion.SetVector(0, 0, height)
-    triangles = vtkTriangleFilter()
-    triangles.SetInputConnection(extrusion.GetOutputPort())
-    clean = vtkCleanPolyData()
-    clean.SetInputConnection(triangles.GetOutputPort())
-    divided = vtkAdaptiveSubdivisionFilter()
-    divided.SetInputConnection(clean.GetOutputPort())
-    divided.SetMaximumEdgeLength(edge)
-    divided.SetMaximumTriangleArea(1e9)
-    return divided
 
 
 def with_normals(source, splitting):

@@ -86,6 +86,19 @@ inline void AddSquare(vtkPolyData* data, int n, double z, double side)
   }
 }
 
+/// A disc in the plane z = 0 as one polygon of so many corners, its normals up, about a place on the line x = y.
+inline void AddDisc(vtkPolyData* data, vtkIdType corners, double centre, double radius)
+{
+  data->GetPolys()->InsertNextCell(static_cast<int>(corners));
+  for (vtkIdType k = 0; k < corners; ++k)
+  {
+    const double angle = 2 * vtkMath::Pi() * k / corners;
+    data->GetPolys()->InsertCellPoint(data->GetPoints()->InsertNextPoint(
+      centre + radius * std::cos(angle), centre + radius * std::sin(angle), 0));
+    data->GetPointData()->GetNormals()->InsertNextTuple3(0, 0, 1);
+  }
+}
+
 /// Makes a data set's cells anew of those that change(cell, ids), which may change them, says to keep.
 template <typename Change>
 inline void ChangeCells(vtkPolyData* data, const Change& change)

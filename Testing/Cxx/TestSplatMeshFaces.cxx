@@ -151,15 +151,7 @@ void TestSlit()
 void TestFineOutline()
 {
   vtkSmartPointer<vtkPolyData> disc = MakeEmpty();
-  constexpr vtkIdType corners = 2000;
-  disc->GetPolys()->InsertNextCell(corners);
-  for (vtkIdType k = 0; k < corners; ++k)
-  {
-    const double angle = 2 * vtkMath::Pi() * k / corners;
-    disc->GetPolys()->InsertCellPoint(
-      disc->GetPoints()->InsertNextPoint(1.5 + 1.5 * std::cos(angle), 1.5 + 1.5 * std::sin(angle), 0));
-    disc->GetPointData()->GetNormals()->InsertNextTuple3(0, 0, 1);
-  }
+  AddDisc(disc, 2000, 1.5, 1.5);
   CheckFaces(MakeSplats(disc), [](double x, double y) { return std::hypot(x - 1.5, y - 1.5) - 1.5; }, "a disc");
 }
 

@@ -278,15 +278,7 @@ void TestBorders()
 
   // One polygon of so many corners that each cannot look at what all others have.
   vtkSmartPointer<vtkPolyData> disc = MakeEmpty();
-  constexpr vtkIdType corners = 30000;
-  disc->GetPolys()->InsertNextCell(corners);
-  for (vtkIdType k = 0; k < corners; ++k)
-  {
-    const double angle = 2 * vtkMath::Pi() * k / corners;
-    disc->GetPolys()->InsertCellPoint(
-      disc->GetPoints()->InsertNextPoint(std::cos(angle), std::sin(angle), 0));
-    disc->GetPointData()->GetNormals()->InsertNextTuple3(0, 0, 1);
-  }
+  AddDisc(disc, 30000, 0, 1);
   Estimated ofDisc(disc);
   Expect(ofDisc.Radius(1) > 0, "a polygon's corner has a radius");
 
