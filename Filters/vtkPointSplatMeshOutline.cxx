@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -24,29 +23,29 @@ constexpr double PiecesPerReach = 32;
 
 vtkPointSplatMeshOutline::vtkPointSplatMeshOutline(const vtkPointSplatFans& fans)
   : Fans(fans)
-  , Bodies(fans.GetNumberOfPoints())
+  , Firsts(fans.GetNumberOfPoints())
 {
-  std::iota(this->Bodies.begin(), this->Bodies.end(), vtkIdType(0));
+  std::iota(this->Firsts.begin(), this->Firsts.end(), vtkIdType(0));
   const std::vector<vtkIdType>& corners = fans.GetCorners();
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
     const auto [first, second] = std::minmax(
-      { this->GetBody(corners[i]), this->GetBody(corners[i % 3 < 2 ? i + 1 : i - 2]) });
-    this->Bodies[second] = first;
+      { this->GetFirst(corners[i]), this->GetFirst(corners[i % 3 < 2 ? i + 1 : i - 2]) });
+    this->Firsts[second] = first;
   }
 
   std::set<std::pair<vtkIdType, vtkIdType>> followed;
-  double shortest = std::numeric_limits<double>::max();
   for (const vtkIdType begin : fans.GetBorder())
   {
+    Body& body = this->Bodies[this->GetFirst(begin)];
     for (const vtkPointSplatFans::BorderEdge& edge : fans.GetBorderEdges(begin))
     {
       Piece piece{ begin, edge, edge.Next };
       while (followed.insert(std::minmax(piece.From, piece.To)).second)
       {
-        this->Edges.push_back(piece);
+        body.Edges.push_back(piece);
         const double length = this->GetLength(piece);
-        shortest = length > 0 ? std::min(shortest, length) : shortest;
+        body.Shortest = length > 0 ? std::min(body.Shortest, length) : body.Shortest;
         const vtkPointSplatFans::BorderEdges next = fans.GetBorderEdges(piece.To);
         if (next.Count != 2)
         {
@@ -57,7 +56,6 @@ vtkPointSplatMeshOutline::vtkPointSplatMeshOutline(const vtkPointSplatFans& fans
       }
     }
   }
-  this->Finest = std::ilogb(shortest);
 }
 
 double vtkPointSplatMeshOutline::GetLength(const Piece& edge) const
@@ -66,19 +64,19 @@ double vtkPointSplatMeshOutline::GetLength(const Piece& edge) const
     vtkMath::Distance2BetweenPoints(this->Fans.GetPosition(edge.From), this->Fans.GetPosition(edge.To)));
 }
 
-vtkIdType vtkPointSplatMeshOutline::GetBody(vtkIdType vertex)
+vtkIdType vtkPointSplatMeshOutline::GetFirst(vtkIdType vertex)
 {
-  while (this->Bodies[vertex] != vertex)
+  while (this->Firsts[vertex] != vertex)
   {
-    vertex = this->Bodies[vertex] = this->Bodies[this->Bodies[vertex]];
+    vertex = this->Firsts[vertex] = this->Firsts[this->Firsts[vertex]];
   }
   return vertex;
 }
 
 /// Pieces up to two to that power long.
-const vtkPointSplatMeshOutline::Level& vtkPointSplatMeshOutline::GetLevel(int exponent)
+const vtkPointSplatMeshOutline::Level& vtkPointSplatMeshOutline::GetLevel(Body& body, int exponent) const
 {
-  const auto [at, isNew] = this->Levels.try_emplace(exponent);
+  const auto [at, isNew] = body.Levels.try_emplace(exponent);
   Level& level = at->second;
   if (!isNew)
   {
@@ -86,7 +84,7 @@ const vtkPointSplatMeshOutline::Level& vtkPointSplatMeshOutline::GetLevel(int ex
   }
   const double most = std::ldexp(1.0, exponent);
   double along = 0;
-  for (const Piece& edge : this->Edges)
+  for (const Piece& edge : body.Edges)
   {
     const double length = this->GetLength(edge);
     along += length;
@@ -127,15 +125,17 @@ void vtkPointSplatMeshOutline::Find(
     bounds[2 * c] = place[c] - reach;
     bounds[2 * c + 1] = place[c] + reach;
   }
-  const Level& level = this->GetLevel(std::max(this->Finest, std::ilogb(reach / PiecesPerReach)));
+  const auto body = this->Bodies.find(this->GetFirst(vertex));
+  if (body == this->Bodies.end())
+  {
+    return; // it is closed
+  }
+  const int finest = std::ilogb(body->second.Shortest);
+  const Level& level = this->GetLevel(body->second, std::max(finest, std::ilogb(reach / PiecesPerReach)));
   level.Locator->FindCellsWithinBounds(bounds, this->Found);
-  const vtkIdType body = this->GetBody(vertex);
   for (const vtkIdType found : *this->Found)
   {
-    if (this->GetBody(level.Pieces[found].From) == body)
-    {
-      pieces.push_back(level.Pieces[found]);
-    }
+    pieces.push_back(level.Pieces[found]);
   }
 }
 

@@ -8,8 +8,8 @@
  *
  * 1. Edges of the border that follow one another are pieces as long as a 32nd of what is looked for around a place, by powers
  *    of two, and longer ones stand alone: however fine an outline is, few are found (vtkStaticCellLocator).
- * 2. Those of other bodies, which triangles do not connect with the place's, are left out: a face that was split from the
- *    next one ends where that does, and a plate may lie on another one.
+ * 2. Each body, which are the triangles that connect, has its own: a face that was split from the next one ends where that
+ *    does, a plate may lie on another one, and around each of a part's many faces all others are.
  */
 #ifndef vtkPointSplatMeshOutline_h
 #define vtkPointSplatMeshOutline_h
@@ -19,6 +19,7 @@
 #include "vtkPointSplatFans.h"
 #include "vtkStaticCellLocator.h"
 
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -47,15 +48,19 @@ private:
     std::vector<Piece> Pieces;
     vtkNew<vtkStaticCellLocator> Locator;
   };
-  const Level& GetLevel(int exponent);
+  struct Body
+  {
+    std::vector<Piece> Edges; // each once, as they follow one another
+    double Shortest = std::numeric_limits<double>::max(); // edge's length
+    std::map<int, Level> Levels;
+  };
+  const Level& GetLevel(Body& body, int exponent) const;
   double GetLength(const Piece& edge) const;
-  vtkIdType GetBody(vtkIdType vertex);
+  vtkIdType GetFirst(vtkIdType vertex);
 
   const vtkPointSplatFans& Fans;
-  std::vector<vtkIdType> Bodies; // of each vertex one of its body's; of one of them itself
-  std::vector<Piece> Edges; // each once, as they follow one another
-  int Finest;               // exponent of the shortest edge's length
-  std::map<int, Level> Levels;
+  std::vector<vtkIdType> Firsts; // of each vertex one of its body's; of one of them itself
+  std::map<vtkIdType, Body> Bodies; // by these
   vtkNew<vtkIdList> Found;
 };
 
