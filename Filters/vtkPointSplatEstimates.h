@@ -96,6 +96,7 @@ private:
   void FindMeshFill();
   std::vector<float> Refine(vtkPointSplatStars& stars, const float* normals, const float* curvatures);
   vtkPointSplatMeshBorders::End FindEnd(const vtkPointSplatRefinement::Point& point, float radius);
+  float GetRoom(const vtkPointSplatStars& stars, const vtkPointSplatRefinement::Point& point);
   void TakeFill(const vtkPointSplatRefinement& fill);
   void Write();
   void WriteMesh();
@@ -127,6 +128,7 @@ private:
   bool OfLattice = false; // whether its triangles are those of an isosurface's vertices
   bool MeshAlone = false; // all points are triangles' corners
   std::vector<vtkPointSplatFans::Disk> Corners; // if so, of those that take part
+  std::vector<vtkPointSplatMeshBorders::End> Ends; // at borders
   std::vector<vtkIdType> Bounded; // of these, those whose disks the border bounds
   std::unique_ptr<vtkPointSplatMeshOutline> Outline; // if fill points ask for it
 

@@ -17,8 +17,12 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
+/// How many fill points there are at most for each point, and besides; parts of few triangles have long edges and fine fillets.
 constexpr std::size_t MostPerPoint = 4;
 constexpr std::size_t MostOfFew = 4096;
+constexpr std::size_t MostOfMesh = 65536;
+/// How far past a reflex corner a line may be, of the width of the triangles there.
+constexpr float PastShare = 0.25f;
 }
 
 /// Finds the sites of a cloud that are uneven, and that the surface goes on where only a denser part of the points ends.
@@ -83,7 +87,8 @@ void vtkPointSplatEstimates::FindFill()
   }
 }
 
-/// Makes disks of a mesh no larger than its faces have room for. Arrays have them as they were, until Write().
+/// Finds how a mesh's disks end, and makes them no larger than its faces have room for. Arrays have them as they were, until
+/// Write().
 void vtkPointSplatEstimates::BoundMesh()
 {
   if (!this->MeshAlone || this->Fans.GetBorder().empty())
@@ -96,14 +101,20 @@ void vtkPointSplatEstimates::BoundMesh()
     std::copy_n(this->Corners[id].Plane, 3, this->Planes->GetPointer(3 * id));
   }
   const std::vector<unsigned char> creased = this->GetSlotsAtCreases();
-  for (const vtkPointSplatMeshBorders::End& end :
-    vtkPointSplatMeshBorders(this->Fans, this->Sizes[0], this->Planes).FindEnds())
+  this->Ends = vtkPointSplatMeshBorders(this->Fans, this->Sizes[0], this->Planes).FindEnds();
+  for (vtkPointSplatMeshBorders::End& end : this->Ends)
   {
-    float& radius = this->Corners[end.Id].Radius;
-    if (end.Room < radius && !this->IsAt(creased, end.Id))
+    vtkPointSplatFans::Disk& disk = this->Corners[end.Id];
+    const bool narrow = disk.Radius > disk.Width && end.Past > PastShare * disk.Width;
+    const float room = narrow ? std::min(end.Room, disk.Width) : end.Room;
+    if (room < disk.Radius && !this->IsAt(creased, end.Id))
     {
-      radius = end.Room;
+      disk.Radius = room;
       this->Bounded.push_back(end.Id);
+      if (narrow)
+      {
+        end.Tighten(room);
+      }
     }
   }
 }
@@ -127,7 +138,8 @@ void vtkPointSplatEstimates::FindMeshFill()
       stars.Uneven[site] = 0;
       continue;
     }
-    stars.BoundBent(site, disk.Curvature, disk.Radius, disk.Width);
+    stars.BoundBent(site, vtkPointSplatStars::GetBend(disk.Curvature), disk.Radius, disk.Width);
+    stars.BoundBent(site, disk.Bend, disk.Radius, disk.BentWithin);
     if (disk.Tip)
     {
       stars.BoundTip(site, disk.Radius);
@@ -165,33 +177,47 @@ vtkPointSplatMeshBorders::End vtkPointSplatEstimates::FindEnd(
     .FindEnd({ static_cast<vtkIdType>(point.Ends[0]), point.X, point.Plane, radius }, *this->Outline);
 }
 
+/// The largest radius that a fill point of a mesh may have where the surface bends and ends.
+float vtkPointSplatEstimates::GetRoom(const vtkPointSplatStars& stars, const vtkPointSplatRefinement::Point& point)
+{
+  float smallest = point.Size, beside = point.Size; // sizes of its ends, and by what bends beside them
+  for (int k = 0; k < point.Count; ++k)
+  {
+    const vtkPointSplatFans::Disk& disk = this->Corners[point.Ends[k]];
+    smallest = std::min(smallest, stars.Sizes[point.Ends[k]]);
+    if (disk.Bend > 0)
+    {
+      double way[3];
+      vtkMath::Subtract(point.X, this->Fans.GetPosition(point.Ends[k]), way);
+      const double across = way[0] * disk.Way[0] + way[1] * disk.Way[1] + way[2] * disk.Way[2];
+      const float bent = vtkPointSplatStars::GetBent(disk.Bend, disk.BentWithin);
+      beside = std::min(beside, vtkPointSplatStars::GetGraded(bent, static_cast<float>(std::abs(across))));
+    }
+  }
+  const float bent = vtkPointSplatStars::GetBent(vtkPointSplatStars::GetBend(point.Curvature));
+  const float radius = vtkPointSplatStars::GetRadius(std::min(beside, std::max(bent, smallest)));
+  return this->Fans.GetBorder().empty() ? radius : std::min(radius, this->FindEnd(point, radius).Room);
+}
+
 /**
  * Makes no more fill points than MostPerPoint for a point: where sizes differ by much within a few points, as of
- * copies of a cloud that are not quite the same, these are as good as one. Returns by how much sites' splats are larger.
+ * copies of a cloud that are not quite the same, these are as good as one. What is less than a quarter of the median makes next
+ * to no difference then. Returns by how much sites' splats are larger.
  */
 std::vector<float> vtkPointSplatEstimates::Refine(
   vtkPointSplatStars& stars, const float* normals, const float* curvatures)
 {
-  const std::size_t most = MostPerPoint * static_cast<std::size_t>(this->NumberOfPoints) + MostOfFew;
-  for (float least = vtkPointSplatSheet::Grain * stars.GetMedianSize();; least *= 2)
+  const std::size_t most =
+    MostPerPoint * static_cast<std::size_t>(this->NumberOfPoints) + (this->MeshAlone ? MostOfMesh : MostOfFew);
+  const float median = stars.GetMedianSize();
+  for (float least = vtkPointSplatSheet::Grain * median;; least = std::max(0.25f * median, 4 * least))
   {
     stars.RaiseSizes(least);
     vtkPointSplatRefinement fill(stars, normals, curvatures);
     if (this->MeshAlone)
     {
       fill.GetRoom = [&](const vtkPointSplatRefinement::Point& point) {
-        float smallest = point.Size; // of its ends
-        for (int k = 0; k < point.Count; ++k)
-        {
-          smallest = std::min(smallest, stars.Sizes[point.Ends[k]]);
-        }
-        float radius = vtkPointSplatStars::GetRadius(
-          std::clamp(vtkPointSplatStars::GetBent(point.Curvature), smallest, point.Size));
-        if (!this->Fans.GetBorder().empty())
-        {
-          radius = std::min(radius, this->FindEnd(point, radius).Room);
-        }
-        return std::max(radius, vtkPointSplatStars::GetRadius(least));
+        return std::max(this->GetRoom(stars, point), vtkPointSplatStars::GetRadius(least));
       };
     }
     if (fill.Make(most))

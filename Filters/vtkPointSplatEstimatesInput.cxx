@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <utility>
 #include <vector>
 
@@ -120,7 +119,6 @@ void vtkPointSplatEstimates::ReadMesh()
   if (this->MeshAlone)
   {
     this->Corners.resize(this->NumberOfPoints);
-    std::atomic<bool> anyCreased{ false };
     vtkSMPTools::For(0, this->NumberOfPoints, [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType id = begin; id < end; ++id)
       {
@@ -128,13 +126,15 @@ void vtkPointSplatEstimates::ReadMesh()
         {
           this->Corners[id] = this->Fans.GetDisk(id, n);
         }
-        if (this->Corners[id].Creased)
-        {
-          anyCreased = true;
-        }
       }
     });
-    if (!anyCreased)
+    // Where it was split the mesh tells itself where faces end.
+    for (const vtkIdType id : this->Fans.FindSplit())
+    {
+      this->Corners[id].Creased = false;
+    }
+    if (std::none_of(this->Corners.begin(), this->Corners.end(),
+          [](const vtkPointSplatFans::Disk& disk) { return disk.Creased; }))
     {
       std::fill(searched.begin(), searched.end(), 0);
     }

@@ -80,7 +80,10 @@ void vtkPointSplatEstimates::Write()
   this->WriteCreases();
   this->Borders->Write(slotOf, this->Clips);
   this->WriteTubeLines();
-  vtkPointSplatMeshBorders(this->Fans, this->Sizes[0], this->Planes).Write(this->Clips);
+  const vtkPointSplatMeshBorders ends(this->Fans, this->Sizes[0], this->Planes);
+  // Before fill points take room from disks these reach all edges that those behind them do; scaled they reach others.
+  const bool known = this->MeshAlone && this->Self->GetRadiusScale() == 1;
+  ends.Write(known ? this->Ends : ends.FindEnds(), this->Clips);
 }
 
 /// The disks of triangles' corners, but for those at creases.

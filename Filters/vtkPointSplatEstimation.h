@@ -42,7 +42,7 @@
  * 1. *Neighbours.* For each point the NumberOfNeighbors nearest ones, found for all points at
  *    once. Of points at the same position one takes part, and the others share its result.
  * 2. *Normals*, where the input has none: of triangles' corners the mean of their triangles' normals, on the side that
- *    the order of their corners tells, or at edges of more than 30 degrees of a mesh that has flat faces the mean of one face's
+ *    the order of their corners tells, or at edges of more than 30 degrees of a mesh in which these end flat faces the mean of one face's
  *    (vtkPointSplatMeshNormals.h); of others the axis of least variance of the neighbours. Where these lie in a row, of scan
  *    lines as of a solver's grid, that is any; there farther neighbours tell, if rows side by side lie in a surface, and
  *    where noise takes points off their row, four times as many (vtkPointSplatRows.h).

@@ -5,8 +5,6 @@
 #include "vtkCellArray.h"
 #include "vtkMath.h"
 #include "vtkPointSplatCrease.h"
-#include "vtkPointSplatCurvature.h"
-#include "vtkPointSplatDisk.h"
 #include "vtkPointSplatInput.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -14,7 +12,6 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <utility>
@@ -23,63 +20,8 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-/// The radius, of the mean distance of the neighbours: below 0.6 holes open, and from 0.7 on
-/// disks stand out at edges (this and the next are from Testing/Accuracy/fit_constants.py).
-constexpr float LengthPerEdge = 0.62f;
-/// ... and of what the triangles ask for, which kernels need not in full.
-constexpr float LengthPerReach = 0.9f;
-
-/// How many neighbours tell the curvature: as many as are searched for without a mesh.
-constexpr int CurvatureNeighbors = 12;
-
-// The next two are from fit_constants.py, too.
-/// Where triangles are long, what is beside them tells the curvature across: no spacing is more than so many times as far
-/// as the third neighbour.
-constexpr float ThirdsPerSpacing = 4;
-/// From which sine on a triangle at a vertex falls off so steeply from its disk that this is none of the surface: a tip.
-constexpr float SteepSine = 0.75f;
-
-constexpr int MaximumNumberOfNeighbors = vtkPointSplatNeighbors::MaximumNumberOfNeighbors;
-
-/// How many of a neighbour's triangles are looked at.
-constexpr vtkIdType MostTriangles = 64;
-
-/// A vertex' neighbours, nearest first.
-struct Ring
-{
-  vtkPointSplatNeighbors::Slot Slots[MaximumNumberOfNeighbors];
-  float X[MaximumNumberOfNeighbors], Y[MaximumNumberOfNeighbors], Z[MaximumNumberOfNeighbors];
-  float Squared[MaximumNumberOfNeighbors];
-  int Count = 0;
-
-  /// Adds a neighbour, if it is one of so many nearest ones.
-  void Add(vtkPointSplatNeighbors::Slot slot, const float d[3], int most)
-  {
-    const float squared = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-    if (!(squared > 0) || (this->Count >= most && squared >= this->Squared[most - 1]) ||
-      std::find(this->Slots, this->Slots + this->Count, slot) != this->Slots + this->Count)
-    {
-      return;
-    }
-    int at = this->Count < most ? this->Count++ : most - 1;
-    for (; at > 0 && this->Squared[at - 1] > squared; --at)
-    {
-      this->Put(at, this->Slots[at - 1], this->X[at - 1], this->Y[at - 1], this->Z[at - 1]);
-      this->Squared[at] = this->Squared[at - 1];
-    }
-    this->Put(at, slot, d[0], d[1], d[2]);
-    this->Squared[at] = squared;
-  }
-
-private:
-  void Put(int at, vtkPointSplatNeighbors::Slot slot, float x, float y, float z)
-  {
-    this->Slots[at] = slot;
-    this->X[at] = x;
-    this->Y[at] = y;
-    this->Z[at] = z;
-  }
-};
+/// Of a surface that is there once for each side one in so many triangles at least is the same as one before.
+constexpr vtkIdType SidesShare = 3;
 }
 
 void vtkPointSplatFans::Add(
@@ -129,8 +71,44 @@ vtkIdType vtkPointSplatFans::Read(vtkPolyData* mesh, const unsigned char* used)
   {
     this->Positions = vtkPointSplatInput::ReadPositions(mesh->GetPoints()->GetData());
     this->Sort();
+    this->LeaveOutDoubles();
   }
   return bad;
+}
+
+/// If about each triangle is there once for each side.
+void vtkPointSplatFans::LeaveOutDoubles()
+{
+  const vtkIdType count = static_cast<vtkIdType>(this->Corners.size() / 3);
+  std::vector<unsigned char> doubled(count, 0);
+  vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType t = begin; t < end; ++t)
+    {
+      const vtkIdType* own = this->Corners.data() + 3 * t;
+      // Fans of thousands meet in a point.
+      const vtkIdType* few = std::min_element(own, own + 3,
+        [this](vtkIdType a, vtkIdType b) { return this->GetNumberOfTriangles(a) < this->GetNumberOfTriangles(b); });
+      this->VisitTriangles(*few, [&](const vtkIdType other[3]) {
+        doubled[t] |= other < own && std::is_permutation(own, own + 3, other);
+      });
+    }
+  });
+  // Of scans some are doubled where the surface was folded flat; that does not end there.
+  if (SidesShare * std::count(doubled.begin(), doubled.end(), 1) < count)
+  {
+    return;
+  }
+  std::size_t kept = 0;
+  for (vtkIdType t = 0; t < count; ++t)
+  {
+    if (!doubled[t])
+    {
+      std::copy_n(this->Corners.begin() + 3 * t, 3, this->Corners.begin() + kept);
+      kept += 3;
+    }
+  }
+  this->Corners.resize(kept);
+  this->Sort();
 }
 
 void vtkPointSplatFans::Take(
@@ -345,6 +323,22 @@ bool vtkPointSplatFans::IsBefore(vtkIdType a, vtkIdType b) const
   return std::lexicographical_compare(x, x + 3, y, y + 3);
 }
 
+std::vector<vtkIdType> vtkPointSplatFans::FindSplit() const
+{
+  std::vector<vtkIdType> placed = this->Border, split;
+  std::sort(placed.begin(), placed.end(),
+    [this](vtkIdType a, vtkIdType b) { return this->IsBefore(a, b); });
+  for (std::size_t i = 0; i < placed.size(); ++i)
+  {
+    if ((i > 0 && this->IsSamePlace(placed[i - 1], placed[i])) ||
+      (i + 1 < placed.size() && this->IsSamePlace(placed[i], placed[i + 1])))
+    {
+      split.push_back(placed[i]);
+    }
+  }
+  return split;
+}
+
 /// The ends of those of the border's edges that have both ends where another one has its, in the order of positions.
 std::vector<vtkIdType> vtkPointSplatFans::FindSeams() const
 {
@@ -401,112 +395,6 @@ bool vtkPointSplatFans::AreAll(
       (this->Has(static_cast<vtkIdType>(id)) && !vtkPointSplatInput::IsZero(normals + 3 * id));
   }
   return all;
-}
-
-vtkPointSplatFans::Disk vtkPointSplatFans::GetDisk(vtkIdType id, const float* normals) const
-{
-  using Slot = vtkPointSplatNeighbors::Slot;
-  Ring ring;
-  const double* centre = this->Positions.data() + 3 * id;
-  float reach2 = 0;
-  for (vtkIdType t = this->First[id]; t < this->First[id + 1]; ++t)
-  {
-    const vtkIdType* corner = this->Corners.data() + 3 * this->Triangles[t];
-    const vtkIdType others[2] = { corner[0] == id ? corner[1] : corner[0],
-      corner[2] == id ? corner[1] : corner[2] };
-    float d[2][3];
-    for (int k = 0; k < 2; ++k)
-    {
-      for (int c = 0; c < 3; ++c)
-      {
-        d[k][c] = static_cast<float>(this->Positions[3 * others[k] + c] - centre[c]);
-      }
-      ring.Add(static_cast<Slot>(others[k]), d[k], MaximumNumberOfNeighbors);
-    }
-    const float aa = vtkMath::Dot(d[0], d[0]), bb = vtkMath::Dot(d[1], d[1]),
-                ab = vtkMath::Dot(d[0], d[1]);
-    if (!(aa > 0) || !(bb > 0))
-    {
-      continue;
-    }
-    const float cross2 = aa * bb - ab * ab;
-    const float circumscribed2 =
-      cross2 > 0 ? aa * bb * (aa + bb - 2 * ab) / (4 * cross2) : 0.25f * std::max(aa, bb);
-    reach2 = std::max(reach2, vtkPointSplatDisk::GetSquaredReach(aa, bb, ab, circumscribed2));
-  }
-
-  Disk found;
-  const float* n = normals + 3 * id;
-  std::copy(n, n + 3, found.Plane);
-  if (ring.Count == 0)
-  {
-    return found;
-  }
-  float sum = 0;
-  for (int i = 0; i < ring.Count; ++i)
-  {
-    sum += std::sqrt(ring.Squared[i]);
-  }
-  found.Radius = std::max(LengthPerEdge * sum / ring.Count, LengthPerReach * std::sqrt(reach2));
-
-  found.Distance = vtkPointSplatDisk::GetDistance(ring.Squared, ring.Count, 0.0f);
-  found.Width = std::sqrt(ring.Squared[std::min(ring.Count - 1, 1)]);
-  found.Farthest = std::sqrt(ring.Squared[ring.Count - 1]);
-  const float grain = vtkPointSplatSheet::Grain * found.Farthest;
-  float lowest = 1, highest = -1; // neighbours, as sines
-  for (int i = 0; i < ring.Count; ++i)
-  {
-    const float place[3] = { ring.X[i], ring.Y[i], ring.Z[i] };
-    found.Turn = std::max(found.Turn, vtkPointSplatSheet::GetSquaredTurn(n, place, grain));
-    const float height = vtkMath::Dot(n, place) / vtkMath::Norm(place);
-    lowest = std::min(lowest, height);
-    highest = std::max(highest, height);
-  }
-  found.Turn = std::sqrt(found.Turn);
-  found.Tip = highest < -SteepSine || lowest > SteepSine;
-
-  // How the surface bends the corners beyond tell, too: few normals are too noisy.
-  const int next = ring.Count, most = std::max(next, CurvatureNeighbors);
-  Slot beside[MaximumNumberOfNeighbors];
-  std::copy(ring.Slots, ring.Slots + next, beside);
-  for (int i = 0; i < next; ++i)
-  {
-    // A point in the middle of a fan of thousands would be walked around by each of its neighbours.
-    const vtkIdType first = this->First[beside[i]],
-                    last = std::min(this->First[beside[i] + 1], first + MostTriangles);
-    for (vtkIdType t = first; t < last; ++t)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        const vtkIdType other = this->Corners[3 * this->Triangles[t] + k];
-        if (other == id || other == static_cast<vtkIdType>(beside[i]))
-        {
-          continue;
-        }
-        const double* x = this->Positions.data() + 3 * other;
-        const float d[3] = { static_cast<float>(x[0] - centre[0]),
-          static_cast<float>(x[1] - centre[1]), static_cast<float>(x[2] - centre[2]) };
-        ring.Add(static_cast<Slot>(other), d, most);
-      }
-    }
-  }
-  const vtkPointSplatNeighbors::Neighborhood around{ static_cast<Slot>(id), ring.Count, ring.Slots,
-    ring.X, ring.Y, ring.Z, ring.Squared };
-  vtkPointSplatDisk disk;
-  disk.SelectSheet(around, ring.Count, normals, vtkPointSplatSheet::GetSpacing(around));
-  std::copy(disk.Normal, disk.Normal + 3, found.Plane);
-  found.Creased = disk.Sheet.Uneven &&
-    vtkPointSplatCrease::IsLikely(around, normals, n, disk.Sheet.Spacing);
-  // Normals that are not the surface's say nothing of its curvature.
-  if (std::equal(disk.Normal, disk.Normal + 3, n))
-  {
-    vtkPointSplatCurvature curvature;
-    const float most = ThirdsPerSpacing * std::sqrt(ring.Squared[std::min(ring.Count - 1, 2)]);
-    disk.Sheet.Spacing = std::min(disk.Sheet.Spacing, most);
-    curvature.Estimate(around, normals, n, disk.Sheet, std::min(found.Radius, most));
-    std::copy(curvature.Tensor, curvature.Tensor + 6, found.Curvature);
-  }
-  return found;
 }
 
 VTK_ABI_NAMESPACE_END

@@ -9,7 +9,8 @@
  * for: which points are next to each other on the surface.
  *
  * 1. Polygons (as triangles with their first corner) and strips are read; cells that index
- *    points which are not there, or that take no part, are left out. Corners of one triangle, and ends of edges with both
+ *    points which are not there, or that take no part, are left out, and so is the second side of surfaces of
+ *    which each triangle is there once for each side. Corners of one triangle, and ends of edges with both
  *    ends in common, that have a place and about a normal in common are one point: the first of them takes part, and the
  *    others share its disk. Isosurfaces through a sample of their volume leave the former; the latter lie along the seams
  *    of textures, and are all that a mesh has whose triangles share no points.
@@ -22,7 +23,8 @@
  *    (vtkPointSplatDisk::GetSquaredReach): blending kernels reach farther than disks do.
  *    Where triangles are long the curvature across is that of the points beside: they count in full, however far others are.
  * 4. Edges that belong to one triangle alone are the mesh's border. So are those at which it was split,
- *    as vtkPolyDataNormals splits it at creases: there each face ends, and the next one begins with points of its own.
+ *    as vtkPolyDataNormals splits it at creases: there each face ends, and the next one begins with points of its own. At these
+ *    no crease is looked for.
  */
 #ifndef vtkPointSplatFans_h
 #define vtkPointSplatFans_h
@@ -41,8 +43,8 @@ class vtkPointSplatFans
 {
 public:
   /**
-   * Reads the mesh's triangles between points with used[id] not 0. Returns how many cells were left out since they index
-   * points that are not there.
+   * Reads the mesh's triangles between points with used[id] not 0. Returns how many cells were left out since they
+   * index points that are not there.
    */
   vtkIdType Read(vtkPolyData* mesh, const unsigned char* used);
 
@@ -82,6 +84,8 @@ public:
     const BorderEdge* end() const { return this->First + this->Count; }
   };
   BorderEdges GetBorderEdges(vtkIdType id) const;
+  /// The points of the border that have another one's place.
+  std::vector<vtkIdType> FindSplit() const;
   const double* GetPosition(vtkIdType id) const { return this->Positions.data() + 3 * id; }
   bool IsSamePlace(vtkIdType a, vtkIdType b) const
   {
@@ -125,6 +129,9 @@ public:
   /// Points that were read as corners of triangles without area; they may be of others, too.
   const std::vector<vtkIdType>& GetCollapsed() const { return this->Collapsed; }
 
+  /// By how much triangles of a flat face may be off its plane, as a sine (0.1 degrees).
+  static constexpr double FlatSine = 1.75e-3;
+
   /// Whether a point is a triangle's corner.
   bool Has(vtkIdType id) const
   {
@@ -137,7 +144,11 @@ public:
     float Plane[3] = { 0, 0, 0 };                // its normal, unit length
     float Curvature[6] = { 0, 0, 0, 0, 0, 0 };   // as vtkPointSplatCurvature's
     float Distance = 0, Turn = 0, Farthest = 0;  // as vtkPointSplatDisks'
-    float Width = 0;  // the second neighbour's distance: how wide triangles are that are long
+    float Width = 0;  // the second neighbour's distance, or the least height of the widest triangle: how wide long ones are
+    /// How much the surface bends beside a disk that reaches far past that, which its curvature need not tell, within how
+    /// far, and which way.
+    float Bend = 0, BentWithin = 0;
+    float Way[3] = { 0, 0, 0 };
     bool Tip = false; // whether all triangles fall off steeply from its plane
     bool Creased = false; // whether a crease is likely to be near (vtkPointSplatCrease)
   };
@@ -147,7 +158,10 @@ public:
 
 private:
   void Add(vtkIdType a, vtkIdType b, vtkIdType c, const unsigned char* used);
+  bool IsAtFlat(vtkIdType id) const;
+  void FindBend(vtkIdType id, const float* normals, Disk& disk) const;
   bool Unite(vtkIdType a, vtkIdType b, const float* normals);
+  void LeaveOutDoubles();
   void Merge();
   void Sort();
   void GetSingleEdges(vtkIdType id, std::vector<BorderEdge>& edges) const;

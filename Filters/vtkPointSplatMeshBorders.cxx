@@ -3,6 +3,7 @@
 #include "vtkPointSplatMeshBorders.h"
 
 #include "vtkFloatArray.h"
+#include "vtkLine.h"
 #include "vtkMath.h"
 #include "vtkPointSplatBorderPlane.h"
 #include "vtkPointSplatBorders.h"
@@ -26,7 +27,7 @@ const float CosineOfOne = static_cast<float>(std::cos(vtkMath::RadiansFromDegree
 constexpr float KernelReach = 2.0f;
 /// Of about how many points near to one on the border it is asked whether they reach it. Where triangles
 /// are long along the border rows of tens do; disks that reach farther than that are no mesh's.
-constexpr vtkIdType MostSeen = 256;
+constexpr vtkIdType MostSeen = 1024;
 // From Testing/Accuracy/fit_constants.py.
 /// How far the border is followed, in a point's radii, to tell where it goes, and over how many edges at most: vertices of
 /// isosurfaces lie as near to one another as they like, and an edge between two that nearly coincide goes anywhere.
@@ -39,6 +40,8 @@ constexpr float AlikePlane = 0.5f;
 constexpr float LeastOff = 0.002f;
 /// How far past an edge that has no line a kernel may reach, of its reach: where an outline bends it does.
 constexpr float MostPast = 0.05f;
+/// What is left of a disk where faces meet in its point alone, which two lines cannot end.
+constexpr float PinchShare = 0.05f;
 /// Products with lines up to which a place is kept, and not just on them.
 constexpr float StillKept = 0.999f;
 
@@ -111,7 +114,7 @@ vtkPointSplatMeshBorders::Side vtkPointSplatMeshBorders::Walk(
 }
 
 /// Returns whether the point is of those that have lines.
-bool vtkPointSplatMeshBorders::FindOwnLines(vtkIdType id, float clip[6]) const
+bool vtkPointSplatMeshBorders::FindOwnLines(vtkIdType id, End& end) const
 {
   const vtkPointSplatFans::BorderEdges edges = this->Fans.GetBorderEdges(id);
   if (edges.Count > 2)
@@ -142,20 +145,40 @@ bool vtkPointSplatMeshBorders::FindOwnLines(vtkIdType id, float clip[6]) const
   if (edges.Count == 1)
   {
     const double from = sides[0].IsLeft() ? first + vtkMath::Pi() : first;
-    plane.SetLines(from, vtkMath::Pi(), LeastOff * nearest, nearest, clip);
+    plane.SetLines(from, vtkMath::Pi(), LeastOff * nearest, nearest, end.Clip);
   }
   else
   {
     const double turn = vtkPointSplatBorderPlane::Turn(first, plane.GetAngle(sides[1].Way));
-    plane.SetLines(sides[0].IsLeft() ? first + turn : first,
-      sides[0].IsLeft() ? 2 * vtkMath::Pi() - turn : turn, LeastOff * nearest, nearest, clip);
+    const double open = sides[0].IsLeft() ? 2 * vtkMath::Pi() - turn : turn;
+    plane.SetLines(sides[0].IsLeft() ? first + turn : first, open, LeastOff * nearest, nearest, end.Clip);
+    end.Past = open < vtkMath::Pi() ? 1 / vtkMath::Norm(end.Clip) : 0;
   }
   return true;
+}
+
+void vtkPointSplatMeshBorders::End::Tighten(float radius)
+{
+  const float past = std::min(this->Past, MostPast * radius);
+  vtkMath::MultiplyScalar(this->Clip, this->Past / past);
+  this->Past = past;
 }
 
 float vtkPointSplatMeshBorders::GetReach(vtkIdType id) const
 {
   return KernelReach * this->Radii->GetValue(id);
+}
+
+/// How far a point is off the edges of the border at another one.
+float vtkPointSplatMeshBorders::GetDistance(vtkIdType border, vtkIdType id) const
+{
+  double squared = std::numeric_limits<double>::max();
+  for (const vtkPointSplatFans::BorderEdge& edge : this->Fans.GetBorderEdges(border))
+  {
+    squared = std::min(squared,
+      vtkLine::DistanceToLine(this->Fans.GetPosition(id), this->Fans.GetPosition(border), this->Fans.GetPosition(edge.Next)));
+  }
+  return static_cast<float>(std::sqrt(squared));
 }
 
 /// In order; each point on the border is near to itself.
@@ -181,14 +204,14 @@ std::vector<vtkPointSplatMeshBorders::Near> vtkPointSplatMeshBorders::FindNear()
           {
             return;
           }
-          float d[3];
-          this->GetOffset(this->Fans.GetPosition(at), other, d);
-          const bool reaches = vtkMath::Norm(d) < this->GetReach(other);
+          const float distance = this->GetDistance(at, other);
+          const bool reaches = distance < this->GetReach(other);
           if (reaches || from == at)
           {
             near.push_back({ other, at });
           }
-          if (reaches && this->Fans.GetNumberOfTriangles(other) < MostSeen)
+          // Beyond points with small disks there may be one with a large one.
+          if ((reaches || distance < this->GetReach(at)) && this->Fans.GetNumberOfTriangles(other) < MostSeen)
           {
             around.push_back(other);
           }
@@ -242,7 +265,7 @@ void vtkPointSplatMeshBorders::LeaveOutOtherSides(std::vector<Edge>& edges)
   const Edge* own = nullptr; // that whose triangle is most like the disk
   for (const Edge& edge : edges)
   {
-    if (edge.IsThrough() && (!own || edge.Facing > own->Facing))
+    if (edge.IsOn() && (!own || edge.Facing > own->Facing))
     {
       own = &edge;
     }
@@ -406,7 +429,12 @@ std::vector<vtkPointSplatMeshBorders::End> vtkPointSplatMeshBorders::FindEnds() 
     {
       const Near* first = near.data() + firsts[i];
       ends[i].Id = first->Id;
-      if (this->Radii->GetValue(first->Id) > 0 && this->FindOwnLines(first->Id, ends[i].Clip))
+      if (this->Fans.GetBorderEdges(first->Id).Count > 2)
+      {
+        ends[i].Room = PinchShare * this->Radii->GetValue(first->Id);
+        continue;
+      }
+      if (this->Radii->GetValue(first->Id) > 0 && this->FindOwnLines(first->Id, ends[i]))
       {
         this->AddNearLines(first, near.data() + firsts[i + 1], ends[i]);
       }
@@ -415,9 +443,9 @@ std::vector<vtkPointSplatMeshBorders::End> vtkPointSplatMeshBorders::FindEnds() 
   return ends;
 }
 
-void vtkPointSplatMeshBorders::Write(vtkFloatArray* clips) const
+void vtkPointSplatMeshBorders::Write(const std::vector<End>& ends, vtkFloatArray* clips) const
 {
-  for (const End& end : this->FindEnds())
+  for (const End& end : ends)
   {
     if (!IsLine(end.Clip))
     {

@@ -12,15 +12,15 @@
  *    seam meets the border it has one edge there, and one line. Edges go to the next point of the border that
  *    is a five hundredth of the disk's radius off: what is nearer says nothing of where the border goes.
  * 2. Lines that are left to a point, of two, go along the nearest edges that end at points of its
- *    triangles, or of those beyond as far as its kernel reaches, and which it is beside: a mesh that was
+ *    triangles, or of those beyond as far as its kernel reaches (of an edge, whose ends may be far), and which it is beside: a mesh that was
  *    cut has points as near to its border as it likes, whose disks are as large as others, and one whose
  *    triangles are long along the border has several rows of them. A point's own two lines
  *    become one in between if that leaves room for another and they are less than 10 degrees apart.
- * 3. A point where more than two edges of the border meet is left as it is, and ends no edges of 2. So is the end of a slit,
- *    as meshes have that were split along a part of an edge.
+ * 3. A point where more than two edges of the border meet has next to no room, since two lines do not end its disk, and ends no
+ *    edges of 2. The end of a slit, as meshes have that were split along a part of an edge, is left as it is.
  * 4. Where a face is narrow, or its outline turns within a disk's reach, a disk that has its two lines reaches past other edges.
- *    Its room is the radius with which its kernel goes past none by more than MostPast of its reach. What it leaves open then
- *    is for fill points.
+ *    Its room is the radius with which its kernel goes past none by more than MostPast of its reach, and at a reflex corner of a
+ *    narrow face that face's width. What it leaves open then is for fill points.
  * 5. Fill points have lines and room in the same way, by the edges of their body that are near (vtkPointSplatMeshOutline.h).
  */
 #ifndef vtkPointSplatMeshBorders_h
@@ -49,10 +49,6 @@ public:
   {
   }
 
-  /// Adds the lines of points that have none to the array of clip lines, of 6 components, which is
-  /// made if it has no tuples and any point has lines.
-  void Write(vtkFloatArray* clips) const;
-
   /// A disk, and a vertex of the body that it is of.
   struct Disk
   {
@@ -67,9 +63,16 @@ public:
     vtkIdType Id = -1;
     float Clip[6] = { 0, 0, 0, 0, 0, 0 }; // as in the array
     float Room = std::numeric_limits<float>::max(); // the largest radius with which it does not reach past other edges
+    float Past = 0; // how far past a reflex corner the first line is
+    /// Brings that as near as a disk of that radius asks for, where a face is narrow.
+    void Tighten(float radius);
   };
   /// Those of the points near the border, in order.
   std::vector<End> FindEnds() const;
+  /// Adds the lines of points that have none to the array of clip lines, of 6 components, which is
+  /// made if it has no tuples and any point has lines.
+  void Write(const std::vector<End>& ends, vtkFloatArray* clips) const;
+
   /// That of a disk between points.
   End FindEnd(const Disk& disk, vtkPointSplatMeshOutline& outline) const;
 
@@ -85,8 +88,8 @@ private:
   };
   float GetFacing(vtkIdType from, const vtkPointSplatFans::BorderEdge& edge, const float normal[3]) const;
   Side Walk(vtkIdType id, const vtkPointSplatFans::BorderEdge& edge, const float normal[3], float least) const;
-  bool FindOwnLines(vtkIdType id, float clip[6]) const;
-  /// A point, and one on the border that is near to it.
+  bool FindOwnLines(vtkIdType id, End& end) const;
+  /// A point, and one on the border whose edges there are near to it.
   struct Near
   {
     vtkIdType Id;
@@ -98,6 +101,7 @@ private:
   };
   std::vector<Near> FindNear() const;
   float GetReach(vtkIdType id) const;
+  float GetDistance(vtkIdType border, vtkIdType id) const;
   /// An edge of the border near to a disk, in its plane.
   struct Edge
   {
@@ -114,6 +118,7 @@ private:
     {
       return -(Start[0] * Way[0] + Start[1] * Way[1] + Start[2] * Way[2]) / (Length * Length);
     }
+    bool IsOn() const { return IsThrough() && GetPlace() >= -Rounding && GetPlace() <= 1 + Rounding; }
     /// Past its ends the border may turn away.
     bool IsBeside() const { return GetPlace() > -PastEnds && GetPlace() < 1 + PastEnds; }
   };

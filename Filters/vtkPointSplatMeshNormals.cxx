@@ -32,11 +32,12 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-/// What part of a mesh's edges lie in a plane, to that sine (0.1 degrees), if it has faces, and of how many triangles they
-/// are looked at.
-constexpr double LeastFlat = 0.2;
-constexpr double FlatSine = 1.75e-3;
-constexpr std::size_t MostLookedAt = 10000;
+/// Of a mesh's sharp edges, what part are a flat face's if it has faces: scans' triangles just differ (fitted by
+/// Testing/Accuracy/fit_constants.py).
+constexpr double LeastFlat = 0.45;
+/// How many triangles are looked at, if so many sharp edges are found at these.
+constexpr vtkIdType MostLookedAt = 10000;
+constexpr std::size_t Enough = 100;
 /// Of the angle from which on vtkPolyDataNormals splits (30 degrees), and a little less.
 constexpr double SplitCosine = 0.87;
 
@@ -160,56 +161,71 @@ struct Fold
   }
 };
 
-/// Calls visitor(fold) for the edges of the triangle whose corners begin there that it shares with later ones.
+/// Calls visitor(other) for the triangles that a triangle shares edges with; both are told by where their corners begin.
 template <typename Visitor>
-void VisitFolds(const vtkPointSplatFans& fans, std::size_t first, const Visitor& visitor)
+void VisitBeside(const vtkPointSplatFans& fans, const vtkIdType own[3], const Visitor& visitor)
 {
-  const vtkIdType* own = fans.GetCorners().data() + first;
   for (int k = 0; k < 3; ++k)
   {
     const vtkIdType ends[2] = { own[k], own[(k + 1) % 3] };
     // Fans of thousands meet in a point.
     const int few = fans.GetNumberOfTriangles(ends[0]) < fans.GetNumberOfTriangles(ends[1]) ? 0 : 1;
     fans.VisitTriangles(ends[few], [&](const vtkIdType other[3]) {
-      if (other > own && std::find(other, other + 3, ends[1 - few]) != other + 3)
+      if (other != own && std::find(other, other + 3, ends[1 - few]) != other + 3)
       {
-        visitor(Fold(fans, own, other));
+        visitor(other);
       }
     });
   }
 }
 
-bool HasFaces(const vtkPointSplatFans& fans)
+/// Whether a triangle lies in a plane with one beside it.
+bool IsFlat(const vtkPointSplatFans& fans, const vtkIdType own[3])
 {
-  const std::size_t count = fans.GetCorners().size();
-  const std::size_t stride = 1 + count / 3 / MostLookedAt;
-  std::size_t edges = 0, flat = 0;
-  for (std::size_t i = 0; i < count; i += 3 * stride)
-  {
-    VisitFolds(fans, i, [&](const Fold& fold) {
-      ++edges;
-      flat += fold.Sine <= FlatSine;
-    });
-  }
-  return flat > LeastFlat * edges;
-}
-
-/// Whether any edge is so sharp that vtkPolyDataNormals splits there.
-bool HasCreases(const vtkPointSplatFans& fans)
-{
-  std::atomic<bool> any{ false };
-  vtkSMPTools::For(0, static_cast<vtkIdType>(fans.GetCorners().size() / 3), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType t = begin; t < end && !any; ++t)
+  bool flat = false;
+  VisitBeside(fans, own, [&](const vtkIdType* other) {
+    if (!flat)
     {
-      VisitFolds(fans, 3 * t, [&](const Fold& fold) {
-        if (fold.Cosine < SplitCosine)
-        {
-          any = true;
-        }
-      });
+      const Fold fold(fans, own, other);
+      flat = fold.Sine <= vtkPointSplatFans::FlatSine && fold.Cosine > 0;
     }
   });
-  return any;
+  return flat;
+}
+
+/// Edges so sharp that vtkPolyDataNormals splits there, and of them those of flat triangles.
+struct Sharp
+{
+  std::atomic<std::size_t> Edges{ 0 }, OfFlat{ 0 };
+
+  /// Looks at every so manieth triangle.
+  Sharp(const vtkPointSplatFans& fans, vtkIdType stride)
+  {
+    const std::vector<vtkIdType>& corners = fans.GetCorners();
+    const vtkIdType count = (static_cast<vtkIdType>(corners.size() / 3) + stride - 1) / stride;
+    vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const vtkIdType* own = corners.data() + 3 * stride * i;
+        VisitBeside(fans, own, [&](const vtkIdType* other) {
+          if (other > own && Fold(fans, own, other).Cosine < SplitCosine)
+          {
+            ++this->Edges;
+            this->OfFlat += IsFlat(fans, own) || IsFlat(fans, other);
+          }
+        });
+      }
+    });
+  }
+
+  bool AreOfFaces() const { return this->OfFlat > LeastFlat * this->Edges; }
+};
+
+bool HasFaces(const vtkPointSplatFans& fans)
+{
+  const vtkIdType stride = 1 + static_cast<vtkIdType>(fans.GetCorners().size() / 3) / MostLookedAt;
+  const Sharp some(fans, stride);
+  return stride == 1 || some.Edges >= Enough ? some.AreOfFaces() : Sharp(fans, 1).AreOfFaces();
 }
 
 /// A mesh that was split where its faces end.
@@ -290,7 +306,7 @@ vtkSmartPointer<vtkPolyData> vtkPointSplatMeshNormals::Split(
   {
     fans.Clear(); // whoever reads it again tells of bad cells
   }
-  if (fans.IsEmpty() || fans.AreApart() || !HasFaces(fans) || !HasCreases(fans))
+  if (fans.IsEmpty() || fans.AreApart() || !HasFaces(fans))
   {
     return nullptr;
   }

@@ -8,8 +8,10 @@
  * mean of the normals of a vertex' triangles, which are turned the same way as those beside them
  * before.
  *
- * 1. A mesh has faces if a fifth of its edges lie in a plane to a tenth of a degree, as of what CAD makes. Of scans and
- *    isosurfaces a twelfth does at most: their edges are of one surface, however sharp.
+ * 1. A mesh has faces if of its edges of more than 30 degrees 45 in a hundred are those of triangles that lie in a plane with one
+ *    beside them, to a tenth of a degree, as of what CAD makes: 46 to 100 do, however small and few the flat faces are. Of scans,
+ *    isosurfaces and modelled animals it is 0 to 26, of a coarse isosurface of a volume of bytes 38: their edges are of one
+ *    surface, however sharp.
  * 2. Faces end at edges of more than 30 degrees, where vtkPolyDataNormals splits. There a point that is the corner of
  *    several faces has copies (Split()), unless triangles have points of their own, as in files of the STL format.
  * 3. Points that are one have one normal: where a mesh is made of pieces, as of the sides of a

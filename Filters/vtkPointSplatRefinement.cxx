@@ -478,10 +478,10 @@ bool vtkPointSplatRefinement::Make(std::size_t most)
       const Index middle = this->Divide(c[0], c[1]);
       this->Add({ c[0], middle, c[2] }, part.Divisions + 1);
       this->Add({ middle, c[1], c[2] }, part.Divisions + 1);
-    }
-    if (this->Points.size() > most)
-    {
-      return false;
+      if (this->Points.size() > most)
+      {
+        return false;
+      }
     }
   }
   this->Cover();

@@ -83,19 +83,24 @@ void vtkPointSplatStars::Bound(Site site, float radius)
   this->Uneven[site] = 1;
 }
 
-float vtkPointSplatStars::GetBent(const float curvature[6])
+float vtkPointSplatStars::GetBend(const float curvature[6])
 {
   float squared = 0;
   for (int c = 0; c < 6; ++c)
   {
     squared += (c < 3 ? 1 : 2) * curvature[c] * curvature[c];
   }
-  return MostBend / std::sqrt(squared);
+  return std::sqrt(squared);
 }
 
-void vtkPointSplatStars::BoundBent(Site site, const float curvature[6], float radius, float width)
+float vtkPointSplatStars::GetBent(float bend, float width)
 {
-  const float most = GetRadius(std::max(GetBent(curvature), WidthShare * width));
+  return std::max(MostBend / bend, WidthShare * width);
+}
+
+void vtkPointSplatStars::BoundBent(Site site, float bend, float radius, float width)
+{
+  const float most = GetRadius(GetBent(bend, width));
   if (radius > LargeDisk * most)
   {
     this->Bound(site, most);

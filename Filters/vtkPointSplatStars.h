@@ -37,8 +37,10 @@
  * 4. *Grading.* No size is larger than that of a site next to it in such a triangle and Slope of the way to that:
  *    a disk does not reach over a denser part to what lies beyond, which may be an edge.
  *    Of a mesh, whose curvature triangles tell, sizes are those within which it turns by MostBend, but for WidthShare of
- *    triangles' width; disks at borders have the room that these leave (vtkPointSplatMeshBorders.h), and at tips, from which
- *    all triangles fall off steeply, as a cone's do, next to none.
+ *    triangles' width, also where a flat face, whose curvature is none, goes over into a round edge of narrow triangles
+ *    (vtkPointSplatFans::Disk::Bend): fill points that are as near to that have no larger ones. Disks at borders have the room
+ *    that these leave (vtkPointSplatMeshBorders.h), and at tips, from which all triangles fall off steeply, as a cone's do, next
+ *    to none.
  * 5. *Continued borders.* Where a triangle goes on past a border (vtkPointSplatBorders.h) to a point that is much
  *    sparser, just the denser part of the points ends there, and not the surface.
  */
@@ -87,13 +89,15 @@ public:
   /// Makes a site uneven whose splat's radius may be no more than this.
   void Bound(Site site, float radius);
 
-  /// The same where a mesh is so curved (as vtkPointSplatCurvature's tensor) that a disk of that radius would stand off;
-  /// width: of the narrowest triangle there.
-  void BoundBent(Site site, const float curvature[6], float radius, float width);
+  /// The same where a mesh bends so much (1 / world units) that a disk of that radius would stand off; width: of what
+  /// triangles tell so.
+  void BoundBent(Site site, float bend, float radius, float width);
   /// The same at a mesh's tip, of whose disk next to nothing is left.
   void BoundTip(Site site, float radius);
-  /// The largest size of what is so curved.
-  static float GetBent(const float curvature[6]);
+  /// How much a surface of that curvature (as vtkPointSplatCurvature's tensor) bends.
+  static float GetBend(const float curvature[6]);
+  /// The largest size of what bends so much, as triangles of that width tell.
+  static float GetBent(float bend, float width = 0);
 
   /// Gives all sites with a star this size at least.
   void RaiseSizes(float least);

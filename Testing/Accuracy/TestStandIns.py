@@ -91,13 +91,17 @@ class TestStandIns(unittest.TestCase):
             self.assertEqual(found["holes"], 0)
 
     def test_few_and_long_triangles(self):
-        # 9 to 22 dB, and up to six times a body's area outside of it, where disks were as large as triangles.
+        # 9 to 22 dB, and up to six times a body's area outside of it, where disks were as large as triangles. A dome's one
+        # flat face was shaded as its round ones: 39 dB. Where disks reached from a plate's faces over the round edges it had
+        # 32 dB, and a wire 19, with five times its area outside of it.
         for name, least in (("can", 35), ("slab", 36), ("shaft", 41), ("arrow", 34), ("cog", 30),
-                            ("cog_triangles_apart", 30), ("cog_shared_points", 30)):
+                            ("cog_triangles_apart", 30), ("cog_shared_points", 30), ("dome", 44), ("plate", 33),
+                            ("wire", 22)):
             found = likeness.compare(standins.ALL[name](), 300, 2)
             self.assertGreater(min(found["psnr"]), least, name)
             self.assertEqual(found["holes"], 0, name)
-            self.assertLess(found["spill"], 0.008 if name == "arrow" else 0.001, name)
+            # Cones' and wires' outlines are rounder than their meshes'.
+            self.assertLess(found["spill"], {"arrow": 0.008, "wire": 0.03}.get(name, 0.001), name)
 
     def test_noisy_volumes(self):
         # The volume's noise is its isosurface's relief: 21.6 dB, 109 holes and 4397 openings where it was smoothed as if

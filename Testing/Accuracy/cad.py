@@ -6,10 +6,13 @@ import math
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkTriangleFilter
+from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkTriangleFilter, vtkTubeFilter
 from vtkmodules.vtkFiltersModeling import (
     vtkAdaptiveSubdivisionFilter, vtkLinearExtrusionFilter, vtkLinearSubdivisionFilter)
-from vtkmodules.vtkFiltersSources import vtkArrowSource, vtkCubeSource, vtkCylinderSource
+from vtkmodules.vtkFiltersSources import (
+    vtkArrowSource, vtkCubeSource, vtkCylinderSource, vtkSphereSource)
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 from meshes import with_normals
 from standin import StandIn
@@ -51,6 +54,12 @@ def merged(mesh):
     return clean.GetOutput()
 
 
+def trivial(mesh):
+    source = vtkTrivialProducer()
+    source.SetOutput(mesh)
+    return source
+
+
 def body(name, source, divisions=0):
     """The source's surface, its triangles divided, split where they meet at more than 30 degrees. Its mesh is the truth."""
     triangles = vtkTriangleFilter()
@@ -65,6 +74,57 @@ def body(name, source, divisions=0):
         mesh = divided.GetOutput()
     mesh = with_normals(mesh, splitting=True)
     return StandIn(name, mesh, None, mesh.GetLength() / math.sqrt(mesh.GetNumberOfPoints()), mesh)
+
+
+def dome():
+    """One flat face, and a surface that is nowhere flat all around that: few of its edges are flat."""
+    source = vtkSphereSource()
+    source.SetThetaResolution(48)
+    source.SetPhiResolution(32)
+    source.Update()
+    mesh = source.GetOutput()
+    places = vtk_to_numpy(mesh.GetPoints().GetData()).copy()
+    places *= 1 + 0.001 * np.sin(37.0 * np.arange(len(places)))[:, None]
+    places[:, 2] = np.maximum(3 * places[:, 2], -1.3)
+    mesh.GetPoints().SetData(numpy_to_vtk(places, deep=True))
+    return with_shared_points(body("dome", trivial(mesh)))
+
+
+def wire(radius=0.03, sides=5):
+    """Triangles of a thin tube are ten times as long as they are wide, and there once for each side."""
+    angles = np.linspace(0, 2.5, 9)
+    points = vtkPoints()
+    for angle in angles:
+        points.InsertNextPoint(math.cos(angle), math.sin(angle), 0)
+    lines = vtkCellArray()
+    lines.InsertNextCell(len(angles), list(range(len(angles))))
+    line = vtkPolyData()
+    line.SetPoints(points)
+    line.SetLines(lines)
+    tube = vtkTubeFilter()
+    tube.SetInputData(line)
+    tube.SetRadius(radius)
+    tube.SetNumberOfSides(sides)
+    tube.CappingOn()
+    found = body("wire", tube)
+    mesh = found.mesh
+    both = vtkPolyData()
+    both.SetPoints(mesh.GetPoints())
+    cells = vtkCellArray()
+    corners = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    for a, b, c in np.concatenate([corners, corners[:, ::-1]]).tolist():
+        cells.InsertNextCell(3, [a, b, c])
+    both.SetPolys(cells)
+    return StandIn("wire", merged(both), None, found.spacing, mesh)
+
+
+def plate(thickness=0.1, bevels=6):
+    """Flat faces are a triangle wide, and so is each step of the round ones between them."""
+    angles = np.pi / 2 * np.arange(bevels + 1) / bevels
+    corner = np.stack([np.sin(angles), np.cos(angles)], 1) * thickness
+    sides = [corner * (1, 1) + (1, 0), corner[::-1] * (1, -1) + (1, 0), corner * (-1, -1) + (-1, 0),
+             corner[::-1] * (-1, 1) + (-1, 0)]
+    return with_shared_points(body("plate", extruded(np.concatenate(sides), 1.5)))
 
 
 def with_shared_points(standin):

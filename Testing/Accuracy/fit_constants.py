@@ -33,6 +33,7 @@ ROWS = ("grid_lines_bare", "grid_lines_20_bare", "grid_lines_noisy")
 SHADED = ("shaded_facets", "thick_slices")
 ISOSURFACES = ("tubes_points", "cut_points", "gear_points")
 LONG = ("can", "shaft", "arrow", "cog")
+BENT = ("plate", "wire", "dome", "meshes:drapery_vertices")
 # The file in Filters, the values to try, and the stand-ins that tell.
 CONSTANTS = {
     "AnglePerDeviation": ("vtkPointSplatCrease.cxx", (2, 3, 4, 6, 8), FOLDS + PARTS),
@@ -91,12 +92,17 @@ CONSTANTS = {
     "LongEdge": ("vtkPointSplatRefinement.cxx", (1.5, 1.7, 2.0), DISCS + FOLDS),
     "ShareOfEdge": ("vtkPointSplatRefinement.cxx", (0.5, 0.55, 0.6), DISCS + FOLDS),
     "ShareOfSize": ("vtkPointSplatRefinement.cxx", (0.2, 0.4, 0.6), DISCS + FOLDS),
-    "LengthPerEdge": ("vtkPointSplatFans.cxx", (0.56, 0.62, 0.68),
+    "LengthPerEdge": ("vtkPointSplatFansDisk.cxx", (0.56, 0.62, 0.68),
                       ("meshes:drapery_vertices", "meshes:part_vertices", "meshes:tubes_edges")),
-    "LengthPerReach": ("vtkPointSplatFans.cxx", (0.8, 0.9, 1.0),
+    "LengthPerReach": ("vtkPointSplatFansDisk.cxx", (0.8, 0.9, 1.0),
                        ("meshes:drapery_vertices", "meshes:part_vertices", "meshes:tubes_edges")),
-    "ThirdsPerSpacing": ("vtkPointSplatFans.cxx", (2, 4, 8, 16), LONG + ("meshes:drapery_vertices",)),
-    "SteepSine": ("vtkPointSplatFans.cxx", (0.6, 0.75, 0.9), ("arrow", "meshes:drapery_vertices")),
+    "ThirdsPerSpacing": ("vtkPointSplatFansDisk.cxx", (2, 4, 8, 16), LONG + ("meshes:drapery_vertices",)),
+    "SteepSine": ("vtkPointSplatFansDisk.cxx", (0.6, 0.75, 0.9), ("arrow", "meshes:drapery_vertices")),
+    "NearShare": ("vtkPointSplatFansDisk.cxx", (0.3, 0.5, 0.8), BENT),
+    "LeastTurn": ("vtkPointSplatFansDisk.cxx", (0.05, 0.1, 0.2), BENT),
+    "MostTurn": ("vtkPointSplatFansDisk.cxx", (0.3, 0.52, 1.0), BENT),
+    "PastShare": ("vtkPointSplatEstimatesFill.cxx", (0.1, 0.25, 1.0), ("wire", "meshes:cut_edges")),
+    "LeastFlat": ("vtkPointSplatMeshNormals.cxx", (0.2, 0.45, 0.7), ("dome", "cog_shared_points", "part_vertices_bare")),
     "MostBend": ("vtkPointSplatStars.cxx", (0.3, 0.4, 0.5, 0.6), LONG + ("meshes:tubes_contour",)),
     "WidthShare": ("vtkPointSplatStars.cxx", (0.0, 0.5, 0.8, 1.2), LONG + ("meshes:tubes_contour",)),
     "TipShare": ("vtkPointSplatStars.cxx", (0.02, 0.05, 0.2), ("arrow",)),

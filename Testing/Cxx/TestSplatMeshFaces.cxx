@@ -147,6 +147,102 @@ void TestSlit()
   CheckFaces(MakeSplats(square), [](double x, double y) { return GetDistance(x, y, 3, 3); }, "a square with a slit");
 }
 
+/// An edge is as long as the face, and its ends are far from points beside it.
+void TestLongEdge()
+{
+  vtkSmartPointer<vtkPolyData> strip = MakeEmpty();
+  AddPolygon(strip, { { { 0, 0.1 } }, { { 0, 0 } }, { { 3, 0 } }, { { 3, 0.4 } }, { { 1.6, 0.4 } }, { { 1.5, 0.4 } },
+                      { { 1.4, 0.4 } }, { { 0, 0.4 } } });
+  CheckFaces(MakeSplats(strip), [](double x, double y) { return GetDistance(x, y, 3, 0.4); }, "a strip of long edges");
+}
+
+/// Two triangles meet in a point, whose disk would need four lines.
+void TestPinch()
+{
+  vtkSmartPointer<vtkPolyData> bow = MakeEmpty();
+  AddPolygon(bow, { { { 1.5, 1.5 } }, { { 0, 3 } }, { { 0, 0 } }, { { 3, 0 } }, { { 3, 3 } } });
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell({ 0, 1, 2 });
+  cells->InsertNextCell({ 0, 3, 4 });
+  bow->SetPolys(cells);
+  CheckFaces(MakeSplats(bow),
+    [](double x, double y) {
+      return std::max(GetDistance(x, y, 3, 3), (std::abs(y - 1.5) - std::abs(x - 1.5)) / std::sqrt(2.0));
+    },
+    "a bow");
+}
+
+/// Of a surface that is there once for each side the second one is left out.
+void TestTwoSides()
+{
+  vtkSmartPointer<vtkPolyData> square = MakeEmpty();
+  AddSquare(square, 4, 0, 1);
+  square->GetPointData()->SetNormals(nullptr);
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(square);
+  triangles->Update();
+  vtkPolyData* both = triangles->GetOutput();
+  vtkNew<vtkCellArray> back;
+  back->DeepCopy(both->GetPolys());
+  for (vtkIdType cell = 0; cell < back->GetNumberOfCells(); ++cell)
+  {
+    back->ReverseCellAtId(cell);
+  }
+  both->GetPolys()->Append(back);
+  CheckFaces(MakeSplats(both), [](double x, double y) { return GetDistance(x, y, 3, 3); }, "a square with two sides");
+}
+
+/// Beside a flat face that is a triangle wide a fillet, of as long and narrow ones, falls off: no disk may stick out.
+void TestFillet()
+{
+  vtkSmartPointer<vtkPolyData> data = MakeEmpty();
+  data->GetPointData()->SetNormals(nullptr);
+  constexpr int steps = 6;
+  constexpr double radius = 0.3;
+  const auto addRow = [&](double x, double z) {
+    data->GetPoints()->InsertNextPoint(x, 0, z);
+    data->GetPoints()->InsertNextPoint(x, 3, z);
+  };
+  addRow(0, 0);
+  for (int k = 0; k <= steps; ++k)
+  {
+    const double angle = vtkMath::Pi() / 2 * k / steps;
+    addRow(2.7 + radius * std::sin(angle), radius * (std::cos(angle) - 1));
+  }
+  for (vtkIdType k = 0; k <= steps; ++k)
+  {
+    const vtkIdType corners[4] = { 2 * k, 2 * k + 2, 2 * k + 3, 2 * k + 1 };
+    data->GetPolys()->InsertNextCell(4, corners);
+  }
+  vtkSmartPointer<vtkPolyData> splats = MakeSplats(data);
+  CheckFaces(splats,
+    [](double x, double y) { return x > 2.7 && x < 3.1 ? 0.0 : GetDistance(x, y, 2.7, 3); }, "a face with a fillet");
+}
+
+/// A dome has one flat face, whose edges are few, and at which it has that one's normals, too.
+void TestDome()
+{
+  vtkSmartPointer<vtkPolyData> dome = MakeSphere(5);
+  for (vtkIdType id = 0; id < dome->GetNumberOfPoints(); ++id)
+  {
+    double x[3];
+    dome->GetPoint(id, x);
+    vtkMath::MultiplyScalar(x, 1 + 0.001 * std::sin(37.0 * id));
+    dome->GetPoints()->SetPoint(id, x[0], x[1], std::max(3 * x[2], -13.0));
+  }
+  dome->GetPointData()->SetNormals(nullptr);
+  vtkSmartPointer<vtkPolyData> splats = MakeSplats(dome);
+  int copies = 0;
+  for (vtkIdType id = dome->GetNumberOfPoints(); id < splats->GetNumberOfPoints(); ++id)
+  {
+    double n[3], x[3];
+    splats->GetPointData()->GetNormals()->GetTuple(id, n);
+    splats->GetPoint(id, x);
+    copies += x[2] < -12.999 && n[2] < -0.999;
+  }
+  Expect(copies > 20, std::to_string(copies) + " splats of a dome's rim are of its flat face");
+}
+
 /// A polygon of many short edges: what is looked at for each fill point does not grow with them.
 void TestFineOutline()
 {
@@ -269,9 +365,14 @@ int TestSplatMeshFaces(int, char*[])
 {
   TestPolygons();
   TestSlit();
+  TestLongEdge();
+  TestPinch();
+  TestTwoSides();
+  TestFillet();
   TestFineOutline();
   TestCube();
   TestSharedPoints();
+  TestDome();
   TestTip();
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
