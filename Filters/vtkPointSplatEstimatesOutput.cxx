@@ -81,9 +81,12 @@ void vtkPointSplatEstimates::Write()
   this->Borders->Write(slotOf, this->Clips);
   this->WriteTubeLines();
   const vtkPointSplatMeshBorders ends(this->Fans, this->Sizes[0], this->Planes);
-  // Before fill points take room from disks these reach all edges that those behind them do; scaled they reach others.
-  const bool known = this->MeshAlone && this->Self->GetRadiusScale() == 1;
-  ends.Write(known ? this->Ends : ends.FindEnds(), this->Clips);
+  // Those of a mesh are known from before fill points took room from its disks; but scaled ones reach other edges.
+  if (!this->MeshAlone || this->Self->GetRadiusScale() != 1)
+  {
+    this->Ends = ends.FindEnds();
+  }
+  ends.Write(this->Ends, this->Clips);
 }
 
 /// The disks of triangles' corners, but for those at creases.

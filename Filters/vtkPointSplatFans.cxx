@@ -323,11 +323,15 @@ bool vtkPointSplatFans::IsBefore(vtkIdType a, vtkIdType b) const
   return std::lexicographical_compare(x, x + 3, y, y + 3);
 }
 
+void vtkPointSplatFans::SortByPlace(std::vector<vtkIdType>& ids) const
+{
+  std::sort(ids.begin(), ids.end(), [this](vtkIdType a, vtkIdType b) { return this->IsBefore(a, b); });
+}
+
 std::vector<vtkIdType> vtkPointSplatFans::FindSplit() const
 {
   std::vector<vtkIdType> placed = this->Border, split;
-  std::sort(placed.begin(), placed.end(),
-    [this](vtkIdType a, vtkIdType b) { return this->IsBefore(a, b); });
+  this->SortByPlace(placed);
   for (std::size_t i = 0; i < placed.size(); ++i)
   {
     if ((i > 0 && this->IsSamePlace(placed[i - 1], placed[i])) ||
@@ -344,8 +348,7 @@ std::vector<vtkIdType> vtkPointSplatFans::FindSeams() const
 {
   // Points in one place have the first one's number in the order of positions.
   std::vector<vtkIdType> placed = this->Border;
-  std::sort(placed.begin(), placed.end(),
-    [this](vtkIdType a, vtkIdType b) { return this->IsBefore(a, b); });
+  this->SortByPlace(placed);
   const auto getPlace = [&](vtkIdType id) -> std::ptrdiff_t {
     return std::lower_bound(placed.begin(), placed.end(), id,
              [this](vtkIdType a, vtkIdType b) { return this->IsBefore(a, b); }) -
@@ -380,8 +383,7 @@ std::vector<vtkIdType> vtkPointSplatFans::FindSeams() const
       seams.push_back(this->Border[i]);
     }
   }
-  std::sort(seams.begin(), seams.end(),
-    [this](vtkIdType a, vtkIdType b) { return this->IsBefore(a, b); });
+  this->SortByPlace(seams);
   return seams;
 }
 

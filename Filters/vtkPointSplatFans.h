@@ -168,6 +168,7 @@ private:
   void FindBorder();
   std::vector<vtkIdType> FindSeams() const;
   bool IsBefore(vtkIdType a, vtkIdType b) const;
+  void SortByPlace(std::vector<vtkIdType>& ids) const;
 
   std::vector<double> Positions;    // 3 a point
   std::vector<vtkIdType> Corners;   // 3 a triangle, of points that take part

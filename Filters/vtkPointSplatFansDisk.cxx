@@ -36,7 +36,7 @@ constexpr float ThirdsPerSpacing = 4;
 /// Beyond a triangle that is narrower than so much of its radius a disk goes far, and it must not where normals turn by more
 /// than that on the way, as between a flat face and a fillet, and by less than at an edge (30 degrees).
 constexpr float NearShare = 0.5f;
-constexpr float LeastTurn = 0.1f;
+constexpr float LeastTurn = 0.04f;
 constexpr float MostTurn = 0.52f;
 /// From which sine on a triangle at a vertex falls off so steeply from its disk that this is none of the surface: a tip.
 constexpr float SteepSine = 0.75f;

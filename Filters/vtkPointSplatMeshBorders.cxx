@@ -119,6 +119,7 @@ bool vtkPointSplatMeshBorders::FindOwnLines(vtkIdType id, End& end) const
   const vtkPointSplatFans::BorderEdges edges = this->Fans.GetBorderEdges(id);
   if (edges.Count > 2)
   {
+    end.Room = PinchShare * this->Radii->GetValue(id);
     return false;
   }
   if (edges.Count == 0 || (edges.Count == 2 && this->Fans.IsSamePlace(edges.First[0].Next, edges.First[1].Next)))
@@ -429,11 +430,6 @@ std::vector<vtkPointSplatMeshBorders::End> vtkPointSplatMeshBorders::FindEnds() 
     {
       const Near* first = near.data() + firsts[i];
       ends[i].Id = first->Id;
-      if (this->Fans.GetBorderEdges(first->Id).Count > 2)
-      {
-        ends[i].Room = PinchShare * this->Radii->GetValue(first->Id);
-        continue;
-      }
       if (this->Radii->GetValue(first->Id) > 0 && this->FindOwnLines(first->Id, ends[i]))
       {
         this->AddNearLines(first, near.data() + firsts[i + 1], ends[i]);

@@ -198,7 +198,7 @@ struct Sharp
 {
   std::atomic<std::size_t> Edges{ 0 }, OfFlat{ 0 };
 
-  /// Looks at every so manieth triangle.
+  /// stride: looks at one in so many triangles.
   Sharp(const vtkPointSplatFans& fans, vtkIdType stride)
   {
     const std::vector<vtkIdType>& corners = fans.GetCorners();

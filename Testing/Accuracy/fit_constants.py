@@ -99,7 +99,7 @@ CONSTANTS = {
     "ThirdsPerSpacing": ("vtkPointSplatFansDisk.cxx", (2, 4, 8, 16), LONG + ("meshes:drapery_vertices",)),
     "SteepSine": ("vtkPointSplatFansDisk.cxx", (0.6, 0.75, 0.9), ("arrow", "meshes:drapery_vertices")),
     "NearShare": ("vtkPointSplatFansDisk.cxx", (0.3, 0.5, 0.8), BENT),
-    "LeastTurn": ("vtkPointSplatFansDisk.cxx", (0.05, 0.1, 0.2), BENT),
+    "LeastTurn": ("vtkPointSplatFansDisk.cxx", (0.02, 0.04, 0.1), BENT),
     "MostTurn": ("vtkPointSplatFansDisk.cxx", (0.3, 0.52, 1.0), BENT),
     "PastShare": ("vtkPointSplatEstimatesFill.cxx", (0.1, 0.25, 1.0), ("wire", "meshes:cut_edges")),
     "LeastFlat": ("vtkPointSplatMeshNormals.cxx", (0.2, 0.45, 0.7), ("dome", "cog_shared_points", "part_vertices_bare")),
