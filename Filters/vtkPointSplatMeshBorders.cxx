@@ -170,14 +170,19 @@ float vtkPointSplatMeshBorders::GetReach(vtkIdType id) const
   return KernelReach * this->Radii->GetValue(id);
 }
 
-/// How far a point is off the edges of the border at another one.
+/// How far a point is off another one on the border, or off the edges there whose ends its kernel may reach between.
 float vtkPointSplatMeshBorders::GetDistance(vtkIdType border, vtkIdType id) const
 {
-  double squared = std::numeric_limits<double>::max();
+  const double *x = this->Fans.GetPosition(id), *y = this->Fans.GetPosition(border);
+  const double reach2 = std::pow(this->GetReach(id), 2);
+  double squared = vtkMath::Distance2BetweenPoints(x, y);
   for (const vtkPointSplatFans::BorderEdge& edge : this->Fans.GetBorderEdges(border))
   {
-    squared = std::min(squared,
-      vtkLine::DistanceToLine(this->Fans.GetPosition(id), this->Fans.GetPosition(border), this->Fans.GetPosition(edge.Next)));
+    const double* z = this->Fans.GetPosition(edge.Next);
+    if (vtkMath::Distance2BetweenPoints(y, z) > reach2)
+    {
+      squared = std::min(squared, vtkLine::DistanceToLine(x, y, z));
+    }
   }
   return static_cast<float>(std::sqrt(squared));
 }

@@ -12,7 +12,7 @@
  *    seam meets the border it has one edge there, and one line. Edges go to the next point of the border that
  *    is a five hundredth of the disk's radius off: what is nearer says nothing of where the border goes.
  * 2. Lines that are left to a point, of two, go along the nearest edges that end at points of its
- *    triangles, or of those beyond, as far as its kernel reaches, also where the edge's ends are far, and which it is
+ *    triangles, or of those beyond, as far as its kernel reaches, also between the ends of longer ones, and which it is
  *    beside: a mesh that was cut has points as near to its border as it likes, whose disks are as large as others, and one whose
  *    triangles are long along the border has several rows of them. A point's own two lines
  *    become one in between if that leaves room for another and they are less than 10 degrees apart.
@@ -89,7 +89,7 @@ private:
   float GetFacing(vtkIdType from, const vtkPointSplatFans::BorderEdge& edge, const float normal[3]) const;
   Side Walk(vtkIdType id, const vtkPointSplatFans::BorderEdge& edge, const float normal[3], float least) const;
   bool FindOwnLines(vtkIdType id, End& end) const;
-  /// A point, and one on the border whose edges there are near to it.
+  /// A point, and one on the border that is near to it, or an edge at that.
   struct Near
   {
     vtkIdType Id;
