@@ -139,7 +139,7 @@ void vtkPointSplatEstimates::FindMeshFill()
       continue;
     }
     stars.BoundBent(site, vtkPointSplatStars::GetBend(disk.Curvature), disk.Radius, disk.Width);
-    stars.BoundBent(site, disk.Bend, disk.Radius, disk.BentWithin);
+    stars.BoundBent(site, disk.Beside.Amount, disk.Radius, disk.Beside.Within);
     if (disk.Tip)
     {
       stars.BoundTip(site, disk.Radius);
@@ -183,14 +183,14 @@ float vtkPointSplatEstimates::GetRoom(const vtkPointSplatStars& stars, const vtk
   float smallest = point.Size, beside = point.Size; // sizes of its ends, and by what bends beside them
   for (int k = 0; k < point.Count; ++k)
   {
-    const vtkPointSplatFans::Disk& disk = this->Corners[point.Ends[k]];
+    const vtkPointSplatFans::Bend& bend = this->Corners[point.Ends[k]].Beside;
     smallest = std::min(smallest, stars.Sizes[point.Ends[k]]);
-    if (disk.Bend > 0)
+    if (bend.Amount > 0)
     {
       double way[3];
       vtkMath::Subtract(point.X, this->Fans.GetPosition(point.Ends[k]), way);
-      const double across = way[0] * disk.Way[0] + way[1] * disk.Way[1] + way[2] * disk.Way[2];
-      const float bent = vtkPointSplatStars::GetBent(disk.Bend, disk.BentWithin);
+      const double across = way[0] * bend.Way[0] + way[1] * bend.Way[1] + way[2] * bend.Way[2];
+      const float bent = vtkPointSplatStars::GetBent(bend.Amount, bend.Within);
       beside = std::min(beside, vtkPointSplatStars::GetGraded(bent, static_cast<float>(std::abs(across))));
     }
   }

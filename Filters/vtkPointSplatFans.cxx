@@ -250,8 +250,7 @@ void vtkPointSplatFans::GetSingleEdges(vtkIdType id, std::vector<BorderEdge>& ed
   for (vtkIdType t = this->First[id]; t < this->First[id + 1]; ++t)
   {
     const vtkIdType* corner = this->Corners.data() + 3 * this->Triangles[t];
-    const vtkIdType others[2] = { corner[0] == id ? corner[1] : corner[0],
-      corner[2] == id ? corner[1] : corner[2] };
+    const std::array<vtkIdType, 2> others = GetOthers(corner, id);
     edges.push_back({ others[0], others[1] });
     edges.push_back({ others[1], others[0] });
   }

@@ -32,6 +32,7 @@
 #include "vtkPointSplatNeighbors.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -138,6 +139,13 @@ public:
     return !this->First.empty() && this->GetNumberOfTriangles(this->GetSame(id)) > 0;
   }
 
+  /// How much the surface bends beside a disk that reaches far past that, which its curvature need not tell.
+  struct Bend
+  {
+    float Amount = 0, Within = 0; // 1 / world units, or 0, and world units
+    float Way[3] = { 0, 0, 0 };   // unit length
+  };
+
   struct Disk
   {
     float Radius = 0;                            // world units
@@ -145,10 +153,7 @@ public:
     float Curvature[6] = { 0, 0, 0, 0, 0, 0 };   // as vtkPointSplatCurvature's
     float Distance = 0, Turn = 0, Farthest = 0;  // as vtkPointSplatDisks'
     float Width = 0;  // the second neighbour's distance, or the least height of the widest triangle: how wide long ones are
-    /// How much the surface bends beside a disk that reaches far past that, which its curvature need not tell, within how
-    /// far, and which way.
-    float Bend = 0, BentWithin = 0;
-    float Way[3] = { 0, 0, 0 };
+    Bend Beside;
     bool Tip = false; // whether all triangles fall off steeply from its plane
     bool Creased = false; // whether a crease is likely to be near (vtkPointSplatCrease)
   };
@@ -159,7 +164,12 @@ public:
 private:
   void Add(vtkIdType a, vtkIdType b, vtkIdType c, const unsigned char* used);
   bool IsAtFlat(vtkIdType id) const;
-  void FindBend(vtkIdType id, const float* normals, Disk& disk) const;
+  Bend FindBend(vtkIdType id, const float* normals, float radius) const;
+  /// The other corners of a triangle at a point.
+  static std::array<vtkIdType, 2> GetOthers(const vtkIdType corner[3], vtkIdType id)
+  {
+    return { { corner[0] == id ? corner[1] : corner[0], corner[2] == id ? corner[1] : corner[2] } };
+  }
   bool Unite(vtkIdType a, vtkIdType b, const float* normals);
   void LeaveOutDoubles();
   void Merge();

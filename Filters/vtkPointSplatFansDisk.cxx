@@ -43,7 +43,7 @@ constexpr float SteepSine = 0.75f;
 
 constexpr int MaximumNumberOfNeighbors = vtkPointSplatNeighbors::MaximumNumberOfNeighbors;
 
-/// How many of a neighbour's triangles are looked at.
+/// How many of a point's triangles are looked at, but for its neighbours.
 constexpr vtkIdType MostTriangles = 64;
 
 /// A vertex' neighbours, nearest first.
@@ -107,13 +107,13 @@ bool vtkPointSplatFans::IsAtFlat(vtkIdType id) const
 
 /// Finds which of the far sides of a point's triangles that are near to it turns away most, if the point is of a flat face.
 /// Where there is none the surface is rough, and finer disks were none the better.
-void vtkPointSplatFans::FindBend(vtkIdType id, const float* normals, Disk& disk) const
+vtkPointSplatFans::Bend vtkPointSplatFans::FindBend(vtkIdType id, const float* normals, float radius) const
 {
   const double* centre = this->GetPosition(id);
   const float* n = normals + 3 * id;
-  Disk bent;
+  Bend bend;
   this->VisitTriangles(id, [&](const vtkIdType corner[3]) {
-    const vtkIdType first = corner[0] == id ? corner[1] : corner[0], last = corner[2] == id ? corner[1] : corner[2];
+    const auto [first, last] = GetOthers(corner, id);
     double at, place[3];
     const double distance =
       std::sqrt(vtkLine::DistanceToLine(centre, this->GetPosition(first), this->GetPosition(last), at, place));
@@ -125,23 +125,18 @@ void vtkPointSplatFans::FindBend(vtkIdType id, const float* normals, Disk& disk)
     }
     vtkMath::Normalize(m);
     const double turn = std::sqrt(vtkMath::Distance2BetweenPoints(n, m));
-    if (distance > 0 && distance < NearShare * disk.Radius && turn > std::max<double>(LeastTurn, bent.Bend * distance) &&
+    if (distance > 0 && distance < NearShare * radius && turn > std::max<double>(LeastTurn, bend.Amount * distance) &&
       turn < MostTurn)
     {
-      bent.Bend = static_cast<float>(turn / distance);
-      bent.BentWithin = static_cast<float>(distance);
+      bend.Amount = static_cast<float>(turn / distance);
+      bend.Within = static_cast<float>(distance);
       for (int c = 0; c < 3; ++c)
       {
-        bent.Way[c] = static_cast<float>((place[c] - centre[c]) / distance);
+        bend.Way[c] = static_cast<float>((place[c] - centre[c]) / distance);
       }
     }
   });
-  if (bent.Bend > 0 && this->IsAtFlat(id))
-  {
-    disk.Bend = bent.Bend;
-    disk.BentWithin = bent.BentWithin;
-    std::copy_n(bent.Way, 3, disk.Way);
-  }
+  return bend.Amount > 0 && this->IsAtFlat(id) ? bend : Bend();
 }
 
 vtkPointSplatFans::Disk vtkPointSplatFans::GetDisk(vtkIdType id, const float* normals) const
@@ -153,8 +148,7 @@ vtkPointSplatFans::Disk vtkPointSplatFans::GetDisk(vtkIdType id, const float* no
   for (vtkIdType t = this->First[id]; t < this->First[id + 1]; ++t)
   {
     const vtkIdType* corner = this->Corners.data() + 3 * this->Triangles[t];
-    const vtkIdType others[2] = { corner[0] == id ? corner[1] : corner[0],
-      corner[2] == id ? corner[1] : corner[2] };
+    const std::array<vtkIdType, 2> others = GetOthers(corner, id);
     float d[2][3];
     for (int k = 0; k < 2; ++k)
     {
@@ -211,7 +205,7 @@ vtkPointSplatFans::Disk vtkPointSplatFans::GetDisk(vtkIdType id, const float* no
   found.Tip = highest < -SteepSine || lowest > SteepSine;
   if (narrowest2 < std::pow(NearShare * found.Radius, 2))
   {
-    this->FindBend(id, normals, found);
+    found.Beside = this->FindBend(id, normals, found.Radius);
   }
 
   // How the surface bends the corners beyond tell, too: few normals are too noisy.

@@ -38,7 +38,7 @@
  *    a disk does not reach over a denser part to what lies beyond, which may be an edge.
  *    Of a mesh, whose curvature triangles tell, sizes are those within which it turns by MostBend, but for WidthShare of
  *    triangles' width, also where a flat face, whose curvature is none, goes over into a round edge of narrow triangles
- *    (vtkPointSplatFans::Disk::Bend): fill points that are as near to that have no larger ones. Disks at borders have the room
+ *    (vtkPointSplatFans::Bend): fill points that are as near to that have no larger ones. Disks at borders have the room
  *    that these leave (vtkPointSplatMeshBorders.h), and at tips, from which all triangles fall off steeply, as a cone's do, next
  *    to none.
  * 5. *Continued borders.* Where a triangle goes on past a border (vtkPointSplatBorders.h) to a point that is much

@@ -6,12 +6,12 @@ import math
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
-from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkTriangleFilter, vtkTubeFilter
+from vtkmodules.vtkFiltersCore import (
+    vtkAppendPolyData, vtkCleanPolyData, vtkReverseSense, vtkTriangleFilter, vtkTubeFilter)
 from vtkmodules.vtkFiltersModeling import (
     vtkAdaptiveSubdivisionFilter, vtkLinearExtrusionFilter, vtkLinearSubdivisionFilter)
 from vtkmodules.vtkFiltersSources import (
-    vtkArrowSource, vtkCubeSource, vtkCylinderSource, vtkSphereSource)
+    vtkArrowSource, vtkCubeSource, vtkCylinderSource, vtkLineSource, vtkSphereSource)
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 from meshes import with_normals
@@ -54,10 +54,10 @@ def merged(mesh):
     return clean.GetOutput()
 
 
-def trivial(mesh):
-    source = vtkTrivialProducer()
-    source.SetOutput(mesh)
-    return source
+def split(name, mesh):
+    """A stand-in whose truth is the mesh, split where its triangles meet at more than 30 degrees."""
+    mesh = with_normals(mesh, splitting=True)
+    return StandIn(name, mesh, None, mesh.GetLength() / math.sqrt(mesh.GetNumberOfPoints()), mesh)
 
 
 def body(name, source, divisions=0):
@@ -72,8 +72,7 @@ def body(name, source, divisions=0):
         divided.SetInputData(mesh)
         divided.Update()
         mesh = divided.GetOutput()
-    mesh = with_normals(mesh, splitting=True)
-    return StandIn(name, mesh, None, mesh.GetLength() / math.sqrt(mesh.GetNumberOfPoints()), mesh)
+    return split(name, mesh)
 
 
 def dome():
@@ -87,7 +86,7 @@ def dome():
     places *= 1 + 0.001 * np.sin(37.0 * np.arange(len(places)))[:, None]
     places[:, 2] = np.maximum(3 * places[:, 2], -1.3)
     mesh.GetPoints().SetData(numpy_to_vtk(places, deep=True))
-    return with_shared_points(body("dome", trivial(mesh)))
+    return with_shared_points(split("dome", merged(mesh)))
 
 
 def wire(radius=0.03, sides=5):
@@ -96,26 +95,21 @@ def wire(radius=0.03, sides=5):
     points = vtkPoints()
     for angle in angles:
         points.InsertNextPoint(math.cos(angle), math.sin(angle), 0)
-    lines = vtkCellArray()
-    lines.InsertNextCell(len(angles), list(range(len(angles))))
-    line = vtkPolyData()
+    line = vtkLineSource()
     line.SetPoints(points)
-    line.SetLines(lines)
     tube = vtkTubeFilter()
-    tube.SetInputData(line)
+    tube.SetInputConnection(line.GetOutputPort())
     tube.SetRadius(radius)
     tube.SetNumberOfSides(sides)
     tube.CappingOn()
     found = body("wire", tube)
-    mesh = found.mesh
-    both = vtkPolyData()
-    both.SetPoints(mesh.GetPoints())
-    cells = vtkCellArray()
-    corners = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-    for a, b, c in np.concatenate([corners, corners[:, ::-1]]).tolist():
-        cells.InsertNextCell(3, [a, b, c])
-    both.SetPolys(cells)
-    return StandIn("wire", merged(both), None, found.spacing, mesh)
+    back = vtkReverseSense()
+    back.SetInputData(found.mesh)
+    both = vtkAppendPolyData()
+    both.AddInputData(found.mesh)
+    both.AddInputConnection(back.GetOutputPort())
+    both.Update()
+    return StandIn("wire", merged(both.GetOutput()), None, found.spacing, found.mesh)
 
 
 def plate(thickness=0.1, bevels=6):
