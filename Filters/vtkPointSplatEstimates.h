@@ -19,6 +19,7 @@
 #include "vtkPointSplatEstimation.h"
 #include "vtkPointSplatFans.h"
 #include "vtkPointSplatLargeArray.h"
+#include "vtkPointSplatMesh.h"
 #include "vtkPointSplatMeshBorders.h"
 #include "vtkPointSplatNeighbors.h"
 #include "vtkPointSplatRefinement.h"
@@ -42,13 +43,18 @@ public:
   vtkPointSplatEstimates(vtkPointSplatEstimation* self, vtkPointSet* input);
 
   /// If the input's triangles were read before.
-  void SetFans(vtkPointSplatFans fans) { this->Fans = std::move(fans); }
+  void SetMesh(vtkPointSplatMesh mesh)
+  {
+    this->Fans = std::move(mesh.Fans);
+    this->OfLattice = mesh.OfLattice;
+    this->Split = std::move(mesh);
+  }
 
   /// Returns false if self was aborted.
   bool Run();
 
-  /// Makes fill points of the input's last points, which are copies of others.
-  void MakeFill(const std::vector<vtkIdType>& sources);
+  /// Makes fill points of the copies of a mesh that was split, and gives all the normals to shade with.
+  void MakeFill();
 
   vtkNew<vtkFloatArray> Normals;
   vtkNew<vtkFloatArray> Sizes[2]; // radii, or both axes
@@ -69,7 +75,6 @@ private:
   vtkDataArray* MakeArrays();
   void ReadPoints(vtkDataArray* given);
   void ReadMesh();
-  void ReadLattice();
   bool FindNormals();
   float GetUsualSpacing() const;
   void FindSearched();
@@ -96,6 +101,7 @@ private:
   void FindMeshFill();
   std::vector<float> Refine(vtkPointSplatStars& stars, const float* normals, const float* curvatures);
   vtkPointSplatMeshBorders::End FindEnd(const vtkPointSplatRefinement::Point& point, float radius);
+  float GetTurn(vtkIdType id) const;
   float GetRoom(const vtkPointSplatStars& stars, const vtkPointSplatRefinement::Point& point);
   void TakeFill(const vtkPointSplatRefinement& fill);
   void Write();
@@ -125,12 +131,14 @@ private:
   std::vector<unsigned char> Used;
 
   vtkPointSplatFans Fans;
-  bool OfLattice = false; // whether its triangles are those of an isosurface's vertices
+  bool OfLattice = false;
+  vtkPointSplatMesh Split; // its copies and normals, if it was split
   bool MeshAlone = false; // all points are triangles' corners
   std::vector<vtkPointSplatFans::Disk> Corners; // if so, of those that take part
   std::vector<vtkPointSplatMeshBorders::End> Ends; // at borders
+  std::vector<vtkPointSplatMeshBorders::Near> Near; // to these
   std::vector<vtkIdType> Bounded; // of these, those whose disks the border bounds
-  std::unique_ptr<vtkPointSplatMeshOutline> Outline; // if fill points ask for it
+  std::unique_ptr<vtkPointSplatMeshOutline> Outline; // if there is a border
 
   vtkPointSplatNeighbors Neighbors;
   vtkPointSplatLargeArray<float> SlotNormals;

@@ -4,12 +4,14 @@
 // Of the estimates: stage 6, fill.
 #include "vtkPointSplatEstimates.h"
 
+#include "vtkMath.h"
 #include "vtkPointSet.h"
 #include "vtkPointSplatEstimation.h"
 #include "vtkPoints.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -23,6 +25,10 @@ constexpr std::size_t MostOfFew = 4096;
 constexpr std::size_t MostOfMesh = 65536;
 /// How far past a reflex corner a line may be, of the width of the triangles there.
 constexpr float PastShare = 0.25f;
+/// What part of the turn of normals that are shaded with counts as the surface's bend (Testing/Accuracy/fit_constants.py).
+constexpr float TurnShare = 0.6f;
+/// Normals that nearly cancel have no mean.
+constexpr float LeastMean = 1e-3f;
 }
 
 /// Finds the sites of a cloud that are uneven, and that the surface goes on where only a denser part of the points ends.
@@ -101,7 +107,10 @@ void vtkPointSplatEstimates::BoundMesh()
     std::copy_n(this->Corners[id].Plane, 3, this->Planes->GetPointer(3 * id));
   }
   const std::vector<unsigned char> creased = this->GetSlotsAtCreases();
-  this->Ends = vtkPointSplatMeshBorders(this->Fans, this->Sizes[0], this->Planes).FindEnds();
+  this->Outline = std::make_unique<vtkPointSplatMeshOutline>(this->Fans);
+  const vtkPointSplatMeshBorders borders(this->Fans, this->Sizes[0], this->Planes);
+  this->Near = borders.FindNear();
+  this->Ends = borders.FindEnds(this->Near);
   for (vtkPointSplatMeshBorders::End& end : this->Ends)
   {
     vtkPointSplatFans::Disk& disk = this->Corners[end.Id];
@@ -140,6 +149,7 @@ void vtkPointSplatEstimates::FindMeshFill()
     }
     stars.BoundBent(site, vtkPointSplatStars::GetBend(disk.Curvature), disk.Radius, disk.Width);
     stars.BoundBent(site, disk.Beside.Amount, disk.Radius, disk.Beside.Within);
+    stars.BoundBent(site, TurnShare * this->GetTurn(id), disk.Radius, disk.Width);
     if (disk.Tip)
     {
       stars.BoundTip(site, disk.Radius);
@@ -165,16 +175,30 @@ void vtkPointSplatEstimates::FindMeshFill()
   }
 }
 
+/// How fast the normals to shade with turn at a point of a mesh that was split, 1 / world units: disks' own ones do not tell
+/// them.
+float vtkPointSplatEstimates::GetTurn(vtkIdType id) const
+{
+  double largest = 0;
+  if (this->Fans.IsSplit() && !this->Split.Normals.empty())
+  {
+    const float* own = this->Split.GetNormal(id);
+    this->Fans.VisitNeighbors(id, [&](vtkIdType other) {
+      const double squared = vtkMath::Distance2BetweenPoints(this->Fans.GetPosition(id), this->Fans.GetPosition(other));
+      const double turn = vtkMath::Distance2BetweenPoints(own, this->Split.GetNormal(other));
+      largest = squared > 0 ? std::max(largest, turn / squared) : largest;
+    });
+  }
+  return static_cast<float>(std::sqrt(largest));
+}
+
 /// How a fill point of a mesh ends at its borders.
 vtkPointSplatMeshBorders::End vtkPointSplatEstimates::FindEnd(
   const vtkPointSplatRefinement::Point& point, float radius)
 {
-  if (!this->Outline)
-  {
-    this->Outline = std::make_unique<vtkPointSplatMeshOutline>(this->Fans);
-  }
   return vtkPointSplatMeshBorders(this->Fans, this->Sizes[0], this->Planes)
-    .FindEnd({ static_cast<vtkIdType>(point.Ends[0]), point.X, point.Plane, radius }, *this->Outline);
+    .FindEnd({ point.X, point.Plane, radius },
+      { { point.Ends, point.Ends + point.Count }, this->Near, *this->Outline });
 }
 
 /// The largest radius that a fill point of a mesh may have where the surface bends and ends.
@@ -263,8 +287,9 @@ void vtkPointSplatEstimates::TakeFill(const vtkPointSplatRefinement& fill)
   }
 }
 
-void vtkPointSplatEstimates::MakeFill(const std::vector<vtkIdType>& sources)
+void vtkPointSplatEstimates::MakeFill()
 {
+  const std::vector<vtkIdType>& sources = this->Split.Sources;
   const vtkIdType own = this->NumberOfPoints - static_cast<vtkIdType>(sources.size());
   for (vtkPointSplatRefinement::Point& point : this->Fill)
   {
@@ -301,6 +326,27 @@ void vtkPointSplatEstimates::MakeFill(const std::vector<vtkIdType>& sources)
     if (array->GetNumberOfTuples() > 0)
     {
       array->SetNumberOfTuples(own);
+    }
+  }
+  const std::vector<float>& normals = this->Split.Normals;
+  if (normals.empty())
+  {
+    return;
+  }
+  std::copy(normals.begin(), normals.end(), this->Normals->GetPointer(0));
+  for (vtkPointSplatRefinement::Point& point : this->Fill)
+  {
+    float sum[3] = { 0, 0, 0 };
+    for (int k = 0; k < point.Count; ++k)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        sum[c] += point.Weights[k] * this->Split.GetNormal(point.Ends[k])[c];
+      }
+    }
+    if (vtkMath::Normalize(sum) > LeastMean)
+    {
+      std::copy_n(sum, 3, point.Normal);
     }
   }
 }

@@ -10,7 +10,6 @@
 #include "vtkPointSet.h"
 #include "vtkPointSplatArrays.h"
 #include "vtkPointSplatInput.h"
-#include "vtkPointSplatLattice.h"
 #include "vtkPointSplatMeshNormals.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
@@ -92,7 +91,7 @@ void vtkPointSplatEstimates::ReadMesh()
   // Ellipses have triangles' normals, and nothing else of them.
   const bool reads = mesh && !(this->Elliptical && this->Given) && this->Fans.IsEmpty();
   const vtkIdType bad = reads ? this->Fans.Read(mesh, this->Used.data()) : 0;
-  if (!this->Fans.IsEmpty() && vtkPointSplatMeshNormals::Complete(this->Fans, n))
+  if (!this->Fans.IsEmpty() && !this->OfLattice && vtkPointSplatMeshNormals::Complete(this->Fans, n))
   {
     this->Given = true;
   }
@@ -105,9 +104,13 @@ void vtkPointSplatEstimates::ReadMesh()
   {
     this->Used[id] = this->Used[id] && this->Fans.Has(id);
   }
-  if (this->Fans.IsEmpty() && this->Given && !this->Elliptical)
+  if (this->OfLattice)
   {
-    this->ReadLattice();
+    for (vtkIdType id = 0; id < this->NumberOfPoints; ++id)
+    {
+      this->Used[id] = this->Used[id] && this->Fans.Has(id); // where it has no area
+    }
+    vtkPointSplatMeshNormals::TakeNeighbors(this->Fans, this->Used, n);
   }
   if (bad > 0)
   {
@@ -133,6 +136,10 @@ void vtkPointSplatEstimates::ReadMesh()
     {
       this->Corners[id].Creased = false;
     }
+    for (vtkPointSplatFans::Disk& disk : this->Corners)
+    {
+      disk.Creased = disk.Creased && !this->Fans.IsSplit();
+    }
     if (std::none_of(this->Corners.begin(), this->Corners.end(),
           [](const vtkPointSplatFans::Disk& disk) { return disk.Creased; }))
     {
@@ -140,37 +147,6 @@ void vtkPointSplatEstimates::ReadMesh()
     }
   }
   this->Neighbors.Build(this->Input->GetPoints()->GetData(), searched.data());
-}
-
-/// Finds the triangles of what is a volume's isosurface, where it has an area.
-void vtkPointSplatEstimates::ReadLattice()
-{
-  std::vector<double> positions = vtkPointSplatInput::ReadPositions(this->Input->GetPoints()->GetData());
-  vtkPointSplatLattice lattice({ positions, this->Used, this->GetNormal(vtkIdType(0)), this->Ghosts });
-  if (!lattice.Find())
-  {
-    return;
-  }
-  this->OfLattice = true;
-  this->Fans.Take(std::move(positions), std::move(lattice.Corners), std::move(lattice.Same));
-  // Where the volume has no gradient there is no normal, but there are neighbours'.
-  std::vector<std::pair<vtkIdType, std::array<float, 3>>> missing;
-  for (vtkIdType id = 0; id < this->NumberOfPoints; ++id)
-  {
-    this->Used[id] = this->Used[id] && this->Fans.Has(id);
-    if (this->Used[id] && vtkPointSplatInput::IsZero(this->GetNormal(id)))
-    {
-      std::array<float, 3> sum{ { 0, 0, 0 } };
-      this->Fans.VisitNeighbors(this->Fans.GetSame(id),
-        [&](vtkIdType other) { vtkMath::Add(sum.data(), this->GetNormal(other), sum.data()); });
-      vtkMath::Normalize(sum.data());
-      missing.emplace_back(id, sum);
-    }
-  }
-  for (const auto& [id, normal] : missing)
-  {
-    std::copy(normal.begin(), normal.end(), this->GetNormal(id));
-  }
 }
 
 VTK_ABI_NAMESPACE_END

@@ -84,7 +84,7 @@ void vtkPointSplatEstimates::Write()
   // Those of a mesh are known from before fill points took room from its disks; but scaled ones reach other edges.
   if (!this->MeshAlone || this->Self->GetRadiusScale() != 1)
   {
-    this->Ends = ends.FindEnds();
+    this->Ends = ends.FindEnds(ends.FindNear());
   }
   ends.Write(this->Ends, this->Clips);
 }
@@ -175,8 +175,7 @@ void vtkPointSplatEstimates::ClipFill()
   }
   vtkDataArray* points = this->Input->GetPoints()->GetData();
   const std::vector<unsigned char> creased = this->GetSlotsAtCreases();
-  for (vtkPointSplatRefinement::Point& point : this->Fill)
-  {
+  const auto clip = [&](vtkPointSplatRefinement::Point& point) {
     vtkPointSplatBorders::Lines lines;
     lines.Reach = vtkPointSplatBorders::KernelReach * point.Size;
     for (int k = 0; k < point.Count; ++k)
@@ -210,7 +209,10 @@ void vtkPointSplatEstimates::ClipFill()
     {
       lines.Write(point.Clip);
     }
-  }
+  };
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Fill.size()), [&](vtkIdType begin, vtkIdType end) {
+    std::for_each(this->Fill.begin() + begin, this->Fill.begin() + end, clip);
+  });
 }
 
 VTK_ABI_NAMESPACE_END

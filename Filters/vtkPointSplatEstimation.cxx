@@ -13,7 +13,7 @@
 #include "vtkPointSet.h"
 #include "vtkPointSplatArrays.h"
 #include "vtkPointSplatEstimates.h"
-#include "vtkPointSplatMeshNormals.h"
+#include "vtkPointSplatMesh.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -157,17 +157,14 @@ int vtkPointSplatEstimation::RequestData(
   vtkPointSet* input = vtkPointSet::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   // Points that are corners of several faces have a splat for each.
-  std::vector<vtkIdType> sources;
-  vtkPointSplatFans fans;
-  vtkPolyData* mesh = vtkPolyData::SafeDownCast(input);
-  const vtkSmartPointer<vtkPolyData> split = mesh && this->FillGaps && this->FillMeshGaps && this->Shape == Circular
-    ? vtkPointSplatMeshNormals::Split(mesh, fans, sources)
-    : nullptr;
-  vtkPointSplatEstimates estimates(this, split ? split.Get() : input);
-  if (!split)
+  vtkPointSplatMesh mesh;
+  if (this->Shape == Circular)
   {
-    estimates.SetFans(std::move(fans));
+    mesh.Read(input);
   }
+  const bool split = this->FillGaps && this->FillMeshGaps && mesh.Split();
+  vtkPointSplatEstimates estimates(this, split ? mesh.Points.Get() : input);
+  estimates.SetMesh(std::move(mesh));
   const bool finished = estimates.Run();
   this->NumberOfPointsAlone = estimates.NumberOfPointsAlone;
   this->Noise = estimates.Noise;
@@ -179,7 +176,7 @@ int vtkPointSplatEstimation::RequestData(
   }
   if (split)
   {
-    estimates.MakeFill(sources);
+    estimates.MakeFill();
   }
 
   vtkPointData* data = output->GetPointData();

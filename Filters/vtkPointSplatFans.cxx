@@ -3,7 +3,10 @@
 #include "vtkPointSplatFans.h"
 
 #include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkPointSplatCrease.h"
 #include "vtkPointSplatInput.h"
 #include "vtkPoints.h"
@@ -118,6 +121,44 @@ void vtkPointSplatFans::Take(
   this->Corners = std::move(corners);
   this->Same = std::move(same);
   this->Positions = std::move(positions);
+  this->Sort();
+  this->FindBorder();
+}
+
+vtkSmartPointer<vtkPolyData> vtkPointSplatFans::MakeMesh() const
+{
+  vtkNew<vtkDoubleArray> positions;
+  positions->SetNumberOfComponents(3);
+  positions->SetNumberOfTuples(this->GetNumberOfPoints());
+  std::copy(this->Positions.begin(), this->Positions.end(), positions->GetPointer(0));
+  vtkNew<vtkPoints> points;
+  points->SetData(positions);
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->SetPoints(points);
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetNumberOfValues(static_cast<vtkIdType>(this->Corners.size()));
+  std::copy(this->Corners.begin(), this->Corners.end(), ids->GetPointer(0));
+  vtkNew<vtkCellArray> polygons;
+  polygons->SetData(3, ids);
+  mesh->SetPolys(polygons);
+  return mesh;
+}
+
+void vtkPointSplatFans::Split(const std::vector<vtkIdType>& sources, std::vector<vtkIdType> corners)
+{
+  for (const vtkIdType source : sources)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      this->Positions.push_back(this->Positions[3 * source + c]);
+    }
+    if (!this->Same.empty())
+    {
+      this->Same.push_back(static_cast<vtkIdType>(this->Same.size()));
+    }
+  }
+  this->Corners = std::move(corners);
+  this->WasSplit = true;
   this->Sort();
   this->FindBorder();
 }
@@ -251,8 +292,9 @@ void vtkPointSplatFans::GetSingleEdges(vtkIdType id, std::vector<BorderEdge>& ed
   {
     const vtkIdType* corner = this->Corners.data() + 3 * this->Triangles[t];
     const std::array<vtkIdType, 2> others = GetOthers(corner, id);
-    edges.push_back({ others[0], others[1] });
-    edges.push_back({ others[1], others[0] });
+    const bool second = corner[1] == id;
+    edges.push_back({ others[0], others[1], !second });
+    edges.push_back({ others[1], others[0], second });
   }
   std::sort(edges.begin(), edges.end(), [](const BorderEdge& a, const BorderEdge& b) {
     return a.Next != b.Next ? a.Next < b.Next : a.Inner < b.Inner;

@@ -30,6 +30,7 @@
 #define vtkPointSplatFans_h
 
 #include "vtkPointSplatNeighbors.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <array>
@@ -59,6 +60,14 @@ public:
   void Take(
     std::vector<double> positions, std::vector<vtkIdType> corners, std::vector<vtkIdType> same);
 
+  vtkSmartPointer<vtkPolyData> MakeMesh() const;
+
+  /// Adds copies of points after them, and takes over corners of the same triangles, in the order that tells where these face.
+  void Split(const std::vector<vtkIdType>& sources, std::vector<vtkIdType> corners);
+  /// Whether it was split: then the order of corners tells where triangles face, counterclockwise as seen from where planes'
+  /// normals point.
+  bool IsSplit() const { return this->WasSplit; }
+
   void Clear() { *this = vtkPointSplatFans(); }
   bool IsEmpty() const { return this->Corners.empty(); }
 
@@ -71,6 +80,7 @@ public:
   {
     vtkIdType Next;  // its other end
     vtkIdType Inner; // the third corner of its triangle
+    bool Forward;    // whether that has its corners in the order of the edge and this one
   };
 
   /// The points with an edge that one triangle alone has, in order.
@@ -180,6 +190,7 @@ private:
   bool IsBefore(vtkIdType a, vtkIdType b) const;
   void SortByPlace(std::vector<vtkIdType>& ids) const;
 
+  bool WasSplit = false;
   std::vector<double> Positions;    // 3 a point
   std::vector<vtkIdType> Corners;   // 3 a triangle, of points that take part
   std::vector<vtkIdType> Same;      // GetSame(), empty where that is id of all

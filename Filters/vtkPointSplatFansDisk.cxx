@@ -37,7 +37,7 @@ constexpr float ThirdsPerSpacing = 4;
 /// than that on the way, as between a flat face and a fillet, and by less than at an edge (30 degrees).
 constexpr float NearShare = 0.5f;
 constexpr float LeastTurn = 0.04f;
-constexpr float MostTurn = 0.52f;
+constexpr float SharpTurn = 0.52f;
 /// From which sine on a triangle at a vertex falls off so steeply from its disk that this is none of the surface: a tip.
 constexpr float SteepSine = 0.75f;
 
@@ -126,7 +126,7 @@ vtkPointSplatFans::Bend vtkPointSplatFans::FindBend(vtkIdType id, const float* n
     vtkMath::Normalize(m);
     const double turn = std::sqrt(vtkMath::Distance2BetweenPoints(n, m));
     if (distance > 0 && distance < NearShare * radius && turn > std::max<double>(LeastTurn, bend.Amount * distance) &&
-      turn < MostTurn)
+      turn < SharpTurn)
     {
       bend.Amount = static_cast<float>(turn / distance);
       bend.Within = static_cast<float>(distance);

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <utility>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -28,6 +29,9 @@ constexpr float KernelReach = 2.0f;
 /// Of about how many points near to one on the border it is asked whether they reach it. Where triangles
 /// are long along the border rows of tens do; disks that reach farther than that are no mesh's.
 constexpr vtkIdType MostSeen = 1024;
+/// Of how many points near to the vertices around a fill point it is asked whether that reaches them: of a face's middle
+/// with a fine outline they are thousands.
+constexpr std::size_t MostListed = 64;
 // From Testing/Accuracy/fit_constants.py.
 /// How far the border is followed, in a point's radii, to tell where it goes, and over how many edges at most: vertices of
 /// isosurfaces lie as near to one another as they like, and an edge between two that nearly coincide goes anywhere.
@@ -74,15 +78,17 @@ void vtkPointSplatMeshBorders::GetOffset(const double from[3], vtkIdType to, flo
   }
 }
 
-float vtkPointSplatMeshBorders::GetFacing(
-  vtkIdType from, const vtkPointSplatFans::BorderEdge& edge, const float normal[3]) const
+/// Sets how a triangle at an edge of a side faces.
+void vtkPointSplatMeshBorders::Face(
+  vtkIdType from, const vtkPointSplatFans::BorderEdge& edge, const float normal[3], Side& side) const
 {
   float along[3], inward[3], across[3];
   this->GetOffset(this->Fans.GetPosition(from), edge.Next, along);
   this->GetOffset(this->Fans.GetPosition(from), edge.Inner, inward);
   vtkMath::Cross(along, inward, across);
   vtkMath::Normalize(across);
-  return vtkMath::Dot(across, normal);
+  side.Facing = vtkMath::Dot(across, normal);
+  side.Alike = !this->Fans.IsSplit() ? std::abs(side.Facing) : edge.Forward ? side.Facing : -side.Facing;
 }
 
 /// Follows the border from a point along one of its edges until that is so far off, or as far as it goes on.
@@ -109,31 +115,44 @@ vtkPointSplatMeshBorders::Side vtkPointSplatMeshBorders::Walk(
     from = side.End;
     step = on;
   }
-  side.Facing = this->GetFacing(from, step, normal);
+  this->Face(from, step, normal, side);
   return side;
 }
 
 /// Returns whether the point is of those that have lines.
 bool vtkPointSplatMeshBorders::FindOwnLines(vtkIdType id, End& end) const
 {
-  const vtkPointSplatFans::BorderEdges edges = this->Fans.GetBorderEdges(id);
-  if (edges.Count > 2)
+  std::vector<vtkPointSplatFans::BorderEdge> edges;
+  for (const vtkPointSplatFans::BorderEdge& edge : this->Fans.GetBorderEdges(id))
+  {
+    const auto other = std::find_if(edges.begin(), edges.end(),
+      [&](const auto& before) { return this->Fans.IsSamePlace(before.Next, edge.Next); });
+    if (other == edges.end())
+    {
+      edges.push_back(edge);
+    }
+    else
+    {
+      edges.erase(other); // a slit ends here
+    }
+  }
+  if (edges.size() > 2)
   {
     end.Room = PinchShare * this->Radii->GetValue(id);
     return false;
   }
-  if (edges.Count == 0 || (edges.Count == 2 && this->Fans.IsSamePlace(edges.First[0].Next, edges.First[1].Next)))
+  if (edges.empty())
   {
-    return true; // it is in the midst, or at the end of a slit
+    return true; // it is in the midst
   }
   const float* normal = this->Planes->GetPointer(3 * id);
   const vtkPointSplatBorderPlane plane(normal);
   const float least = LeastEdge * this->Radii->GetValue(id);
   Side sides[2];
   float nearest = std::numeric_limits<float>::max();
-  for (std::size_t k = 0; k < edges.Count; ++k)
+  for (std::size_t k = 0; k < edges.size(); ++k)
   {
-    sides[k] = this->Walk(id, edges.First[k], normal, least);
+    sides[k] = this->Walk(id, edges[k], normal, least);
     nearest = std::min(nearest, vtkMath::Norm(sides[k].Way));
   }
   if (!(nearest > 0))
@@ -143,7 +162,7 @@ bool vtkPointSplatMeshBorders::FindOwnLines(vtkIdType id, End& end) const
   // Where the sector begins in which there is no surface, counterclockwise: at one edge or the other.
   const double first = plane.GetAngle(sides[0].Way);
   nearest = std::max(nearest, LeastOff * least);
-  if (edges.Count == 1)
+  if (edges.size() == 1)
   {
     const double from = sides[0].IsLeft() ? first + vtkMath::Pi() : first;
     plane.SetLines(from, vtkMath::Pi(), LeastOff * nearest, nearest, end.Clip);
@@ -187,7 +206,6 @@ float vtkPointSplatMeshBorders::GetDistance(vtkIdType border, vtkIdType id) cons
   return static_cast<float>(std::sqrt(squared));
 }
 
-/// In order; each point on the border is near to itself.
 std::vector<vtkPointSplatMeshBorders::Near> vtkPointSplatMeshBorders::FindNear() const
 {
   vtkSMPThreadLocal<std::vector<Near>> found;
@@ -242,7 +260,7 @@ void vtkPointSplatMeshBorders::AddEdge(
   Edge found;
   this->GetOffset(disk.X, from, found.Start);
   this->GetOffset(disk.X, side.End, end);
-  if (std::abs(side.Facing) < AlikePlane || vtkPointSplatInput::IsZero(found.Start) ||
+  if (side.Alike < AlikePlane || vtkPointSplatInput::IsZero(found.Start) ||
     vtkPointSplatInput::IsZero(end))
   {
     return;
@@ -257,7 +275,7 @@ void vtkPointSplatMeshBorders::AddEdge(
     vtkMath::MultiplyScalar(found.Out, -1.0f);
   }
   found.Distance = vtkMath::Dot(found.Start, found.Out);
-  found.Facing = std::abs(side.Facing);
+  found.Alike = side.Alike;
   if (found.Length > 0 && found.Distance >= -Edge::Rounding * found.Length && found.Distance < KernelReach * disk.Radius)
   {
     edges.push_back(found);
@@ -268,10 +286,10 @@ void vtkPointSplatMeshBorders::AddEdge(
 /// ones are left out whose surface is on the other side.
 void vtkPointSplatMeshBorders::LeaveOutOtherSides(std::vector<Edge>& edges)
 {
-  const Edge* own = nullptr; // that whose triangle is most like the disk
+  const Edge* own = nullptr; // that between whose ends it is, or whose triangle is most like it
   for (const Edge& edge : edges)
   {
-    if (edge.IsOn() && (!own || edge.Facing > own->Facing))
+    if (edge.IsOn() && (!own || std::make_pair(edge.Own, edge.Alike) > std::make_pair(own->Own, own->Alike)))
     {
       own = &edge;
     }
@@ -380,8 +398,7 @@ void vtkPointSplatMeshBorders::Take(const Disk& disk, std::vector<Edge>& edges, 
 
 void vtkPointSplatMeshBorders::AddNearLines(const Near* first, const Near* last, End& end) const
 {
-  const Disk disk{ end.Id, this->Fans.GetPosition(end.Id), this->Planes->GetPointer(3 * end.Id),
-    this->Radii->GetValue(end.Id) };
+  const Disk disk{ this->Fans.GetPosition(end.Id), this->Planes->GetPointer(3 * end.Id), this->Radii->GetValue(end.Id) };
   std::vector<Edge> edges;
   for (const Near* near = first; near != last; ++near)
   {
@@ -398,28 +415,79 @@ void vtkPointSplatMeshBorders::AddNearLines(const Near* first, const Near* last,
   Take(disk, edges, end);
 }
 
-vtkPointSplatMeshBorders::End vtkPointSplatMeshBorders::FindEnd(
-  const Disk& disk, vtkPointSplatMeshOutline& outline) const
+/// Adds an edge near to a fill point's disk, or what goes on from there. own: whether the point lies between its ends.
+void vtkPointSplatMeshBorders::AddPiece(const Disk& disk, const vtkPointSplatMeshOutline::Piece& piece, bool own,
+  std::vector<Edge>& edges) const
 {
-  std::vector<vtkPointSplatMeshOutline::Piece> near;
-  outline.Find(disk.Vertex, disk.X, KernelReach * disk.Radius, near);
-  std::vector<Edge> edges;
-  for (const vtkPointSplatMeshOutline::Piece& piece : near)
+  Side side;
+  side.End = piece.To;
+  this->Face(piece.From, piece.First, disk.Normal, side);
+  this->GetOffset(this->Fans.GetPosition(piece.From), piece.To, side.Way);
+  const std::size_t before = edges.size();
+  this->AddEdge(disk, piece.From, side, edges);
+  if (edges.size() > before)
   {
-    Side side;
-    side.End = piece.To;
-    side.Facing = this->GetFacing(piece.From, piece.First, disk.Normal);
-    this->GetOffset(this->Fans.GetPosition(piece.From), piece.To, side.Way);
-    this->AddEdge(disk, piece.From, side, edges);
+    edges.back().Own = own;
+  }
+}
+
+/// Gives the points on the border that are near to a place's vertices, each once; false if they are many.
+bool vtkPointSplatMeshBorders::FindBorders(const Place& place, std::vector<vtkIdType>& borders)
+{
+  for (const vtkIdType vertex : place.Vertices)
+  {
+    auto at = std::lower_bound(place.Known.begin(), place.Known.end(), Near{ vertex, 0 });
+    for (; at != place.Known.end() && at->Id == vertex; ++at)
+    {
+      if (borders.size() == MostListed)
+      {
+        return false;
+      }
+      borders.push_back(at->Border);
+    }
+  }
+  std::sort(borders.begin(), borders.end());
+  borders.erase(std::unique(borders.begin(), borders.end()), borders.end());
+  return true;
+}
+
+vtkPointSplatMeshBorders::End vtkPointSplatMeshBorders::FindEnd(const Disk& disk, const Place& place) const
+{
+  std::vector<Edge> edges;
+  std::vector<vtkIdType> borders;
+  if (FindBorders(place, borders))
+  {
+    for (const vtkIdType border : borders)
+    {
+      for (const vtkPointSplatFans::BorderEdge& edge : this->Fans.GetBorderEdges(border))
+      {
+        // Once, if both of its ends are near.
+        if (edge.Next > border || !std::binary_search(borders.begin(), borders.end(), edge.Next))
+        {
+          const auto isOf = [&](vtkIdType id) {
+            return std::find(place.Vertices.begin(), place.Vertices.end(), id) != place.Vertices.end();
+          };
+          this->AddPiece(disk, { border, edge, edge.Next }, isOf(border) && isOf(edge.Next), edges);
+        }
+      }
+    }
+  }
+  else
+  {
+    std::vector<vtkPointSplatMeshOutline::Piece> pieces;
+    place.Outline.Find(place.Vertices.front(), disk.X, KernelReach * disk.Radius, pieces);
+    for (const vtkPointSplatMeshOutline::Piece& piece : pieces)
+    {
+      this->AddPiece(disk, piece, false, edges);
+    }
   }
   End end;
   Take(disk, edges, end);
   return end;
 }
 
-std::vector<vtkPointSplatMeshBorders::End> vtkPointSplatMeshBorders::FindEnds() const
+std::vector<vtkPointSplatMeshBorders::End> vtkPointSplatMeshBorders::FindEnds(const std::vector<Near>& near) const
 {
-  const std::vector<Near> near = this->FindNear();
   std::vector<std::size_t> firsts; // of each point's, and the end
   for (std::size_t k = 0; k < near.size(); ++k)
   {

@@ -21,7 +21,9 @@
  * 4. Where a face is narrow, or its outline turns within a disk's reach, a disk that has its two lines reaches past other edges.
  *    Its room is the radius with which its kernel goes past none by more than MostPast of its reach, and at a reflex corner of a
  *    narrow face that face's width. What it leaves open then is for fill points.
- * 5. Fill points have lines and room in the same way, by the edges of their body that are near (vtkPointSplatMeshOutline.h).
+ * 5. Fill points have lines and room in the same way, by the edges near to the vertices that they lie between, or where these are
+ *    many by those of their body that are near to them (vtkPointSplatMeshOutline.h). Of these as of other edges only those count
+ *    whose triangle faces as the disk does, if the order of corners tells that: a thin body's other side ends no disk.
  */
 #ifndef vtkPointSplatMeshBorders_h
 #define vtkPointSplatMeshBorders_h
@@ -49,10 +51,8 @@ public:
   {
   }
 
-  /// A disk, and a vertex of the body that it is of.
   struct Disk
   {
-    vtkIdType Vertex;
     const double* X;     // world coordinates
     const float* Normal; // of its plane, unit length
     float Radius;        // world units
@@ -67,28 +67,6 @@ public:
     /// Brings that as near as a disk of that radius asks for, where a face is narrow.
     void Tighten(float radius);
   };
-  /// Those of the points near the border, in order.
-  std::vector<End> FindEnds() const;
-  /// Adds the lines of points that have none to the array of clip lines, of 6 components, which is
-  /// made if it has no tuples and any point has lines.
-  void Write(const std::vector<End>& ends, vtkFloatArray* clips) const;
-
-  /// That of a disk between points.
-  End FindEnd(const Disk& disk, vtkPointSplatMeshOutline& outline) const;
-
-private:
-  /// The border from a point on.
-  struct Side
-  {
-    vtkIdType End = 0; // a point of it
-    float Way[3] = { 0, 0, 0 }; // to that
-    float Facing = 0; // cosine of the triangle's normal, whose side the surface's is left of it, and the disk's
-    /// Whether the surface lies to the left of it, as seen from where the disk's normal points.
-    bool IsLeft() const { return this->Facing > 0; }
-  };
-  float GetFacing(vtkIdType from, const vtkPointSplatFans::BorderEdge& edge, const float normal[3]) const;
-  Side Walk(vtkIdType id, const vtkPointSplatFans::BorderEdge& edge, const float normal[3], float least) const;
-  bool FindOwnLines(vtkIdType id, End& end) const;
   /// A point, and one on the border that is near to it, or an edge at that.
   struct Near
   {
@@ -99,7 +77,38 @@ private:
       return this->Id != other.Id ? this->Id < other.Id : this->Border < other.Border;
     }
   };
+  /// In order; each point on the border is near to itself.
   std::vector<Near> FindNear() const;
+  /// Those of the points near the border, in order.
+  std::vector<End> FindEnds(const std::vector<Near>& near) const;
+  /// Adds the lines of points that have none to the array of clip lines, of 6 components, which is
+  /// made if it has no tuples and any point has lines.
+  void Write(const std::vector<End>& ends, vtkFloatArray* clips) const;
+
+  /// Vertices of the body that a disk is of, around it, and the border near to those.
+  struct Place
+  {
+    std::vector<vtkIdType> Vertices;
+    const std::vector<Near>& Known;
+    vtkPointSplatMeshOutline& Outline;
+  };
+  /// That of a disk between points.
+  End FindEnd(const Disk& disk, const Place& place) const;
+
+private:
+  /// The border from a point on.
+  struct Side
+  {
+    vtkIdType End = 0; // a point of it
+    float Way[3] = { 0, 0, 0 }; // to that
+    float Facing = 0; // cosine of the triangle's normal, whose side the surface's is left of it, and the disk's
+    float Alike = 0;  // of the normal that the order of its corners tells, or if that tells none, of either one
+    /// Whether the surface lies to the left of it, as seen from where the disk's normal points.
+    bool IsLeft() const { return this->Facing > 0; }
+  };
+  void Face(vtkIdType from, const vtkPointSplatFans::BorderEdge& edge, const float normal[3], Side& side) const;
+  Side Walk(vtkIdType id, const vtkPointSplatFans::BorderEdge& edge, const float normal[3], float least) const;
+  bool FindOwnLines(vtkIdType id, End& end) const;
   float GetReach(vtkIdType id) const;
   float GetDistance(vtkIdType border, vtkIdType id) const;
   /// An edge of the border near to a disk, in its plane.
@@ -108,7 +117,8 @@ private:
     float Start[3], Way[3]; // from the disk's centre, and from there to the other end
     float Out[3];           // from the surface, unit length
     float Length, Distance; // of its line
-    float Facing;           // as a Side's, either way
+    float Alike;            // as a Side's
+    bool Own = false;       // whether the disk is of a point between its ends
 
     /// How far off, of its length, a fill point may lie that was put on it.
     static constexpr float Rounding = 1e-4f;
@@ -125,6 +135,9 @@ private:
   /// How far past the ends of an edge a point may lie that is beside it, of its length.
   static constexpr float PastEnds = 0.25f;
   void AddEdge(const Disk& disk, vtkIdType from, const Side& side, std::vector<Edge>& edges) const;
+  void AddPiece(
+    const Disk& disk, const vtkPointSplatMeshOutline::Piece& piece, bool own, std::vector<Edge>& edges) const;
+  static bool FindBorders(const Place& place, std::vector<vtkIdType>& borders);
   static void LeaveOutOtherSides(std::vector<Edge>& edges);
   static void TakeLines(float least, const std::vector<Edge>& edges, float clip[6]);
   static float GetRoom(const Edge& edge, const float clip[6], float radius);

@@ -21,12 +21,11 @@ namespace
 constexpr double PiecesPerReach = 32;
 }
 
-vtkPointSplatMeshOutline::vtkPointSplatMeshOutline(const vtkPointSplatFans& fans)
-  : Fans(fans)
-  , Firsts(fans.GetNumberOfPoints())
+void vtkPointSplatMeshOutline::FindBodies()
 {
+  this->Firsts.resize(this->Fans.GetNumberOfPoints());
   std::iota(this->Firsts.begin(), this->Firsts.end(), vtkIdType(0));
-  const std::vector<vtkIdType>& corners = fans.GetCorners();
+  const std::vector<vtkIdType>& corners = this->Fans.GetCorners();
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
     const auto [first, second] = std::minmax(
@@ -35,10 +34,10 @@ vtkPointSplatMeshOutline::vtkPointSplatMeshOutline(const vtkPointSplatFans& fans
   }
 
   std::set<std::pair<vtkIdType, vtkIdType>> followed;
-  for (const vtkIdType begin : fans.GetBorder())
+  for (const vtkIdType begin : this->Fans.GetBorder())
   {
     Body& body = this->Bodies[this->GetFirst(begin)];
-    for (const vtkPointSplatFans::BorderEdge& edge : fans.GetBorderEdges(begin))
+    for (const vtkPointSplatFans::BorderEdge& edge : this->Fans.GetBorderEdges(begin))
     {
       Piece piece{ begin, edge, edge.Next };
       while (followed.insert(std::minmax(piece.From, piece.To)).second)
@@ -46,7 +45,7 @@ vtkPointSplatMeshOutline::vtkPointSplatMeshOutline(const vtkPointSplatFans& fans
         body.Edges.push_back(piece);
         const double length = this->GetLength(piece);
         body.Shortest = length > 0 ? std::min(body.Shortest, length) : body.Shortest;
-        const vtkPointSplatFans::BorderEdges next = fans.GetBorderEdges(piece.To);
+        const vtkPointSplatFans::BorderEdges next = this->Fans.GetBorderEdges(piece.To);
         if (next.Count != 2)
         {
           break;
@@ -118,7 +117,12 @@ const vtkPointSplatMeshOutline::Level& vtkPointSplatMeshOutline::GetLevel(Body& 
 void vtkPointSplatMeshOutline::Find(
   vtkIdType vertex, const double place[3], double reach, std::vector<Piece>& pieces)
 {
+  const std::lock_guard<std::mutex> lock(this->Mutex);
   pieces.clear();
+  if (this->Firsts.empty())
+  {
+    this->FindBodies();
+  }
   double bounds[6];
   for (int c = 0; c < 3; ++c)
   {

@@ -276,6 +276,25 @@ const float* vtkPointSplatRefinement::GetPlace(Index index, double x[3]) const
   return this->Normals + std::size_t(3) * site;
 }
 
+/// Whether two points are on either side of an edge at which a mesh was split: ends of theirs in one place are two.
+bool vtkPointSplatRefinement::AreApart(const Point& a, const Point& b) const
+{
+  for (int k = 0; k < a.Count; ++k)
+  {
+    double x[3], y[3];
+    this->Stars.GetPosition(a.Ends[k], x);
+    for (int l = 0; l < b.Count; ++l)
+    {
+      this->Stars.GetPosition(b.Ends[l], y);
+      if (a.Ends[k] != b.Ends[l] && std::equal(x, x + 3, y))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 bool vtkPointSplatRefinement::FindNear(const Point& point, Index& found) const
 {
   const int level = std::ilogb(point.Size);
@@ -308,7 +327,7 @@ bool vtkPointSplatRefinement::FindNear(const Point& point, Index& found) const
       const double squared = vtkMath::Distance2BetweenPoints(point.X, x);
       // Of two that are as near it is the same one, whatever order they are found in.
       if ((squared < least || (any && squared == least && entry.Of < found)) &&
-        vtkMath::Dot(point.Normal, normal) > LikeNormal)
+        vtkMath::Dot(point.Normal, normal) > LikeNormal && !this->AreApart(point, this->Get(entry.Of)))
       {
         least = squared;
         found = entry.Of;

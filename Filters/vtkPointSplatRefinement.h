@@ -153,6 +153,7 @@ private:
   std::size_t GetIndex(Key key) const;
   void Insert(Index index, const double x[3], float size);
   void Enter(std::size_t entry);
+  bool AreApart(const Point& a, const Point& b) const;
   bool FindNear(const Point& point, Index& found) const;
   const float* GetPlace(Index index, double x[3]) const;
   std::vector<Entry> Entries;

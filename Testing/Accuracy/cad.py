@@ -126,6 +126,12 @@ def with_shared_points(standin):
     return StandIn(standin.name + ", shared points", merged(standin.mesh), None, standin.spacing, standin.mesh)
 
 
+def with_means(standin):
+    """With one point in each place, and normals that are means over edges, with which the truth is shaded, too."""
+    mesh = with_normals(merged(standin.mesh), splitting=False)
+    return StandIn(standin.name + ", means", mesh, None, standin.spacing, mesh)
+
+
 def can(resolution=200, divisions=3):
     """The triangles of the ends meet in one point."""
     source = vtkCylinderSource()

@@ -33,7 +33,8 @@ ROWS = ("grid_lines_bare", "grid_lines_20_bare", "grid_lines_noisy")
 SHADED = ("shaded_facets", "thick_slices")
 ISOSURFACES = ("tubes_points", "cut_points", "gear_points")
 LONG = ("can", "shaft", "arrow", "cog")
-BENT = ("plate", "wire", "dome", "meshes:drapery_vertices")
+FILLETS = ("plate", "wire", "dome", "meshes:drapery_vertices")
+ROUGH = ("tubes_noisy", "tubes_edges", "cut_noisy")
 # The file in Filters, the values to try, and the stand-ins that tell.
 CONSTANTS = {
     "AnglePerDeviation": ("vtkPointSplatCrease.cxx", (2, 3, 4, 6, 8), FOLDS + PARTS),
@@ -98,11 +99,15 @@ CONSTANTS = {
                        ("meshes:drapery_vertices", "meshes:part_vertices", "meshes:tubes_edges")),
     "ThirdsPerSpacing": ("vtkPointSplatFansDisk.cxx", (2, 4, 8, 16), LONG + ("meshes:drapery_vertices",)),
     "SteepSine": ("vtkPointSplatFansDisk.cxx", (0.6, 0.75, 0.9), ("arrow", "meshes:drapery_vertices")),
-    "NearShare": ("vtkPointSplatFansDisk.cxx", (0.3, 0.5, 0.8), BENT),
-    "LeastTurn": ("vtkPointSplatFansDisk.cxx", (0.02, 0.04, 0.1), BENT),
-    "MostTurn": ("vtkPointSplatFansDisk.cxx", (0.3, 0.52, 1.0), BENT),
+    "NearShare": ("vtkPointSplatFansDisk.cxx", (0.3, 0.5, 0.8), FILLETS),
+    "LeastTurn": ("vtkPointSplatFansDisk.cxx", (0.02, 0.04, 0.1), FILLETS),
+    "SharpTurn": ("vtkPointSplatFansDisk.cxx", (0.3, 0.52, 1.0), FILLETS),
     "PastShare": ("vtkPointSplatEstimatesFill.cxx", (0.1, 0.25, 1.0), ("wire", "meshes:cut_edges")),
-    "LeastFlat": ("vtkPointSplatMeshNormals.cxx", (0.2, 0.45, 0.7), ("dome", "cog_shared_points", "part_vertices_bare")),
+    "TurnShare": ("vtkPointSplatEstimatesFill.cxx", (0.0, 0.3, 0.6, 1.0), ROUGH + ("cog_means",)),
+    "RoundAngle": ("vtkPointSplatMeshFaces.h", (30, 45, 60), ROUGH + ("meshes:drapery_vertices",)),
+    "SliverShare": ("vtkPointSplatMeshFaces.cxx", (0.0, 0.02, 0.1, 0.2), ROUGH + ("meshes:cut_edges",)),
+    "AlikeCosine": ("vtkPointSplatMesh.cxx", (0.8, 0.94, 0.985, 1.0), ROUGH + ("meshes:cut_edges",)),
+    "LeastFlat": ("vtkPointSplatMeshFaces.cxx", (0.2, 0.45, 0.7), ("dome", "cog_shared_points", "part_vertices_bare")),
     "MostBend": ("vtkPointSplatStars.cxx", (0.3, 0.4, 0.5, 0.6), LONG + ("meshes:tubes_contour",)),
     "WidthShare": ("vtkPointSplatStars.cxx", (0.0, 0.5, 0.8, 1.2), LONG + ("meshes:tubes_contour",)),
     "TipShare": ("vtkPointSplatStars.cxx", (0.02, 0.05, 0.2), ("arrow",)),

@@ -524,6 +524,7 @@ ALL = {
     "wire": cad.wire,
     "plate": cad.plate,
     "cog_shared_points": lambda: cad.with_shared_points(cad.cog()),
+    "cog_means": lambda: cad.with_means(cad.cog()),
     "cog_triangles_apart": lambda: triangles_of(cad.cog(), shared=False),
     "part_triangles": lambda: triangles_of(machined_part()),
     "part_triangles_apart": lambda: triangles_of(machined_part(), shared=False),

@@ -316,25 +316,6 @@ void TestSharedPoints()
     }
   }
   Expect(copies == 16, std::to_string(copies) + " copies of a cube's points");
-
-  // Where the surface bends all over, and there are no faces, sharp edges are as others.
-  vtkSmartPointer<vtkPolyData> rough = MakeSphere(5);
-  rough->GetPointData()->SetNormals(nullptr);
-  for (vtkIdType id = 0; id < rough->GetNumberOfPoints(); ++id)
-  {
-    double x[3];
-    rough->GetPoint(id, x);
-    vtkMath::MultiplyScalar(x, 1 + 0.05 * std::sin(37.0 * id));
-    rough->GetPoints()->SetPoint(id, x);
-  }
-  splats = MakeSplats(rough);
-  for (vtkIdType id = rough->GetNumberOfPoints(); id < splats->GetNumberOfPoints(); ++id)
-  {
-    double x[3], y[3];
-    splats->GetPoint(id, x);
-    splats->GetPoint(static_cast<vtkIdType>(splats->GetPointData()->GetArray(vtkPointSplatArrays::Source)->GetTuple1(id)), y);
-    Expect(!std::equal(x, x + 3, y), "a rough ball's point has a copy");
-  }
 }
 
 /// A cone's tip is one point, about which no disk lies on the surface.

@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatMesh.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkFloatArray.h"
+#include "vtkIdList.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPointSplatInput.h"
+#include "vtkPointSplatLattice.h"
+#include "vtkPointSplatMeshFaces.h"
+#include "vtkPointSplatMeshNormals.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+/// How near to its face's a given normal is that tells of the surface, as a cosine (10 degrees; fitted by
+/// Testing/Accuracy/fit_constants.py).
+constexpr float AlikeCosine = 0.985f;
+
+/// A cloud's points with copies of some of them after these.
+vtkSmartPointer<vtkPolyData> MakePoints(
+  vtkPointSet* cloud, const std::vector<vtkIdType>& sources, const std::vector<float>& normals)
+{
+  const vtkIdType count = cloud->GetNumberOfPoints(), copies = static_cast<vtkIdType>(sources.size());
+  vtkNew<vtkIdList> from, to;
+  for (vtkIdType k = 0; k < copies; ++k)
+  {
+    from->InsertNextId(sources[k]);
+    to->InsertNextId(count + k);
+  }
+  const auto extend = [&](vtkAbstractArray* array, vtkAbstractArray* extended) {
+    extended->SetName(array->GetName());
+    extended->SetNumberOfComponents(array->GetNumberOfComponents());
+    extended->SetNumberOfTuples(count + copies);
+    extended->InsertTuples(0, count, 0, array);
+    extended->InsertTuples(to, from, array);
+  };
+  vtkNew<vtkPoints> points;
+  points->SetDataType(cloud->GetPoints()->GetDataType());
+  extend(cloud->GetPoints()->GetData(), points->GetData());
+  vtkNew<vtkFloatArray> directions;
+  directions->SetNumberOfComponents(3);
+  directions->SetNumberOfTuples(count + copies);
+  std::copy(normals.begin(), normals.end(), directions->GetPointer(0));
+  auto split = vtkSmartPointer<vtkPolyData>::New();
+  split->SetPoints(points);
+  split->GetPointData()->SetNormals(directions);
+  if (vtkPointSplatInput::GetGhosts(cloud))
+  {
+    vtkNew<vtkUnsignedCharArray> ghosts;
+    extend(cloud->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()), ghosts);
+    split->GetPointData()->AddArray(ghosts);
+  }
+  return split;
+}
+}
+
+/// Reads the input's normals, if it has any that can be used; otherwise there are none.
+bool vtkPointSplatMesh::ReadNormals()
+{
+  vtkDataArray* given = this->Input->GetPointData()->GetNormals();
+  if (given && given->GetNumberOfTuples() == this->Input->GetNumberOfPoints())
+  {
+    this->Normals.resize(3 * given->GetNumberOfTuples());
+    vtkPointSplatInput::ReadNormals(given, this->Normals.data());
+  }
+  return !given || !this->Normals.empty();
+}
+
+void vtkPointSplatMesh::Read(vtkPointSet* input)
+{
+  this->Input = input;
+  if (input->GetNumberOfPoints() == 0 || !this->ReadNormals())
+  {
+    return;
+  }
+  vtkPointSplatInput::MarkUsable(input, this->Used);
+  vtkPolyData* mesh = vtkPolyData::SafeDownCast(input);
+  if (mesh && this->Fans.Read(mesh, this->Used.data()) > 0)
+  {
+    this->Fans.Clear();
+    return;
+  }
+  if (this->Fans.IsEmpty() && !this->Normals.empty())
+  {
+    std::vector<double> positions = vtkPointSplatInput::ReadPositions(input->GetPoints()->GetData());
+    vtkPointSplatLattice lattice(
+      { positions, this->Used, this->Normals.data(), vtkPointSplatInput::GetGhosts(input) });
+    if (lattice.Find())
+    {
+      this->OfLattice = true;
+      this->Fans.Take(std::move(positions), std::move(lattice.Corners), std::move(lattice.Same));
+    }
+  }
+}
+
+/// Completes the normals to shade with; there are none if they are the planes'.
+void vtkPointSplatMesh::CompleteNormals(bool ofFaces)
+{
+  if (this->OfLattice)
+  {
+    vtkPointSplatMeshNormals::TakeNeighbors(this->Fans, this->Used, this->Normals.data());
+  }
+  else if (!this->Normals.empty() || !ofFaces)
+  {
+    this->Normals.resize(3 * this->Fans.GetNumberOfPoints(), 0.0f);
+    vtkPointSplatFans whole = this->Fans;
+    vtkPointSplatMeshNormals::Complete(whole, this->Normals.data());
+  }
+}
+
+/// Gives each corner of a triangle its face's point, and these their planes.
+void vtkPointSplatMesh::Copy(
+  const vtkPointSplatMeshFaces& faces, std::vector<vtkIdType>& corners, std::vector<float>& planes)
+{
+  constexpr vtkIdType none = vtkPointSplatMeshFaces::None;
+  const vtkIdType count = this->Fans.GetNumberOfPoints();
+  std::map<std::pair<vtkIdType, vtkIdType>, vtkIdType> copies; // of a point and a face's corner
+  std::vector<vtkIdType> first(count, none);
+  corners = this->Fans.GetCorners();
+  planes.assign(3 * count, 0.0f);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    const vtkIdType point = corners[i], corner = faces.GetCorner(i);
+    if (corner == none)
+    {
+      continue;
+    }
+    if (first[point] == none)
+    {
+      first[point] = corner;
+      faces.GetNormal(corner, planes.data() + 3 * point);
+    }
+    if (first[point] == corner)
+    {
+      continue;
+    }
+    const vtkIdType next = count + static_cast<vtkIdType>(this->Sources.size());
+    const auto [copy, isNew] = copies.try_emplace({ point, corner }, next);
+    corners[i] = copy->second;
+    if (isNew)
+    {
+      this->Sources.push_back(point);
+      planes.resize(planes.size() + 3, 0.0f);
+      faces.GetNormal(corner, planes.data() + 3 * next);
+    }
+  }
+  for (std::size_t i = 0; i < corners.size(); i += 3)
+  {
+    if (faces.IsTurned(i / 3))
+    {
+      std::swap(corners[i], corners[i + 1]);
+    }
+  }
+}
+
+/// Takes given normals for planes where these are of one face, and about the same.
+void vtkPointSplatMesh::TakeGiven(std::vector<float>& planes) const
+{
+  std::vector<unsigned char> several(this->Fans.GetNumberOfPoints(), 0);
+  for (const vtkIdType source : this->Sources)
+  {
+    several[source] = 1;
+  }
+  for (std::size_t id = 0; id < several.size() && !this->Normals.empty(); ++id)
+  {
+    const float* given = this->Normals.data() + 3 * id;
+    if (!several[id] && vtkMath::Dot(given, planes.data() + 3 * id) > AlikeCosine)
+    {
+      std::copy_n(given, 3, planes.data() + 3 * id);
+    }
+  }
+}
+
+bool vtkPointSplatMesh::Split()
+{
+  if (this->Fans.IsEmpty() || this->Fans.AreApart())
+  {
+    return false;
+  }
+  const vtkPointSplatMeshFaces::Edges edges = vtkPointSplatMeshFaces::Look(this->Fans);
+  const vtkIdType count = this->Fans.GetNumberOfPoints();
+  for (vtkIdType id = 0; id < count; ++id)
+  {
+    // Where it has no area an isosurface's vertices are no triangles' corners.
+    this->Used[id] = this->Used[id] && (!this->OfLattice || this->Fans.Has(id));
+    if (!edges.AreSharp || (this->Used[id] && !this->Fans.Has(id)))
+    {
+      return false;
+    }
+  }
+  vtkPointSplatFans joined = this->Fans;
+  joined.Join(std::vector<float>(3 * count, 0.0f).data());
+  if (joined.IsEmpty())
+  {
+    return false;
+  }
+  this->CompleteNormals(edges.OfFlat);
+  const vtkPointSplatMeshFaces faces(
+    this->Fans, joined, edges, this->Normals.empty() ? nullptr : this->Normals.data());
+  std::vector<vtkIdType> corners;
+  std::vector<float> planes;
+  this->Copy(faces, corners, planes);
+  if (this->Sources.empty())
+  {
+    return false;
+  }
+  this->TakeGiven(planes);
+  this->Points = MakePoints(this->Input, this->Sources, planes);
+  this->Fans.Split(this->Sources, std::move(corners));
+  return true;
+}
+
+VTK_ABI_NAMESPACE_END
