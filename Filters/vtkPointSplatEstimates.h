@@ -42,12 +42,15 @@ public:
 
   vtkPointSplatEstimates(vtkPointSplatEstimation* self, vtkPointSet* input);
 
-  /// If the input's triangles were read before.
+  /// Takes over the input's triangles, if they were read before.
   void SetMesh(vtkPointSplatMesh mesh)
   {
     this->Fans = std::move(mesh.Fans);
     this->OfLattice = mesh.OfLattice;
-    this->Split = std::move(mesh);
+    if (!mesh.Sources.empty())
+    {
+      this->Split = std::move(mesh);
+    }
   }
 
   /// Returns false if self was aborted.
@@ -131,7 +134,7 @@ private:
   std::vector<unsigned char> Used;
 
   vtkPointSplatFans Fans;
-  bool OfLattice = false;
+  bool OfLattice = false; // whether its triangles are those of an isosurface's vertices
   vtkPointSplatMesh Split; // its copies and normals, if it was split
   bool MeshAlone = false; // all points are triangles' corners
   std::vector<vtkPointSplatFans::Disk> Corners; // if so, of those that take part

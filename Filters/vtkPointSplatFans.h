@@ -25,6 +25,7 @@
  * 4. Edges that belong to one triangle alone are the mesh's border. So are those at which it was split,
  *    as vtkPolyDataNormals splits it at creases: there each face ends, and the next one begins with points of its own. At these
  *    no crease is looked for.
+ * 5. Where vtkPointSplatMesh splits it, copies of points follow these, and no crease is looked for anywhere.
  */
 #ifndef vtkPointSplatFans_h
 #define vtkPointSplatFans_h
@@ -60,6 +61,7 @@ public:
   void Take(
     std::vector<double> positions, std::vector<vtkIdType> corners, std::vector<vtkIdType> same);
 
+  /// The points and triangles, for filters.
   vtkSmartPointer<vtkPolyData> MakeMesh() const;
 
   /// Adds copies of points after them, and takes over corners of the same triangles, in the order that tells where these face.
