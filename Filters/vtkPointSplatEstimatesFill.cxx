@@ -111,10 +111,12 @@ void vtkPointSplatEstimates::BoundMesh()
   const vtkPointSplatMeshBorders borders(this->Fans, this->Sizes[0], this->Planes);
   this->Near = borders.FindNear();
   this->Ends = borders.FindEnds(this->Near);
+  // A round face's reflex corners are where a triangle turns off: a line as near as that would cut those beside it.
+  const bool flat = !this->Fans.IsSplit() || this->Split.OfFlat;
   for (vtkPointSplatMeshBorders::End& end : this->Ends)
   {
     vtkPointSplatFans::Disk& disk = this->Corners[end.Id];
-    const bool narrow = disk.Radius > disk.Width && end.Past > PastShare * disk.Width;
+    const bool narrow = flat && disk.Radius > disk.Width && end.Past > PastShare * disk.Width;
     const float room = narrow ? std::min(end.Room, disk.Width) : end.Room;
     if (room < disk.Radius && !this->IsAt(creased, end.Id))
     {

@@ -20,7 +20,7 @@
  *    edges of 2. The end of a slit, as meshes have that were split along a part of an edge, is left as it is.
  * 4. Where a face is narrow, or its outline turns within a disk's reach, a disk that has its two lines reaches past other edges.
  *    Its room is the radius with which its kernel goes past none by more than MostPast of its reach, and at a reflex corner of a
- *    narrow face that face's width. What it leaves open then is for fill points.
+ *    narrow flat face that face's width. What it leaves open then is for fill points.
  * 5. Fill points have lines and room in the same way, by the edges near to the vertices that they lie between, or where these are
  *    many by those of their body that are near to them (vtkPointSplatMeshOutline.h). Of these as of other edges only those count
  *    whose triangle faces as the disk does, if the order of corners tells that: a thin body's other side ends no disk.

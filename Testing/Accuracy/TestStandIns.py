@@ -114,13 +114,13 @@ class TestStandIns(unittest.TestCase):
     def test_noisy_volumes(self):
         # The volume's noise is its isosurface's relief: 21.6 dB, 109 holes and 4397 openings where it was smoothed as if
         # points were scattered about the surface, which those of vtkIsosurfacePoints are not, either.
-        # 26.1 dB, with 267 openings, while its neighbours were not known by their lattice: of 370 most are slits along outlines,
+        # 26.1 dB, with 267 openings, while its neighbours were not known by their lattice: of 311 most are slits along outlines,
         # which are not where they were.
         found = likeness.compare(standins.ALL["cut_noisy"](), 300, 3)
-        # 28.4 dB where its sharp edges were round.
+        # 28.4 dB and 377 openings where its sharp edges were round, 398 where lines at its reflex corners were as near as a wire's.
         self.assertGreater(min(found["psnr"][:2]), 29)
         self.assertLess(found["holes"], 4)
-        self.assertLess(found["openings"], 400)
+        self.assertLess(found["openings"], 350)
         # A spill of 0.0106 where what smoothing crumples had no borders.
         found = likeness.compare(standins.ALL["cut_noisy_turned"](), 300, 3)
         self.assertGreater(min(found["psnr"][:2]), 20.2)
