@@ -27,8 +27,6 @@ constexpr std::size_t MostOfMesh = 65536;
 constexpr float PastShare = 0.25f;
 /// What part of the turn of normals that are shaded with counts as the surface's bend (Testing/Accuracy/fit_constants.py).
 constexpr float TurnShare = 0.6f;
-/// Normals that nearly cancel have no mean.
-constexpr float LeastMean = 1e-3f;
 }
 
 /// Finds the sites of a cloud that are uneven, and that the surface goes on where only a denser part of the points ends.
@@ -346,7 +344,7 @@ void vtkPointSplatEstimates::MakeFill()
         sum[c] += point.Weights[k] * this->Split.GetNormal(point.Ends[k])[c];
       }
     }
-    if (vtkMath::Normalize(sum) > LeastMean)
+    if (vtkMath::Normalize(sum) > vtkPointSplatRefinement::LeastMean)
     {
       std::copy_n(sum, 3, point.Normal);
     }

@@ -5,7 +5,6 @@
 #include "vtkPointSplatEstimates.h"
 
 #include "vtkDataSetAttributes.h"
-#include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPointSplatArrays.h"
@@ -15,8 +14,6 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <array>
-#include <utility>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -131,14 +128,18 @@ void vtkPointSplatEstimates::ReadMesh()
         }
       }
     });
-    // Where it was split the mesh tells itself where faces end.
-    for (const vtkIdType id : this->Fans.FindSplit())
+    // Where it was split, here or before, the mesh tells itself where faces end.
+    const auto clear = [](vtkPointSplatFans::Disk& disk) { disk.Creased = false; };
+    if (this->Fans.IsSplit())
     {
-      this->Corners[id].Creased = false;
+      std::for_each(this->Corners.begin(), this->Corners.end(), clear);
     }
-    for (vtkPointSplatFans::Disk& disk : this->Corners)
+    else
     {
-      disk.Creased = disk.Creased && !this->Fans.IsSplit();
+      for (const vtkIdType id : this->Fans.FindSplit())
+      {
+        clear(this->Corners[id]);
+      }
     }
     if (std::none_of(this->Corners.begin(), this->Corners.end(),
           [](const vtkPointSplatFans::Disk& disk) { return disk.Creased; }))

@@ -116,8 +116,11 @@ void vtkPointSplatMesh::CompleteNormals(bool ofFaces)
   else if (!this->Normals.empty() || !ofFaces)
   {
     this->Normals.resize(3 * this->Fans.GetNumberOfPoints(), 0.0f);
-    vtkPointSplatFans whole = this->Fans;
-    vtkPointSplatMeshNormals::Complete(whole, this->Normals.data());
+    if (vtkPointSplatMeshNormals::AreMissing(this->Fans, this->Normals.data()))
+    {
+      vtkPointSplatFans whole = this->Fans;
+      vtkPointSplatMeshNormals::Complete(whole, this->Normals.data());
+    }
   }
 }
 
@@ -191,14 +194,20 @@ bool vtkPointSplatMesh::Split()
     return false;
   }
   const vtkPointSplatMeshFaces::Edges edges = vtkPointSplatMeshFaces::Look(this->Fans);
+  if (!edges.AreSharp)
+  {
+    return false;
+  }
   const vtkIdType count = this->Fans.GetNumberOfPoints();
   for (vtkIdType id = 0; id < count; ++id)
   {
-    // Where it has no area an isosurface's vertices are no triangles' corners.
-    this->Used[id] = this->Used[id] && (!this->OfLattice || this->Fans.Has(id));
-    if (!edges.AreSharp || (this->Used[id] && !this->Fans.Has(id)))
+    if (this->Used[id] && !this->Fans.Has(id))
     {
-      return false;
+      if (!this->OfLattice)
+      {
+        return false;
+      }
+      this->Used[id] = 0; // there the isosurface has no area
     }
   }
   vtkPointSplatFans joined = this->Fans;

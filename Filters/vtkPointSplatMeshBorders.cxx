@@ -276,6 +276,7 @@ void vtkPointSplatMeshBorders::AddEdge(
   }
   found.Distance = vtkMath::Dot(found.Start, found.Out);
   found.Alike = side.Alike;
+  found.Own = side.Own;
   if (found.Length > 0 && found.Distance >= -Edge::Rounding * found.Length && found.Distance < KernelReach * disk.Radius)
   {
     edges.push_back(found);
@@ -423,12 +424,8 @@ void vtkPointSplatMeshBorders::AddPiece(const Disk& disk, const vtkPointSplatMes
   side.End = piece.To;
   this->Face(piece.From, piece.First, disk.Normal, side);
   this->GetOffset(this->Fans.GetPosition(piece.From), piece.To, side.Way);
-  const std::size_t before = edges.size();
+  side.Own = own;
   this->AddEdge(disk, piece.From, side, edges);
-  if (edges.size() > before)
-  {
-    edges.back().Own = own;
-  }
 }
 
 /// Gives the points on the border that are near to a place's vertices, each once; false if they are many.

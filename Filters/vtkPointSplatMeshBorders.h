@@ -103,6 +103,7 @@ private:
     float Way[3] = { 0, 0, 0 }; // to that
     float Facing = 0; // cosine of the triangle's normal, whose side the surface's is left of it, and the disk's
     float Alike = 0;  // of the normal that the order of its corners tells, or if that tells none, of either one
+    bool Own = false; // whether the disk is of a point between its ends
     /// Whether the surface lies to the left of it, as seen from where the disk's normal points.
     bool IsLeft() const { return this->Facing > 0; }
   };
@@ -118,7 +119,7 @@ private:
     float Out[3];           // from the surface, unit length
     float Length, Distance; // of its line
     float Alike;            // as a Side's
-    bool Own = false;       // whether the disk is of a point between its ends
+    bool Own;               // as a Side's
 
     /// How far off, of its length, a fill point may lie that was put on it.
     static constexpr float Rounding = 1e-4f;

@@ -221,8 +221,14 @@ public:
     : Mesh(mesh)
     , Directions(directions)
     , Least(GetCosine(edges.GetAngle()))
-    , LooksAtAll(edges.OfFlat)
+    , Slivers(directions.size(), 0)
   {
+    vtkSMPTools::For(0, edges.OfFlat ? 0 : static_cast<vtkIdType>(directions.size()), [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType t = begin; t < end; ++t)
+      {
+        this->Slivers[t] = IsSliver(mesh, mesh.GetCorners().data() + 3 * t);
+      }
+    });
   }
 
   std::vector<std::size_t> Triangles; // around the point
@@ -285,10 +291,6 @@ private:
     }
   }
 
-  bool Tells(std::size_t t) const
-  {
-    return this->LooksAtAll || !IsSliver(this->Mesh, this->Mesh.GetCorners().data() + 3 * this->Triangles[t]);
-  }
   bool IsSharp(std::size_t s, std::size_t t) const
   {
     const Direction &n = this->Directions[this->Triangles[s]], &m = this->Directions[this->Triangles[t]];
@@ -302,7 +304,7 @@ private:
     std::size_t before = None, at = first, told = None, firstTold = None;
     while (at != None && this->Parts[at] < 0)
     {
-      if (this->Tells(at))
+      if (!this->Slivers[this->Triangles[at]])
       {
         this->Count += told != None && this->IsSharp(told, at) ? 1 : 0;
         told = at;
@@ -325,7 +327,7 @@ private:
   const vtkPointSplatFans& Mesh;
   const std::vector<Direction>& Directions;
   const double Least;
-  const bool LooksAtAll;
+  std::vector<unsigned char> Slivers; // triangles that tell nothing
   std::vector<std::pair<vtkIdType, std::size_t>> Ends; // of edges at the point, and their triangles
   std::vector<std::array<std::size_t, 2>> Beside;      // of each triangle
 };

@@ -35,6 +35,20 @@ bool GetNormal(vtkPolyDataNormals* found, vtkIdType at, float normal[3])
   return true;
 }
 
+/// The corners of triangles that have none.
+std::vector<vtkIdType> FindMissing(const vtkPointSplatFans& fans, const float* normals)
+{
+  std::vector<vtkIdType> missing;
+  for (vtkIdType id = 0; id < fans.GetNumberOfPoints(); ++id)
+  {
+    if (vtkPointSplatInput::IsZero(normals + 3 * id) && fans.Has(id))
+    {
+      missing.push_back(id);
+    }
+  }
+  return missing;
+}
+
 /// Sets some points' normals to those of their triangles, where these have one; returns whether any has.
 bool Find(const vtkPointSplatFans& fans, const std::vector<vtkIdType>& ids, float* normals)
 {
@@ -78,16 +92,14 @@ bool FindOfFaces(const vtkPointSplatFans& apart, float* normals)
 }
 }
 
+bool vtkPointSplatMeshNormals::AreMissing(const vtkPointSplatFans& fans, const float* normals)
+{
+  return !FindMissing(fans, normals).empty();
+}
+
 bool vtkPointSplatMeshNormals::Complete(vtkPointSplatFans& fans, float* normals)
 {
-  std::vector<vtkIdType> missing;
-  for (vtkIdType id = 0; id < fans.GetNumberOfPoints(); ++id)
-  {
-    if (vtkPointSplatInput::IsZero(normals + 3 * id) && fans.Has(id))
-    {
-      missing.push_back(id);
-    }
-  }
+  const std::vector<vtkIdType> missing = FindMissing(fans, normals);
   const bool any = !missing.empty() && (fans.AreApart() ? FindOfFaces(fans, normals) : Find(fans, missing, normals));
   const bool joined = fans.Join(normals);
   return (any && !joined) || Find(fans, missing, normals) || any;

@@ -27,6 +27,9 @@ class vtkPointSplatFans;
 class vtkPointSplatMeshNormals
 {
 public:
+  /// Whether any corner of a triangle has no normal.
+  static bool AreMissing(const vtkPointSplatFans& fans, const float* normals);
+
   /// Joins the mesh, after setting normals (3 floats a point, unit length) of triangles' corners that have 0 there.
   /// Returns whether it set any.
   static bool Complete(vtkPointSplatFans& fans, float* normals);

@@ -29,8 +29,6 @@ constexpr float LikeNormal = 0.8f;
 constexpr int CoveredParts = 6;
 /// Each division halves an edge: more are those of sizes that next to nothing is left of.
 constexpr int MostHalvings = 24;
-/// Normals that nearly cancel have no mean.
-constexpr double LeastMean = 1e-3;
 /// Where a cell's level lies in its key: bits of places that are far from one another.
 constexpr int LevelShift = 60;
 /// Of the places of a block of four cells a side.
@@ -276,17 +274,21 @@ const float* vtkPointSplatRefinement::GetPlace(Index index, double x[3]) const
   return this->Normals + std::size_t(3) * site;
 }
 
-/// Whether two points are on either side of an edge at which a mesh was split: ends of theirs in one place are two.
-bool vtkPointSplatRefinement::AreApart(const Point& a, const Point& b) const
+/// Whether a point is on the other side of an edge at which a mesh was split: ends of theirs in one place are two.
+bool vtkPointSplatRefinement::IsApart(const Point& point, Index other) const
 {
-  for (int k = 0; k < a.Count; ++k)
+  const Site site = static_cast<Site>(other);
+  const Point* fill = other >= FirstIndex ? &this->Points[other - FirstIndex] : nullptr;
+  const Site* ends = fill ? fill->Ends : &site;
+  const int count = fill ? fill->Count : 1;
+  for (int k = 0; k < point.Count; ++k)
   {
     double x[3], y[3];
-    this->Stars.GetPosition(a.Ends[k], x);
-    for (int l = 0; l < b.Count; ++l)
+    this->Stars.GetPosition(point.Ends[k], x);
+    for (int l = 0; l < count; ++l)
     {
-      this->Stars.GetPosition(b.Ends[l], y);
-      if (a.Ends[k] != b.Ends[l] && std::equal(x, x + 3, y))
+      this->Stars.GetPosition(ends[l], y);
+      if (point.Ends[k] != ends[l] && std::equal(x, x + 3, y))
       {
         return true;
       }
@@ -327,7 +329,7 @@ bool vtkPointSplatRefinement::FindNear(const Point& point, Index& found) const
       const double squared = vtkMath::Distance2BetweenPoints(point.X, x);
       // Of two that are as near it is the same one, whatever order they are found in.
       if ((squared < least || (any && squared == least && entry.Of < found)) &&
-        vtkMath::Dot(point.Normal, normal) > LikeNormal && !this->AreApart(point, this->Get(entry.Of)))
+        vtkMath::Dot(point.Normal, normal) > LikeNormal && !this->IsApart(point, entry.Of))
       {
         least = squared;
         found = entry.Of;

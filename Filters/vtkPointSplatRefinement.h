@@ -53,6 +53,9 @@ class vtkPointSplatRefinement
 public:
   using Site = vtkPointSplatStars::Site;
 
+  /// Normals whose mean is shorter nearly cancel, and have none.
+  static constexpr double LeastMean = 1e-3;
+
   struct Point
   {
     double X[3]; // world coordinates
@@ -153,7 +156,7 @@ private:
   std::size_t GetIndex(Key key) const;
   void Insert(Index index, const double x[3], float size);
   void Enter(std::size_t entry);
-  bool AreApart(const Point& a, const Point& b) const;
+  bool IsApart(const Point& point, Index other) const;
   bool FindNear(const Point& point, Index& found) const;
   const float* GetPlace(Index index, double x[3]) const;
   std::vector<Entry> Entries;
