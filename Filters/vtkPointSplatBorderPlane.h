@@ -68,6 +68,13 @@ public:
     }
   }
 
+  /// The lines along a sector's sides, the first one's before the second's.
+  void SetSides(double from, double sector, float least, float clip[6]) const
+  {
+    this->SetLine(from + 0.5 * vtkMath::Pi(), least, clip);
+    this->SetLine(from + sector - 0.5 * vtkMath::Pi(), least, clip + 3);
+  }
+
   /// The one or two lines that leave out a sector, which begins at an angle. least: how far off a line is at
   /// least; nearest: how far the nearer one of the two points is that bound the sector.
   void SetLines(double from, double sector, float least, float nearest, float clip[6]) const
@@ -75,8 +82,7 @@ public:
     std::fill_n(clip, 6, 0.0f);
     if (sector >= vtkMath::Pi())
     {
-      this->SetLine(from + 0.5 * vtkMath::Pi(), least, clip);
-      this->SetLine(from + sector - 0.5 * vtkMath::Pi(), least, clip + 3);
+      this->SetSides(from, sector, least, clip);
     }
     else
     {

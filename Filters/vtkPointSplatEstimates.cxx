@@ -60,14 +60,13 @@ bool vtkPointSplatEstimates::Run()
   {
     return false;
   }
-  const bool fills = this->Self->GetFillGaps() && !this->Elliptical;
-  if ((fills && !this->FindStars()) || !this->Borders->Finish(this->Self, *this->Disks))
+  if ((this->Fills() && !this->FindStars()) || !this->Borders->Finish(this->Self, *this->Disks))
   {
     return false;
   }
   this->SetCreases();
   this->BoundMesh();
-  if (fills)
+  if (this->Fills())
   {
     this->FindFill();
   }

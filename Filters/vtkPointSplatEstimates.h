@@ -56,7 +56,8 @@ public:
   /// Returns false if self was aborted.
   bool Run();
 
-  /// Makes fill points of the copies of a mesh that was split, and gives all the normals to shade with.
+  /// Makes fill points of the copies of a mesh that was split, and of second splats at its border, and gives all the normals to
+  /// shade with.
   void MakeFill();
 
   vtkNew<vtkFloatArray> Normals;
@@ -98,6 +99,9 @@ private:
     const Slot s = this->Neighbors.GetSlots()[id];
     return s != vtkPointSplatNeighbors::None && slots[s];
   }
+  /// Whether there may be fill points, and where the points are a mesh.
+  bool Fills() const { return this->Self->GetFillGaps() && !this->Elliptical; }
+  bool FillsMesh() const { return this->MeshAlone && this->Fills() && this->Self->GetFillMeshGaps(); }
   bool FindStars();
   void FindFill();
   void BoundMesh();
@@ -106,6 +110,7 @@ private:
   vtkPointSplatMeshBorders::End FindEnd(const vtkPointSplatRefinement::Point& point, float radius);
   float GetTurn(vtkIdType id) const;
   float GetRoom(const vtkPointSplatStars& stars, const vtkPointSplatRefinement::Point& point);
+  float GetBeside(const double x[3], vtkIdType id) const;
   void TakeFill(const vtkPointSplatRefinement& fill);
   void Write();
   void WriteMesh();

@@ -23,8 +23,6 @@ namespace
 constexpr std::size_t MostPerPoint = 4;
 constexpr std::size_t MostOfFew = 4096;
 constexpr std::size_t MostOfMesh = 65536;
-/// How far past a reflex corner a line may be, of the width of the triangles there.
-constexpr float PastShare = 0.25f;
 /// What part of the turn of normals that are shaded with counts as the surface's bend (Testing/Accuracy/fit_constants.py).
 constexpr float TurnShare = 0.6f;
 }
@@ -70,7 +68,7 @@ void vtkPointSplatEstimates::FindFill()
 {
   if (this->MeshAlone)
   {
-    if (this->Self->GetFillMeshGaps())
+    if (this->FillsMesh())
     {
       this->FindMeshFill();
     }
@@ -108,22 +106,14 @@ void vtkPointSplatEstimates::BoundMesh()
   this->Outline = std::make_unique<vtkPointSplatMeshOutline>(this->Fans);
   const vtkPointSplatMeshBorders borders(this->Fans, this->Sizes[0], this->Planes);
   this->Near = borders.FindNear();
-  this->Ends = borders.FindEnds(this->Near);
-  // A round face's reflex corners are where a triangle turns off: a line as near as that would cut those beside it.
-  const bool flat = !this->Fans.IsSplit() || this->Split.OfFlat;
-  for (vtkPointSplatMeshBorders::End& end : this->Ends)
+  this->Ends = borders.FindEnds(this->Near, this->FillsMesh());
+  for (const vtkPointSplatMeshBorders::End& end : this->Ends)
   {
     vtkPointSplatFans::Disk& disk = this->Corners[end.Id];
-    const bool narrow = flat && disk.Radius > disk.Width && end.Past > PastShare * disk.Width;
-    const float room = narrow ? std::min(end.Room, disk.Width) : end.Room;
-    if (room < disk.Radius && !this->IsAt(creased, end.Id))
+    if (end.Room < disk.Radius && !this->IsAt(creased, end.Id))
     {
-      disk.Radius = room;
+      disk.Radius = end.Room;
       this->Bounded.push_back(end.Id);
-      if (narrow)
-      {
-        end.Tighten(room);
-      }
     }
   }
 }
@@ -147,9 +137,12 @@ void vtkPointSplatEstimates::FindMeshFill()
       stars.Uneven[site] = 0;
       continue;
     }
-    stars.BoundBent(site, vtkPointSplatStars::GetBend(disk.Curvature), disk.Radius, disk.Width);
-    stars.BoundBent(site, disk.Beside.Amount, disk.Radius, disk.Beside.Within);
-    stars.BoundBent(site, TurnShare * this->GetTurn(id), disk.Radius, disk.Width);
+    stars.BoundBent(site, vtkPointSplatStars::GetBent(vtkPointSplatStars::GetBend(disk.Curvature), disk.Width), disk.Radius);
+    stars.BoundBent(site, vtkPointSplatStars::GetBent(disk.Beside.Amount, disk.Beside.Within), disk.Radius);
+    stars.BoundBent(site, vtkPointSplatStars::GetBent(TurnShare * this->GetTurn(id), disk.Width), disk.Radius);
+    this->Fans.VisitNeighbors(id, [&](vtkIdType other) {
+      stars.BoundBent(site, this->GetBeside(this->Fans.GetPosition(id), other), disk.Radius);
+    });
     if (disk.Tip)
     {
       stars.BoundTip(site, disk.Radius);
@@ -163,7 +156,7 @@ void vtkPointSplatEstimates::FindMeshFill()
   {
     stars.Bound(static_cast<Slot>(id), this->Corners[id].Radius);
   }
-  stars.Find(this->Fans);
+  stars.Find(this->Fans, [&](Slot id) { return this->IsAt(creased, id) ? 0 : this->Corners[id].Radius; });
   const std::vector<float> covers =
     this->Refine(stars, this->Normals->GetPointer(0), curvatures.data());
   for (vtkIdType id = 0; id < this->NumberOfPoints; ++id)
@@ -201,22 +194,25 @@ vtkPointSplatMeshBorders::End vtkPointSplatEstimates::FindEnd(
       { { point.Ends, point.Ends + point.Count }, this->Near, *this->Outline });
 }
 
+/// The largest size of a place as near as that to what bends beside a vertex.
+float vtkPointSplatEstimates::GetBeside(const double x[3], vtkIdType id) const
+{
+  const vtkPointSplatFans::Bend& bend = this->Corners[id].Beside;
+  double way[3];
+  vtkMath::Subtract(x, this->Fans.GetPosition(id), way);
+  const double across = way[0] * bend.Way[0] + way[1] * bend.Way[1] + way[2] * bend.Way[2];
+  return vtkPointSplatStars::GetGraded(
+    vtkPointSplatStars::GetBent(bend.Amount, bend.Within), static_cast<float>(std::abs(across)));
+}
+
 /// The largest radius that a fill point of a mesh may have where the surface bends and ends.
 float vtkPointSplatEstimates::GetRoom(const vtkPointSplatStars& stars, const vtkPointSplatRefinement::Point& point)
 {
   float smallest = point.Size, beside = point.Size; // sizes of its ends, and by what bends beside them
   for (int k = 0; k < point.Count; ++k)
   {
-    const vtkPointSplatFans::Bend& bend = this->Corners[point.Ends[k]].Beside;
     smallest = std::min(smallest, stars.Sizes[point.Ends[k]]);
-    if (bend.Amount > 0)
-    {
-      double way[3];
-      vtkMath::Subtract(point.X, this->Fans.GetPosition(point.Ends[k]), way);
-      const double across = way[0] * bend.Way[0] + way[1] * bend.Way[1] + way[2] * bend.Way[2];
-      const float bent = vtkPointSplatStars::GetBent(bend.Amount, bend.Within);
-      beside = std::min(beside, vtkPointSplatStars::GetGraded(bent, static_cast<float>(std::abs(across))));
-    }
+    beside = std::min(beside, this->GetBeside(point.X, point.Ends[k]));
   }
   const float bent = vtkPointSplatStars::GetBent(vtkPointSplatStars::GetBend(point.Curvature));
   const float radius = vtkPointSplatStars::GetRadius(std::min(beside, std::max(bent, smallest)));
@@ -299,26 +295,37 @@ void vtkPointSplatEstimates::MakeFill()
       point.Ends[k] = static_cast<Slot>(end < own ? end : sources[end - own]);
     }
   }
-  for (vtkIdType id = own; id < this->NumberOfPoints; ++id)
-  {
+  const auto add = [&](vtkIdType id, const float* clip) {
     vtkPointSplatRefinement::Point point{};
     point.Size = this->Sizes[0]->GetValue(id);
     if (!(point.Size > 0))
     {
-      continue; // it is not drawn
+      return; // it is not drawn
     }
     this->Input->GetPoint(id, point.X);
     this->Normals->GetTypedTuple(id, point.Normal);
     this->Planes->GetTypedTuple(id, point.Plane);
     this->Curvatures->GetTypedTuple(id, point.Curvature);
-    if (this->Clips->GetNumberOfTuples() > 0)
+    if (clip)
     {
-      this->Clips->GetTypedTuple(id, point.Clip);
+      std::copy_n(clip, 6, point.Clip);
     }
     point.Count = 1;
-    point.Ends[0] = static_cast<Slot>(sources[id - own]);
+    point.Ends[0] = static_cast<Slot>(id < own ? id : sources[id - own]);
     point.Weights[0] = 1;
     this->Fill.push_back(point);
+  };
+  for (vtkIdType id = own; id < this->NumberOfPoints; ++id)
+  {
+    add(id, this->Clips->GetNumberOfTuples() > 0 ? this->Clips->GetPointer(6 * id) : nullptr);
+  }
+  const std::vector<unsigned char> creased = this->GetSlotsAtCreases();
+  for (const vtkPointSplatMeshBorders::End& end : this->Ends)
+  {
+    if (end.IsTwo() && !this->IsAt(creased, end.Id))
+    {
+      add(end.Id, end.Other);
+    }
   }
   for (vtkFloatArray* array : { this->Normals.Get(), this->Sizes[0].Get(), this->Planes.Get(), this->Curvatures.Get(),
          this->Clips.Get(), this->Folds.Get() })

@@ -84,7 +84,7 @@ void vtkPointSplatEstimates::Write()
   // Those of a mesh are known from before fill points took room from its disks; but scaled ones reach other edges.
   if (!this->MeshAlone || this->Self->GetRadiusScale() != 1)
   {
-    this->Ends = ends.FindEnds(ends.FindNear());
+    this->Ends = ends.FindEnds(ends.FindNear(), this->FillsMesh());
   }
   ends.Write(this->Ends, this->Clips);
 }

@@ -174,10 +174,7 @@ int vtkPointSplatEstimation::RequestData(
   {
     return 1;
   }
-  if (split)
-  {
-    estimates.MakeFill();
-  }
+  estimates.MakeFill();
 
   vtkPointData* data = output->GetPointData();
   output->GetFieldData()->PassData(input->GetFieldData());

@@ -105,6 +105,13 @@ public:
     return std::equal(this->GetPosition(a), this->GetPosition(a) + 3, this->GetPosition(b));
   }
 
+  /// A triangle's longest edge, and the height above it.
+  struct Shape
+  {
+    double Longest, Height;
+  };
+  Shape GetShape(const vtkIdType corners[3]) const;
+
   vtkIdType GetNumberOfPoints() const { return static_cast<vtkIdType>(this->Positions.size() / 3); }
   /// Three a triangle.
   const std::vector<vtkIdType>& GetCorners() const { return this->Corners; }

@@ -105,6 +105,19 @@ bool vtkPointSplatFans::IsAtFlat(vtkIdType id) const
   return false;
 }
 
+vtkPointSplatFans::Shape vtkPointSplatFans::GetShape(const vtkIdType corners[3]) const
+{
+  const double* places[3] = { this->GetPosition(corners[0]), this->GetPosition(corners[1]), this->GetPosition(corners[2]) };
+  double longest2 = 0, normal[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    longest2 = std::max(longest2, vtkMath::Distance2BetweenPoints(places[k], places[(k + 1) % 3]));
+  }
+  vtkTriangle::ComputeNormalDirection(places[0], places[1], places[2], normal);
+  const double longest = std::sqrt(longest2);
+  return { longest, longest > 0 ? vtkMath::Norm(normal) / longest : 0 };
+}
+
 /// Finds which of the far sides of a point's triangles that are near to it turns away most, if the point is of a flat face.
 /// Where there is none the surface is rough, and finer disks were none the better.
 vtkPointSplatFans::Bend vtkPointSplatFans::FindBend(vtkIdType id, const float* normals, float radius) const

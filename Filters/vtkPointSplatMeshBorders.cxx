@@ -42,7 +42,8 @@ constexpr float AlikePlane = 0.5f;
 // The next two are from there, too.
 /// Lines do not go through the points themselves, but so many lengths of the edge off: their vectors are finite.
 constexpr float LeastOff = 0.002f;
-/// How far past an edge that has no line a kernel may reach, of its reach: where an outline bends it does.
+/// How far past an edge that has no line a kernel may reach, of its reach: where an outline bends it does. And how far past a
+/// reflex corner one line across that may be, of the radius.
 constexpr float MostPast = 0.05f;
 /// What is left of a disk where faces meet in its point alone, which two lines cannot end.
 constexpr float PinchShare = 0.05f;
@@ -120,7 +121,7 @@ vtkPointSplatMeshBorders::Side vtkPointSplatMeshBorders::Walk(
 }
 
 /// Returns whether the point is of those that have lines.
-bool vtkPointSplatMeshBorders::FindOwnLines(vtkIdType id, End& end) const
+bool vtkPointSplatMeshBorders::FindOwnLines(vtkIdType id, bool two, End& end) const
 {
   std::vector<vtkPointSplatFans::BorderEdge> edges;
   for (const vtkPointSplatFans::BorderEdge& edge : this->Fans.GetBorderEdges(id))
@@ -147,7 +148,7 @@ bool vtkPointSplatMeshBorders::FindOwnLines(vtkIdType id, End& end) const
   }
   const float* normal = this->Planes->GetPointer(3 * id);
   const vtkPointSplatBorderPlane plane(normal);
-  const float least = LeastEdge * this->Radii->GetValue(id);
+  const float least = LeastEdge * this->GetScale(id);
   Side sides[2];
   float nearest = std::numeric_limits<float>::max();
   for (std::size_t k = 0; k < edges.size(); ++k)
@@ -171,17 +172,26 @@ bool vtkPointSplatMeshBorders::FindOwnLines(vtkIdType id, End& end) const
   {
     const double turn = vtkPointSplatBorderPlane::Turn(first, plane.GetAngle(sides[1].Way));
     const double open = sides[0].IsLeft() ? 2 * vtkMath::Pi() - turn : turn;
-    plane.SetLines(sides[0].IsLeft() ? first + turn : first, open, LeastOff * nearest, nearest, end.Clip);
-    end.Past = open < vtkMath::Pi() ? 1 / vtkMath::Norm(end.Clip) : 0;
+    const double from = sides[0].IsLeft() ? first + turn : first;
+    plane.SetLines(from, open, LeastOff * nearest, nearest, end.Clip);
+    if (two && open < vtkMath::Pi() && MostPast * this->Radii->GetValue(id) * vtkMath::Norm(end.Clip) < 1)
+    {
+      float both[6];
+      plane.SetSides(from, open, LeastOff * nearest, both);
+      std::copy_n(both, 3, end.Clip);
+      std::copy_n(both + 3, 3, end.Other);
+    }
   }
   return true;
 }
 
-void vtkPointSplatMeshBorders::End::Tighten(float radius)
+/// A disk's radius, or how wide its triangles are, if these are narrower: where a strip ends tells an edge across it.
+float vtkPointSplatMeshBorders::GetScale(vtkIdType id) const
 {
-  const float past = std::min(this->Past, MostPast * radius);
-  vtkMath::MultiplyScalar(this->Clip, this->Past / past);
-  this->Past = past;
+  double widest = 0;
+  this->Fans.VisitTriangles(
+    id, [&](const vtkIdType own[3]) { widest = std::max(widest, this->Fans.GetShape(own).Height); });
+  return std::min(this->Radii->GetValue(id), static_cast<float>(widest));
 }
 
 float vtkPointSplatMeshBorders::GetReach(vtkIdType id) const
@@ -284,8 +294,8 @@ void vtkPointSplatMeshBorders::AddEdge(
 }
 
 /// Where a mesh was split, but not all along, edges of both sides are one body's: of those through the disk's centre the
-/// ones are left out whose surface is on the other side.
-void vtkPointSplatMeshBorders::LeaveOutOtherSides(std::vector<Edge>& edges)
+/// ones are left out whose surface is on the other side. Of the others the nearest are the first.
+void vtkPointSplatMeshBorders::PutInOrder(std::vector<Edge>& edges)
 {
   const Edge* own = nullptr; // that between whose ends it is, or whose triangle is most like it
   for (const Edge& edge : edges)
@@ -302,11 +312,17 @@ void vtkPointSplatMeshBorders::LeaveOutOtherSides(std::vector<Edge>& edges)
                   [&](const Edge& edge) { return edge.IsThrough() && vtkMath::Dot(edge.Out, out) < 0; }),
       edges.end());
   }
+  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return a.Distance < b.Distance; });
 }
 
 /// Gives an end, which may have lines, those along edges that it is beside, the nearest first.
 void vtkPointSplatMeshBorders::TakeLines(float least, const std::vector<Edge>& edges, float clip[6])
 {
+  float nearest = std::numeric_limits<float>::max(); // of the edges that are not its own
+  for (const Edge& edge : edges)
+  {
+    nearest = edge.IsThrough() ? nearest : std::min(nearest, edge.Distance);
+  }
   for (const Edge& edge : edges)
   {
     if (!edge.IsBeside())
@@ -314,7 +330,7 @@ void vtkPointSplatMeshBorders::TakeLines(float least, const std::vector<Edge>& e
       continue;
     }
     float line[3];
-    const float off = std::max(edge.Distance, LeastOff * std::max(edge.Length, least));
+    const float off = std::max(edge.Distance, LeastOff * std::min(nearest, std::max(edge.Length, least)));
     for (int c = 0; c < 3; ++c)
     {
       line[c] = edge.Out[c] / off;
@@ -338,34 +354,67 @@ void vtkPointSplatMeshBorders::TakeLines(float least, const std::vector<Edge>& e
   }
 }
 
+/// The places of an edge through which a kernel reaches farthest past it: the nearest one, its ends, and where behind it lines
+/// leave the kernel or cross each other; some of them twice.
+std::array<float, 8> vtkPointSplatMeshBorders::FindPassed(
+  const Edge& edge, const float clip[6], float reach, const float part[2])
+{
+  std::array<float, 8> places{ { part[0], part[1], edge.GetPlace(), part[0], part[0], part[0], part[0], part[0] } };
+  const double squared = std::pow(reach, 2);
+  double at[2], slope[2];
+  for (int k = 0; k < 2; ++k)
+  {
+    at[k] = vtkMath::Dot(clip + 3 * k, edge.Start);
+    slope[k] = vtkMath::Dot(clip + 3 * k, edge.Way);
+    // A ray is cut by the line where it leaves the kernel.
+    const double a = slope[k] * slope[k] * squared - std::pow(edge.Length, 2);
+    const double b = at[k] * slope[k] * squared - vtkMath::Dot(edge.Start, edge.Way);
+    const double c = at[k] * at[k] * squared - vtkMath::Dot(edge.Start, edge.Start);
+    const double root = std::sqrt(std::max(b * b - a * c, 0.0));
+    for (int sign = 0; sign < 2 && a != 0; ++sign)
+    {
+      places[3 + 2 * k + sign] = static_cast<float>((sign == 0 ? -b - root : root - b) / a);
+    }
+  }
+  if (slope[0] != slope[1])
+  {
+    places[7] = static_cast<float>((at[1] - at[0]) / (slope[0] - slope[1]));
+  }
+  for (float& place : places)
+  {
+    place = std::clamp(place, part[0], part[1]);
+  }
+  return places;
+}
+
 /// The largest radius with which a disk's kernel, where lines keep it, goes past an edge by no more than MostPast of its
 /// reach; none where it does not with its own.
 float vtkPointSplatMeshBorders::GetRoom(const Edge& edge, const float clip[6], float radius)
 {
   // The part of the edge that lines keep.
-  float first = 0, last = 1;
+  float part[2] = { 0, 1 };
   for (int k = 0; k < 2; ++k)
   {
     const float at = vtkMath::Dot(clip + 3 * k, edge.Start) - StillKept, slope = vtkMath::Dot(clip + 3 * k, edge.Way);
     if (slope > 0)
     {
-      last = std::min(last, -at / slope);
+      part[1] = std::min(part[1], -at / slope);
     }
     else if (slope < 0)
     {
-      first = std::max(first, -at / slope);
+      part[0] = std::max(part[0], -at / slope);
     }
     else if (at > 0)
     {
-      last = -1;
+      part[1] = -1;
     }
   }
-  if (first > last || edge.Distance <= Edge::Rounding * edge.Length)
+  if (part[0] > part[1] || edge.Distance <= Edge::Rounding * std::min(edge.Length, radius))
   {
     return std::numeric_limits<float>::max();
   }
   float reach = KernelReach * radius;
-  for (const float at : { first, std::clamp(edge.GetPlace(), first, last), last })
+  for (const float at : FindPassed(edge, clip, reach, part))
   {
     float place[3];
     for (int c = 0; c < 3; ++c)
@@ -384,22 +433,20 @@ float vtkPointSplatMeshBorders::GetRoom(const Edge& edge, const float clip[6], f
   return reach < KernelReach * radius ? reach / KernelReach : std::numeric_limits<float>::max();
 }
 
-/// Lines along the edges, and the room that they leave.
-void vtkPointSplatMeshBorders::Take(const Disk& disk, std::vector<Edge>& edges, End& end)
+/// Lines along the edges, the nearest first, and the room that they leave.
+void vtkPointSplatMeshBorders::Take(const Disk& disk, const std::vector<Edge>& edges, float clip[6], float& room)
 {
-  LeaveOutOtherSides(edges);
-  std::sort(edges.begin(), edges.end(),
-    [](const Edge& a, const Edge& b) { return a.Distance < b.Distance; });
-  TakeLines(LeastEdge * disk.Radius, edges, end.Clip);
+  TakeLines(LeastEdge * disk.Radius, edges, clip);
   for (const Edge& edge : edges)
   {
-    end.Room = std::min(end.Room, GetRoom(edge, end.Clip, disk.Radius));
+    room = std::min(room, GetRoom(edge, clip, disk.Radius));
   }
 }
 
 void vtkPointSplatMeshBorders::AddNearLines(const Near* first, const Near* last, End& end) const
 {
   const Disk disk{ this->Fans.GetPosition(end.Id), this->Planes->GetPointer(3 * end.Id), this->Radii->GetValue(end.Id) };
+  const float least = LeastEdge * this->GetScale(end.Id);
   std::vector<Edge> edges;
   for (const Near* near = first; near != last; ++near)
   {
@@ -410,10 +457,15 @@ void vtkPointSplatMeshBorders::AddNearLines(const Near* first, const Near* last,
     }
     for (const vtkPointSplatFans::BorderEdge& edge : from)
     {
-      this->AddEdge(disk, near->Border, this->Walk(near->Border, edge, disk.Normal, LeastEdge * disk.Radius), edges);
+      this->AddEdge(disk, near->Border, this->Walk(near->Border, edge, disk.Normal, least), edges);
     }
   }
-  Take(disk, edges, end);
+  PutInOrder(edges);
+  Take(disk, edges, end.Clip, end.Room);
+  if (end.IsTwo())
+  {
+    Take(disk, edges, end.Other, end.Room);
+  }
 }
 
 /// Adds an edge near to a fill point's disk, or what goes on from there. own: whether the point lies between its ends.
@@ -479,11 +531,12 @@ vtkPointSplatMeshBorders::End vtkPointSplatMeshBorders::FindEnd(const Disk& disk
     }
   }
   End end;
-  Take(disk, edges, end);
+  PutInOrder(edges);
+  Take(disk, edges, end.Clip, end.Room);
   return end;
 }
 
-std::vector<vtkPointSplatMeshBorders::End> vtkPointSplatMeshBorders::FindEnds(const std::vector<Near>& near) const
+std::vector<vtkPointSplatMeshBorders::End> vtkPointSplatMeshBorders::FindEnds(const std::vector<Near>& near, bool two) const
 {
   std::vector<std::size_t> firsts; // of each point's, and the end
   for (std::size_t k = 0; k < near.size(); ++k)
@@ -500,7 +553,7 @@ std::vector<vtkPointSplatMeshBorders::End> vtkPointSplatMeshBorders::FindEnds(co
     {
       const Near* first = near.data() + firsts[i];
       ends[i].Id = first->Id;
-      if (this->Radii->GetValue(first->Id) > 0 && this->FindOwnLines(first->Id, ends[i]))
+      if (this->Radii->GetValue(first->Id) > 0 && this->FindOwnLines(first->Id, two, ends[i]))
       {
         this->AddNearLines(first, near.data() + firsts[i + 1], ends[i]);
       }

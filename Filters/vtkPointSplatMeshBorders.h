@@ -8,9 +8,11 @@
  * triangle alone has (vtkPointSplatFans.h).
  *
  * 1. A point on the border is clipped by the lines along its two edges where the corner between
- *    them is convex, and by one across it where it is reflex, as vtkPointSplatBorders does. Where a
+ *    them is convex. Where it is reflex the surface is what either line leaves, and not both: the point has two splats, with a
+ *    line each. One line across it, as of vtkPointSplatBorders, is enough where that goes past the corner by less than MostPast of
+ *    the radius, and is all there is without fill points. Where a
  *    seam meets the border it has one edge there, and one line. Edges go to the next point of the border that
- *    is a five hundredth of the disk's radius off: what is nearer says nothing of where the border goes.
+ *    is a five hundredth of the disk's radius off, or of its triangles' width: what is nearer says nothing of where the border goes.
  * 2. Lines that are left to a point, of two, go along the nearest edges that end at points of its
  *    triangles, or of those beyond, as far as its kernel reaches, also between the ends of longer ones, and which it is
  *    beside: a mesh that was cut has points as near to its border as it likes, whose disks are as large as others, and one whose
@@ -19,8 +21,8 @@
  * 3. A point where more than two edges of the border meet has next to no room, since two lines do not end its disk, and ends no
  *    edges of 2. The end of a slit, as meshes have that were split along a part of an edge, is left as it is.
  * 4. Where a face is narrow, or its outline turns within a disk's reach, a disk that has its two lines reaches past other edges.
- *    Its room is the radius with which its kernel goes past none by more than MostPast of its reach, and at a reflex corner of a
- *    narrow flat face that face's width. What it leaves open then is for fill points.
+ *    Its room is the radius with which its kernel goes past none by more than MostPast of its reach. What it leaves open then is
+ *    for fill points.
  * 5. Fill points have lines and room in the same way, by the edges near to the vertices that they lie between, or where these are
  *    many by those of their body that are near to them (vtkPointSplatMeshOutline.h). Of these as of other edges only those count
  *    whose triangle faces as the disk does, if the order of corners tells that: a thin body's other side ends no disk.
@@ -31,6 +33,7 @@
 #include "vtkPointSplatFans.h"
 #include "vtkPointSplatMeshOutline.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -61,11 +64,10 @@ public:
   struct End
   {
     vtkIdType Id = -1;
-    float Clip[6] = { 0, 0, 0, 0, 0, 0 }; // as in the array
+    float Clip[6] = { 0, 0, 0, 0, 0, 0 };  // as in the array
+    float Other[6] = { 0, 0, 0, 0, 0, 0 }; // those of a second splat in its place, if it has a line
     float Room = std::numeric_limits<float>::max(); // the largest radius with which it does not reach past other edges
-    float Past = 0; // how far past a reflex corner the first line is
-    /// Brings that as near as a disk of that radius asks for, where a face is narrow.
-    void Tighten(float radius);
+    bool IsTwo() const { return Other[0] != 0 || Other[1] != 0 || Other[2] != 0; }
   };
   /// A point, and one on the border that is near to it, or an edge at that.
   struct Near
@@ -79,8 +81,8 @@ public:
   };
   /// In order; each point on the border is near to itself.
   std::vector<Near> FindNear() const;
-  /// Those of the points near the border, in order.
-  std::vector<End> FindEnds(const std::vector<Near>& near) const;
+  /// Those of the points near the border, in order. two: whether there may be second splats.
+  std::vector<End> FindEnds(const std::vector<Near>& near, bool two) const;
   /// Adds the lines of points that have none to the array of clip lines, of 6 components, which is
   /// made if it has no tuples and any point has lines.
   void Write(const std::vector<End>& ends, vtkFloatArray* clips) const;
@@ -109,7 +111,8 @@ private:
   };
   void Face(vtkIdType from, const vtkPointSplatFans::BorderEdge& edge, const float normal[3], Side& side) const;
   Side Walk(vtkIdType id, const vtkPointSplatFans::BorderEdge& edge, const float normal[3], float least) const;
-  bool FindOwnLines(vtkIdType id, End& end) const;
+  bool FindOwnLines(vtkIdType id, bool two, End& end) const;
+  float GetScale(vtkIdType id) const;
   float GetReach(vtkIdType id) const;
   float GetDistance(vtkIdType border, vtkIdType id) const;
   /// An edge of the border near to a disk, in its plane.
@@ -122,7 +125,7 @@ private:
     bool Own;               // as a Side's
 
     /// How far off, of its length, a fill point may lie that was put on it.
-    static constexpr float Rounding = 1e-4f;
+    static constexpr float Rounding = 1e-5f;
     bool IsThrough() const { return std::abs(Distance) <= Rounding * Length; }
     /// Where on its way it is nearest to the centre.
     float GetPlace() const
@@ -139,10 +142,11 @@ private:
   void AddPiece(
     const Disk& disk, const vtkPointSplatMeshOutline::Piece& piece, bool own, std::vector<Edge>& edges) const;
   static bool FindBorders(const Place& place, std::vector<vtkIdType>& borders);
-  static void LeaveOutOtherSides(std::vector<Edge>& edges);
+  static void PutInOrder(std::vector<Edge>& edges);
   static void TakeLines(float least, const std::vector<Edge>& edges, float clip[6]);
+  static std::array<float, 8> FindPassed(const Edge& edge, const float clip[6], float reach, const float part[2]);
   static float GetRoom(const Edge& edge, const float clip[6], float radius);
-  static void Take(const Disk& disk, std::vector<Edge>& edges, End& end);
+  static void Take(const Disk& disk, const std::vector<Edge>& edges, float clip[6], float& room);
   void AddNearLines(const Near* first, const Near* last, End& end) const;
   void GetOffset(const double from[3], vtkIdType to, float d[3]) const;
 

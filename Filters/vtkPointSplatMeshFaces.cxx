@@ -25,6 +25,8 @@ namespace
 /// Of a mesh's sharp edges, what part are a flat face's if it has such: scans' triangles just differ (fitted by
 /// Testing/Accuracy/fit_constants.py).
 constexpr double LeastFlat = 0.45;
+/// Or what part are of less than 45 degrees, if bends and sharp edges are two things (fitted there, too).
+constexpr double MostBends = 0.1;
 /// How many triangles are looked at, if so many sharp edges are found at these.
 constexpr vtkIdType MostLookedAt = 10000;
 constexpr std::size_t Enough = 100;
@@ -98,20 +100,15 @@ bool IsFlat(const vtkPointSplatFans& fans, const vtkIdType own[3])
 /// Whether a triangle is so thin that its normal says nothing of the surface, unless that is of flat faces.
 bool IsSliver(const vtkPointSplatFans& fans, const vtkIdType own[3])
 {
-  double n[3], longest2 = 0;
-  for (int k = 0; k < 3; ++k)
-  {
-    longest2 = std::max(
-      longest2, vtkMath::Distance2BetweenPoints(fans.GetPosition(own[k]), fans.GetPosition(own[(k + 1) % 3])));
-  }
-  vtkTriangle::ComputeNormalDirection(fans.GetPosition(own[0]), fans.GetPosition(own[1]), fans.GetPosition(own[2]), n);
-  return vtkMath::Norm(n) < SliverShare * longest2;
+  const vtkPointSplatFans::Shape shape = fans.GetShape(own);
+  return shape.Height < SliverShare * shape.Longest;
 }
 
-/// Edges of more than 30 degrees, those of them of flat triangles, and of more than 45 degrees.
+/// Edges of more than 30 degrees; of them those of flat triangles, those of less than 45 degrees, and those sharper than
+/// that between triangles that tell of the surface.
 struct Count
 {
-  std::atomic<std::size_t> Edges{ 0 }, OfFlat{ 0 }, Sharper{ 0 };
+  std::atomic<std::size_t> Edges{ 0 }, OfFlat{ 0 }, Bends{ 0 }, Sharper{ 0 };
 
   /// stride: looks at one in so many triangles.
   Count(const vtkPointSplatFans& fans, vtkIdType stride)
@@ -130,6 +127,7 @@ struct Count
           {
             ++this->Edges;
             this->OfFlat += IsFlat(fans, own) || IsFlat(fans, other);
+            this->Bends += cosine >= sharper;
             this->Sharper += cosine < sharper && !IsSliver(fans, own) && !IsSliver(fans, other);
           }
         });
@@ -139,7 +137,7 @@ struct Count
 
   vtkPointSplatMeshFaces::Edges Get() const
   {
-    const bool flat = this->OfFlat > LeastFlat * this->Edges;
+    const bool flat = this->OfFlat > LeastFlat * this->Edges || this->Bends < MostBends * this->Edges;
     return { flat, flat || this->Sharper > 0 };
   }
 };

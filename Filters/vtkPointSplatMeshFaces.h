@@ -8,7 +8,9 @@
  *
  * 1. A mesh has flat faces if of its edges of more than 30 degrees 45 in a hundred are those of triangles that lie in a plane
  *    with one beside them, to a tenth of a degree, as of what CAD makes: 46 to 100 do, however small and few the flat faces are.
- *    Of scans, isosurfaces and modelled animals it is 0 to 26, of a coarse isosurface of a volume of bytes 38.
+ *    Of scans, isosurfaces and modelled animals it is 0 to 32, of a coarse isosurface of a volume of bytes 38. Or if of these edges
+ *    fewer than ten in a hundred are of less than 45 degrees, so that bends and sharp edges are two things: of round teeth, cut
+ *    off flat, it is one, of scans and animals 29 to 88.
  * 2. Flat faces end at edges of more than 30 degrees, where vtkPolyDataNormals splits. Other surfaces are round up to 45
  *    degrees: what is sharper is no bend that disks follow.
  * 3. Triangles that are thinner than a tenth of their length tell nothing of a round surface: around a point those beside them

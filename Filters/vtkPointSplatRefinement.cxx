@@ -27,6 +27,10 @@ constexpr double ShareOfSize = 0.4;
 constexpr float LikeNormal = 0.8f;
 /// In how many parts a triangle's sides are divided by the places that have to be covered.
 constexpr int CoveredParts = 6;
+/// How many times as large as grading lets it a fill point may be.
+constexpr float MostGraded = 2;
+/// How often fill points are graded, and what is long then divided: each time fewer are.
+constexpr int MostRounds = 3;
 /// Each division halves an edge: more are those of sizes that next to nothing is left of.
 constexpr int MostHalvings = 24;
 /// Where a cell's level lies in its key: bits of places that are far from one another.
@@ -66,20 +70,16 @@ vtkPointSplatRefinement::Point vtkPointSplatRefinement::Get(Index index) const
   return point;
 }
 
-vtkPointSplatRefinement::Corner vtkPointSplatRefinement::GetCorner(Index index) const
+float vtkPointSplatRefinement::GetSize(Index index) const
 {
-  Corner corner;
-  this->GetPlace(index, corner.X);
-  corner.Size =
-    index >= FirstIndex ? this->Points[index - FirstIndex].Size : this->Stars.Sizes[index];
-  return corner;
+  return index >= FirstIndex ? this->Points[index - FirstIndex].Size : this->Stars.Sizes[index];
 }
 
 bool vtkPointSplatRefinement::IsLong(const Corner& a, const Corner& b, double& length) const
 {
-  length = std::sqrt(vtkMath::Distance2BetweenPoints(a.X, b.X));
-  return a.Size > 0 && b.Size > 0 && std::isfinite(length) &&
-    length > LongEdge * 0.5 * (double(a.Size) + b.Size);
+  length = std::sqrt(vtkMath::Distance2BetweenPoints(a.At.data(), b.At.data()));
+  const double sizeA = this->GetSize(a.Of), sizeB = this->GetSize(b.Of);
+  return sizeA > 0 && sizeB > 0 && std::isfinite(length) && length > LongEdge * 0.5 * (sizeA + sizeB);
 }
 
 /// Adds half of a point's ends to a middle's.
@@ -100,23 +100,31 @@ void vtkPointSplatRefinement::AddEnds(const Point& of, Point& to) const
   }
 }
 
-vtkPointSplatRefinement::Index vtkPointSplatRefinement::Divide(Index a, Index b)
+/// Gives the corner in the middle of an edge.
+vtkPointSplatRefinement::Corner vtkPointSplatRefinement::Divide(const Corner& a, const Corner& b)
 {
-  const std::pair<Index, Index> edge = std::minmax(a, b);
-  const auto known = this->Middles.find(edge);
-  if (known != this->Middles.end())
+  const auto [known, isNew] = this->Middles.try_emplace(std::minmax(a.Of, b.Of));
+  Middle& middle = known->second;
+  if (isNew)
   {
-    return known->second;
+    const Point p = this->Get(known->first.first), q = this->Get(known->first.second), made = this->MakeMiddle(p, q);
+    middle.Of = FirstIndex + this->Points.size();
+    if (!this->FindNear(made, middle.Of))
+    {
+      this->Points.push_back(made);
+      this->Insert(middle.Of, made.X, made.Size);
+    }
+    for (int c = 0; c < 3; ++c)
+    {
+      middle.Rise[c] = made.X[c] - 0.5 * (p.X[c] + q.X[c]);
+    }
   }
-  const Point middle = this->MakeMiddle(this->Get(edge.first), this->Get(edge.second));
-  Index index = FirstIndex + this->Points.size();
-  if (!this->FindNear(middle, index))
+  Corner corner{ middle.Of, middle.Rise };
+  for (int c = 0; c < 3; ++c)
   {
-    this->Points.push_back(middle);
-    this->Insert(index, middle.X, middle.Size);
+    corner.At[c] += 0.5 * (a.At[c] + b.At[c]);
   }
-  this->Middles.emplace(edge, index);
-  return index;
+  return corner;
 }
 
 namespace
@@ -274,27 +282,34 @@ const float* vtkPointSplatRefinement::GetPlace(Index index, double x[3]) const
   return this->Normals + std::size_t(3) * site;
 }
 
-/// Whether a point is on the other side of an edge at which a mesh was split: ends of theirs in one place are two.
-bool vtkPointSplatRefinement::IsApart(const Point& point, Index other) const
+/// Whether a point shares an end with another, and is on the same side of an edge at which a mesh was split: ends of theirs in
+/// one place are two there. What shares none may lie across a gap.
+bool vtkPointSplatRefinement::IsOfOne(const Point& point, Index other) const
 {
   const Site site = static_cast<Site>(other);
   const Point* fill = other >= FirstIndex ? &this->Points[other - FirstIndex] : nullptr;
   const Site* ends = fill ? fill->Ends : &site;
   const int count = fill ? fill->Count : 1;
+  bool shared = false;
   for (int k = 0; k < point.Count; ++k)
   {
     double x[3], y[3];
     this->Stars.GetPosition(point.Ends[k], x);
     for (int l = 0; l < count; ++l)
     {
-      this->Stars.GetPosition(ends[l], y);
-      if (point.Ends[k] != ends[l] && std::equal(x, x + 3, y))
+      if (point.Ends[k] == ends[l])
       {
-        return true;
+        shared = true;
+        continue;
+      }
+      this->Stars.GetPosition(ends[l], y);
+      if (std::equal(x, x + 3, y))
+      {
+        return false;
       }
     }
   }
-  return false;
+  return shared;
 }
 
 bool vtkPointSplatRefinement::FindNear(const Point& point, Index& found) const
@@ -329,7 +344,7 @@ bool vtkPointSplatRefinement::FindNear(const Point& point, Index& found) const
       const double squared = vtkMath::Distance2BetweenPoints(point.X, x);
       // Of two that are as near it is the same one, whatever order they are found in.
       if ((squared < least || (any && squared == least && entry.Of < found)) &&
-        vtkMath::Dot(point.Normal, normal) > LikeNormal && !this->IsApart(point, entry.Of))
+        vtkMath::Dot(point.Normal, normal) > LikeNormal && this->IsOfOne(point, entry.Of))
       {
         least = squared;
         found = entry.Of;
@@ -341,19 +356,20 @@ bool vtkPointSplatRefinement::FindNear(const Point& point, Index& found) const
 }
 
 /// By how much the splats of a triangle's corners must be larger to cover it.
-float vtkPointSplatRefinement::GetCover(const Corners& indices) const
+float vtkPointSplatRefinement::GetCover(const Corners& corners) const
 {
-  const Corner corners[3] = { this->GetCorner(indices[0]), this->GetCorner(indices[1]),
-    this->GetCorner(indices[2]) };
-  if (std::any_of(corners, corners + 3, [](const Corner& corner) { return !(corner.Size > 0); }))
-  {
-    return 1; // what is beside such a one is not the surface's
-  }
   double inverse[3]; // of squared radii
+  Place centres[3];
   for (int k = 0; k < 3; ++k)
   {
-    const double radius = vtkPointSplatStars::GetRadius(corners[k].Size);
+    const float size = this->GetSize(corners[k].Of);
+    if (!(size > 0))
+    {
+      return 1; // what is beside such a one is not the surface's
+    }
+    const double radius = vtkPointSplatStars::GetRadius(size);
     inverse[k] = 1 / (radius * radius);
+    this->GetPlace(corners[k].Of, centres[k].data());
   }
   double needed = 1; // squared, in radii
   for (int i = 0; i <= CoveredParts; ++i)
@@ -367,13 +383,13 @@ float vtkPointSplatRefinement::GetCover(const Corners& indices) const
       {
         for (int c = 0; c < 3; ++c)
         {
-          place[c] += shares[k] * corners[k].X[c];
+          place[c] += shares[k] * corners[k].At[c];
         }
       }
       for (int k = 0; k < 3; ++k)
       {
         nearest =
-          std::min(nearest, vtkMath::Distance2BetweenPoints(place, corners[k].X) * inverse[k]);
+          std::min(nearest, vtkMath::Distance2BetweenPoints(place, centres[k].data()) * inverse[k]);
       }
       needed = std::max(needed, nearest);
     }
@@ -393,19 +409,17 @@ void vtkPointSplatRefinement::Cover()
   });
   for (std::size_t t = 0; t < this->Undivided.size(); ++t)
   {
-    for (const Index corner : this->Undivided[t])
+    for (const Corner& corner : this->Undivided[t])
     {
-      float& cover = corner < FirstIndex ? this->Covers[corner] : this->Points[corner - FirstIndex].Cover;
+      float& cover = corner.Of < FirstIndex ? this->Covers[corner.Of] : this->Points[corner.Of - FirstIndex].Cover;
       cover = std::max(cover, covers[t]);
     }
   }
 }
 
 /// Adds a triangle to those that are to be divided, or to those that are not.
-void vtkPointSplatRefinement::Add(const Corners& indices, int divisions)
+void vtkPointSplatRefinement::Add(const Corners& corners, int divisions)
 {
-  const Corner corners[3] = { this->GetCorner(indices[0]), this->GetCorner(indices[1]),
-    this->GetCorner(indices[2]) };
   int longest = -1;
   double length, largest = 0;
   for (int k = 0; k < 3; ++k)
@@ -418,7 +432,7 @@ void vtkPointSplatRefinement::Add(const Corners& indices, int divisions)
   }
   if (longest < 0)
   {
-    this->Undivided.push_back(indices);
+    this->Undivided.push_back(corners);
     return;
   }
   if (divisions == MostHalvings)
@@ -428,11 +442,11 @@ void vtkPointSplatRefinement::Add(const Corners& indices, int divisions)
   Part part{ 0, largest, {}, {}, divisions };
   for (int k = 0; k < 3; ++k)
   {
-    part.Indices[k] = indices[(longest + k) % 3];
-    part.Middle[k] = corners[longest].X[k] + corners[(longest + 1) % 3].X[k];
+    part.Of[k] = corners[(longest + k) % 3];
+    part.Middle[k] = corners[longest].At[k] + corners[(longest + 1) % 3].At[k];
   }
   const int octave = std::ilogb(largest);
-  part.Place = GetKey(FindCell(part.Middle.data(), octave));
+  part.Where = GetKey(FindCell(part.Middle.data(), octave));
   this->Parts[octave].push_back(part);
 }
 
@@ -445,8 +459,7 @@ double vtkPointSplatRefinement::CountExpected() const
   {
     for (const Part& part : parts.second)
     {
-      const double sizes =
-        double(this->GetCorner(part.Indices[0]).Size) + this->GetCorner(part.Indices[1]).Size;
+      const double sizes = double(this->GetSize(part.Of[0].Of)) + this->GetSize(part.Of[1].Of);
       divisions += std::ceil(std::log2(part.Length / (LongEdge * 0.5 * sizes)));
     }
   }
@@ -475,18 +488,45 @@ void vtkPointSplatRefinement::InsertSites()
   }
 }
 
-bool vtkPointSplatRefinement::Make(std::size_t most)
+/// Makes fill points no larger than what is next to them in the triangles that are left lets them. Returns whether any had to be
+/// smaller.
+bool vtkPointSplatRefinement::Grade()
 {
-  for (const vtkPointSplatStars::Triangle& triangle : this->Stars.Triangles)
+  std::vector<float> sizes(this->Points.size());
+  std::transform(
+    this->Points.begin(), this->Points.end(), sizes.begin(), [](const Point& point) { return point.Size; });
+  const auto bound = [&](Index index, float most) {
+    if (index >= FirstIndex)
+    {
+      float& size = sizes[index - FirstIndex];
+      size = std::min(size, most);
+    }
+  };
+  for (const Corners& corners : this->Undivided)
   {
-    this->Add({ triangle[0], triangle[1], triangle[2] }, 0);
+    for (int k = 0; k < 3; ++k)
+    {
+      const Corner &a = corners[k], &b = corners[(k + 1) % 3];
+      const float length = static_cast<float>(std::sqrt(vtkMath::Distance2BetweenPoints(a.At.data(), b.At.data())));
+      bound(a.Of, vtkPointSplatStars::GetGraded(this->GetSize(b.Of), length));
+      bound(b.Of, vtkPointSplatStars::GetGraded(this->GetSize(a.Of), length));
+    }
   }
-  // Of points all over a volume it takes long to see that there are too many by making them.
-  if (this->CountExpected() > static_cast<double>(most))
+  bool any = false;
+  for (std::size_t i = 0; i < sizes.size(); ++i)
   {
-    return false;
+    if (MostGraded * sizes[i] < this->Points[i].Size)
+    {
+      this->Points[i].Size = sizes[i];
+      any = true;
+    }
   }
-  this->InsertSites();
+  return any;
+}
+
+/// Divides triangles until none has long edges. Returns false if that takes more than most points.
+bool vtkPointSplatRefinement::DivideAll(std::size_t most)
+{
   while (!this->Parts.empty())
   {
     const auto longest = std::prev(this->Parts.end());
@@ -495,18 +535,50 @@ bool vtkPointSplatRefinement::Make(std::size_t most)
     vtkSMPTools::Sort(parts.begin(), parts.end());
     for (const Part& part : parts)
     {
-      const Corners& c = part.Indices;
-      const Index middle = this->Divide(c[0], c[1]);
-      this->Add({ c[0], middle, c[2] }, part.Divisions + 1);
-      this->Add({ middle, c[1], c[2] }, part.Divisions + 1);
+      const Corners& c = part.Of;
+      const Corner middle = this->Divide(c[0], c[1]);
+      this->Add({ { c[0], middle, c[2] } }, part.Divisions + 1);
+      this->Add({ { middle, c[1], c[2] } }, part.Divisions + 1);
       if (this->Points.size() > most)
       {
         return false;
       }
     }
   }
-  this->Cover();
   return true;
+}
+
+bool vtkPointSplatRefinement::Make(std::size_t most)
+{
+  for (const vtkPointSplatStars::Triangle& triangle : this->Stars.Triangles)
+  {
+    Corners corners;
+    for (int k = 0; k < 3; ++k)
+    {
+      corners[k].Of = triangle[k];
+      this->GetPlace(triangle[k], corners[k].At.data());
+    }
+    this->Add(corners, 0);
+  }
+  // Of points all over a volume it takes long to see that there are too many by making them.
+  if (this->CountExpected() > static_cast<double>(most))
+  {
+    return false;
+  }
+  this->InsertSites();
+  for (int round = 0; this->DivideAll(most); ++round)
+  {
+    if (round == MostRounds || !this->Grade())
+    {
+      this->Cover();
+      return true;
+    }
+    for (const Corners& left : std::exchange(this->Undivided, {}))
+    {
+      this->Add(left, 0);
+    }
+  }
+  return false;
 }
 
 VTK_ABI_NAMESPACE_END

@@ -12,9 +12,10 @@
  *    edges, by powers of two, are divided first, and of these one after the other along a curve that fills space, so that
  *    what is near is near in memory, too. What is made depends on what is near, and but for ties not on the order of points.
  *    Sizes are graded to the middle from both ends, and at most ShareOfEdge of the edge.
- *    Where some point of about that size, a site or a fill point, lies within ShareOfSize of its place, that takes
- *    its: needles between a point and a dense row beside it have one row of fill points, and not each its own, and
- *    triangles that two sites see in different ways have the same.
+ *    Where some point of about that size, a site or a fill point, lies within ShareOfSize of its place, and shares an end with
+ *    it, that takes its: needles between a point and a dense row beside it have one row of fill points, and not each its own, and
+ *    triangles that two sites see in different ways have the same. What shares none may lie across a gap.
+ *    Then sizes are graded across the triangles that are left, too, to within MostGraded, and what is long by that divided.
  * 3. A fill point's normal is the mean of the ends'. The second one's is turned, as normals that are not
  *    consistently oriented have to be, where it points against the first one's mirror image and its part across
  *    the edge against the first one's; the disk's plane goes through the edge. Between ends whose normals lean the same way from
@@ -24,7 +25,8 @@
  *    squares of their sizes: a fillet's curvature says nothing of the face beside it. Half way to a tip it is twice that of
  *    the other end.
  * 4. *Cover.* The splats of the triangles that remain are larger, in the same proportion, where those of its three
- *    corners do not cover one together; sizes stay as they are.
+ *    corners do not cover one together; sizes stay as they are. A triangle stays where it was, though other points stand for its
+ *    corners: of a strip that is narrower than they are large these lie in one row, and the strip's other side is to be covered, too.
  * 5. Ends, and weights of them, tell what else a fill point has: of up to three sites.
  *
  * Numbers of fill points depend on the triangles alone, and not on what is drawn: there are none where
@@ -86,7 +88,18 @@ public:
 private:
   using Index = std::uint64_t; // a site, or a fill point's number from FirstIndex on
   static constexpr Index FirstIndex = Index(1) << 32;
-  using Corners = std::array<Index, 3>; // of a triangle
+  using Place = std::array<double, 3>;
+  /// Where a triangle has a corner, and the point that it is, or that stands for it.
+  struct Corner
+  {
+    Index Of;
+    Place At;
+    bool operator<(const Corner& other) const
+    {
+      return this->Of != other.Of ? this->Of < other.Of : this->At < other.At;
+    }
+  };
+  using Corners = std::array<Corner, 3>; // of a triangle
   /// A cell's place along a curve that fills space, and its level; two cells that share one hold points that are far from
   /// one another.
   using Key = std::uint64_t;
@@ -94,35 +107,31 @@ private:
   /// A triangle to be divided at the first edge, its longest one.
   struct Part
   {
-    Key Place; // of the middle, along a curve
+    Key Where; // the middle, along a curve
     double Length;
-    std::array<double, 3> Middle; // a square's diagonals have the same
-    Corners Indices;
+    Place Middle; // a square's diagonals have the same
+    Corners Of;
     int Divisions;
     bool operator<(const Part& other) const
     {
-      return std::tie(this->Place, other.Length, this->Middle, this->Indices) <
-        std::tie(other.Place, this->Length, other.Middle, other.Indices);
+      return std::tie(this->Where, other.Length, this->Middle, this->Of) <
+        std::tie(other.Where, this->Length, other.Middle, other.Of);
     }
   };
   void Add(const Corners& corners, int divisions);
   double CountExpected() const;
   void InsertSites();
 
-  /// Where a corner lies, and its size.
-  struct Corner
-  {
-    double X[3];
-    float Size;
-  };
   Point Get(Index index) const;
-  Corner GetCorner(Index index) const;
+  float GetSize(Index index) const;
   bool IsLong(const Corner& a, const Corner& b, double& length) const;
-  Index Divide(Index a, Index b);
+  Corner Divide(const Corner& a, const Corner& b);
   Point MakeMiddle(const Point& p, const Point& q) const;
   void AddEnds(const Point& of, Point& to) const;
   float GetCover(const Corners& corners) const;
   void Cover();
+  bool Grade();
+  bool DivideAll(std::size_t most);
 
   const vtkPointSplatStars& Stars;
   const float* Normals;
@@ -134,7 +143,13 @@ private:
       return std::hash<Index>()(edge.first * 0x9e3779b97f4a7c15u ^ edge.second);
     }
   };
-  std::unordered_map<std::pair<Index, Index>, Index, Hash> Middles;
+  /// The point in an edge's middle, and how far that is off the chord's.
+  struct Middle
+  {
+    Index Of;
+    Place Rise;
+  };
+  std::unordered_map<std::pair<Index, Index>, Middle, Hash> Middles;
   std::map<int, std::vector<Part>> Parts; // by their lengths' exponents
   std::vector<Corners> Undivided;         // triangles
 
@@ -156,7 +171,7 @@ private:
   std::size_t GetIndex(Key key) const;
   void Insert(Index index, const double x[3], float size);
   void Enter(std::size_t entry);
-  bool IsApart(const Point& point, Index other) const;
+  bool IsOfOne(const Point& point, Index other) const;
   bool FindNear(const Point& point, Index& found) const;
   const float* GetPlace(Index index, double x[3]) const;
   std::vector<Entry> Entries;

@@ -98,9 +98,9 @@ float vtkPointSplatStars::GetBent(float bend, float width)
   return std::max(MostBend / bend, WidthShare * width);
 }
 
-void vtkPointSplatStars::BoundBent(Site site, float bend, float radius, float width)
+void vtkPointSplatStars::BoundBent(Site site, float size, float radius)
 {
-  const float most = GetRadius(GetBent(bend, width));
+  const float most = GetRadius(size);
   if (radius > LargeDisk * most)
   {
     this->Bound(site, most);
@@ -411,11 +411,20 @@ bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
   return true;
 }
 
-void vtkPointSplatStars::Find(const vtkPointSplatFans& mesh)
+void vtkPointSplatStars::Find(const vtkPointSplatFans& mesh, const std::function<float(Site)>& getRadius)
 {
+  std::vector<Site> found;
   for (Site s = 0; s < this->Sizes.size(); ++s)
   {
     if (this->Uneven[s])
+    {
+      found.push_back(s);
+    }
+  }
+  std::vector<float> before(this->Sizes.begin(), this->Sizes.end());
+  while (!found.empty())
+  {
+    for (const Site s : found)
     {
       mesh.VisitTriangles(static_cast<vtkIdType>(s), [this](const vtkIdType corners[3]) {
         Triangle triangle;
@@ -425,8 +434,18 @@ void vtkPointSplatStars::Find(const vtkPointSplatFans& mesh)
         this->Triangles.push_back(triangle);
       });
     }
+    this->Grade();
+    found.clear();
+    // Disks beside these are too large for what bends or ends there.
+    for (Site s = 0; s < this->Sizes.size(); ++s)
+    {
+      if (!this->Uneven[s] && LargeDisk * this->Sizes[s] < before[s] && getRadius(s) > LargeDisk * this->GetRadius(s))
+      {
+        this->Uneven[s] = 1;
+        found.push_back(s);
+      }
+    }
   }
-  this->Grade();
 }
 
 void vtkPointSplatStars::Grade()

@@ -35,7 +35,8 @@
  *    more than the longest edge of its triangles, or if there are none than its spacing: a star may reach to another body in
  *    the same plane, as from an animal's sole to the next.
  * 4. *Grading.* No size is larger than that of a site next to it in such a triangle and Slope of the way to that:
- *    a disk does not reach over a denser part to what lies beyond, which may be an edge.
+ *    a disk does not reach over a denser part to what lies beyond, which may be an edge. Of a mesh a site that this makes
+ *    smaller, and its disk LargeDisk times too large, becomes uneven, too.
  *    Of a mesh, whose curvature triangles tell, sizes are those within which it turns by MostBend, but for WidthShare of
  *    triangles' width, also where a flat face, whose curvature is none, goes over into a round edge of narrow triangles
  *    (vtkPointSplatFans::Bend): fill points that are as near to that have no larger ones. Disks at borders have the room
@@ -89,14 +90,13 @@ public:
   /// Makes a site uneven whose splat's radius may be no more than this.
   void Bound(Site site, float radius);
 
-  /// The same where a mesh bends so much (1 / world units) that a disk of that radius would stand off; width: of what
-  /// triangles tell so.
-  void BoundBent(Site site, float bend, float radius, float width);
+  /// The same where a mesh bends so much that no size is larger than that, and a disk of that radius would stand off.
+  void BoundBent(Site site, float size, float radius);
   /// The same at a mesh's tip, of whose disk next to nothing is left.
   void BoundTip(Site site, float radius);
   /// How much a surface of that curvature (as vtkPointSplatCurvature's tensor) bends.
   static float GetBend(const float curvature[6]);
-  /// The largest size of what bends so much, as triangles of that width tell.
+  /// The largest size of what bends so much (1 / world units), as triangles of that width tell.
   static float GetBent(float bend, float width = 0);
 
   /// Gives all sites with a star this size at least.
@@ -126,8 +126,9 @@ public:
   /// sparser: there just their denser part ends. In order.
   std::vector<Site> FindContinued(const Cloud& cloud) const;
 
-  /// Takes the triangles of a mesh's uneven sites.
-  void Find(const vtkPointSplatFans& mesh);
+  /// Takes the triangles of a mesh's uneven sites, and of those that grading makes uneven. getRadius: of a site's disk, or 0 if it stays
+  /// as it is.
+  void Find(const vtkPointSplatFans& mesh, const std::function<float(Site)>& getRadius);
 
   /// The radius of the splat of an uneven site.
   float GetRadius(Site site) const { return RadiusPerSize * this->Sizes[site]; }

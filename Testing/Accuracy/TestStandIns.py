@@ -94,10 +94,11 @@ class TestStandIns(unittest.TestCase):
     def test_few_and_long_triangles(self):
         # 9 to 22 dB, and up to six times a body's area outside of it, where disks were as large as triangles. A dome's one
         # flat face was shaded as its round ones: 39 dB. Where disks reached from a plate's faces over the round edges it had
-        # 32 dB, and a wire 19, with five times its area outside of it.
-        for name, least in (("can", 35), ("slab", 36), ("shaft", 41), ("arrow", 34), ("cog", 30),
+        # 32 dB, and a wire 19, with five times its area outside of it. A lens' rim was shaded as a bend: 31 dB. Beside a ledge's
+        # fillet disks a row farther off were as long as it is: 12 dB, and 1.6 times its area outside of it.
+        for name, least in (("can", 38), ("slab", 42), ("shaft", 41), ("arrow", 34), ("cog", 30),
                             ("cog_triangles_apart", 30), ("cog_shared_points", 30), ("dome", 44), ("plate", 33),
-                            ("wire", 22)):
+                            ("wire", 22), ("lens", 36), ("ledge", 35)):
             found = likeness.compare(standins.ALL[name](), 300, 2)
             self.assertGreater(min(found["psnr"]), least, name)
             self.assertEqual(found["holes"], 0, name)
@@ -118,9 +119,10 @@ class TestStandIns(unittest.TestCase):
         # which are not where they were.
         found = likeness.compare(standins.ALL["cut_noisy"](), 300, 3)
         # 28.4 dB and 377 openings where its sharp edges were round, 398 where lines at its reflex corners were as near as a wire's.
-        self.assertGreater(min(found["psnr"][:2]), 29)
+        # 29.4 and 311 where disks beside those that are small at such an edge were as large as elsewhere: these hid slits, 358 now.
+        self.assertGreater(min(found["psnr"][:2]), 29.7)
         self.assertLess(found["holes"], 4)
-        self.assertLess(found["openings"], 350)
+        self.assertLess(found["openings"], 370)
         # A spill of 0.0106 where what smoothing crumples had no borders.
         found = likeness.compare(standins.ALL["cut_noisy_turned"](), 300, 3)
         self.assertGreater(min(found["psnr"][:2]), 20.2)

@@ -167,3 +167,26 @@ def cog(teeth=12, height=0.3):
     angles = 2 * np.pi * np.arange(4 * teeth) / (4 * teeth)
     radii = np.where(np.arange(4 * teeth) // 2 % 2 == 0, 1.0, 0.8)
     return body("cog", extruded(np.stack([radii * np.cos(angles), radii * np.sin(angles)], 1), height))
+
+
+def lens():
+    """Two caps, which are nowhere flat, and an edge between them that is no bend."""
+    source = vtkSphereSource()
+    source.SetThetaResolution(48)
+    source.SetPhiResolution(33)  # a ring of points lies half way between the poles
+    source.Update()
+    mesh = source.GetOutput()
+    x, y, z = (2 * vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)).T
+    rim = np.abs(z) < 1e-6
+    z = np.where(rim, 0, np.sign(z)) * (np.sqrt(np.maximum(2 - x * x - y * y, 1)) - 1)
+    z += 0.0002 * np.sin(37.0 * np.arange(len(z)))
+    mesh.GetPoints().SetData(numpy_to_vtk(np.stack([x, y, z], 1), deep=True))
+    return with_shared_points(split("lens", merged(mesh)))
+
+
+def ledge(steps=6):
+    """A bar whose flat face is three narrow and long triangles wide, beside one that is round."""
+    angles = np.pi / 2 * np.arange(steps + 1) / steps
+    profile = [(0, -0.6), (0, 0), (0.1, 0), (0.2, 0)]
+    profile += list(zip(0.3 + 0.3 * np.sin(angles), 0.3 * np.cos(angles) - 0.3)) + [(0.6, -0.6)]
+    return with_shared_points(body("ledge", extruded(profile[::-1], 4.0)))

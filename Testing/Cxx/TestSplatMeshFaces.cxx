@@ -156,6 +156,76 @@ void TestLongEdge()
   CheckFaces(MakeSplats(strip), [](double x, double y) { return GetDistance(x, y, 3, 0.4); }, "a strip of long edges");
 }
 
+/// A strip that is three thousand times as long as it is wide ends where it ends.
+void TestString()
+{
+  vtkSmartPointer<vtkPolyData> strip = MakeEmpty();
+  AddPolygon(strip, { { { 0, 0 } }, { { 3, 0 } }, { { 3, 0.001 } }, { { 0, 0.001 } } });
+  vtkSmartPointer<vtkPolyData> splats = MakeSplats(strip);
+  CheckFaces(splats, [](double x, double y) { return GetDistance(x, y, 3, 0.001); }, "a string");
+  int past = 0;
+  for (int i = 0; i <= 100; ++i)
+  {
+    for (const double y : { -0.0005, 0.0015 })
+    {
+      const double place[3] = { 0.03 * i, y, 0 };
+      past += IsCovered(splats, place, 1.5);
+    }
+  }
+  Expect(past == 0, "a string is wider at " + std::to_string(past) + " places");
+}
+
+/// Where the outline turns inward one line across the corner would reach past it, or leave it open.
+void TestNotch()
+{
+  vtkSmartPointer<vtkPolyData> angle = MakeEmpty();
+  AddSquare(angle, 4, 0, 1);
+  ChangeCells(angle, [](vtkIdType cell, vtkIdList*) { return cell != 8; });
+  vtkNew<vtkCleanPolyData> used;
+  used->SetInputData(angle);
+  used->Update();
+  vtkSmartPointer<vtkPolyData> splats = MakeSplats(used->GetOutput());
+  CheckFaces(splats,
+    [](double x, double y) { return std::max(GetDistance(x, y, 3, 3), std::min(x, y) - 2); }, "an angle");
+  int past = 0, open = 0;
+  for (int i = 1; i < 20; ++i)
+  {
+    const double out[3] = { 2 + 0.05 * i, 2.02, 0 }, in[3] = { 2 + 0.05 * i, 1.98, 0 };
+    past += IsCovered(splats, out, 1.5);
+    open += !IsCovered(splats, in, 1.1);
+  }
+  Expect(past == 0, "a notch is covered at " + std::to_string(past) + " places");
+  Expect(open == 0, "the edge of a notch is open at " + std::to_string(open) + " places");
+}
+
+/// Teeth are so narrow, and so near to one another, that fill points of one may be as near to the next one's as to its own.
+void TestComb()
+{
+  constexpr int teeth = 30;
+  constexpr double pitch = 0.1, width = 0.05;
+  vtkSmartPointer<vtkPolyData> comb = MakeEmpty();
+  for (int k = 0; k < teeth; ++k)
+  {
+    const double x = pitch * k;
+    AddPolygon(comb, { { { x, 0.2 } }, { { x + width, 0.2 } }, { { x + width, 3 } }, { { x, 3 } } });
+  }
+  AddPolygon(comb, { { { 0, 0 } }, { { pitch * teeth, 0 } }, { { pitch * teeth, 0.2 } }, { { 0, 0.2 } } });
+  vtkNew<vtkCleanPolyData> merged;
+  merged->SetInputData(comb);
+  merged->Update();
+  vtkSmartPointer<vtkPolyData> splats = MakeSplats(merged->GetOutput());
+  int past = 0;
+  for (int k = 0; k < teeth; ++k)
+  {
+    for (int i = 0; i < 50; ++i)
+    {
+      const double place[3] = { pitch * k + width + 0.5 * (pitch - width), 0.3 + 0.05 * i, 0 };
+      past += IsCovered(splats, place, 1.5);
+    }
+  }
+  Expect(past == 0, "gaps of a comb are covered at " + std::to_string(past) + " places");
+}
+
 /// Two triangles meet in a point, whose disk would need four lines.
 void TestPinch()
 {
@@ -192,8 +262,9 @@ void TestTwoSides()
   CheckFaces(MakeSplats(both), [](double x, double y) { return GetDistance(x, y, 3, 3); }, "a square with two sides");
 }
 
-/// Beside a flat face that is a triangle wide a fillet, of as long and narrow ones, falls off: no disk may stick out.
-void TestFillet()
+/// Beside a flat face that is one or some triangles wide, in rows up to x = 2.7, a fillet of as long and narrow ones falls
+/// off: no disk may stick out.
+void TestFillet(std::initializer_list<double> rows, const std::string& name)
 {
   vtkSmartPointer<vtkPolyData> data = MakeEmpty();
   data->GetPointData()->SetNormals(nullptr);
@@ -203,20 +274,24 @@ void TestFillet()
     data->GetPoints()->InsertNextPoint(x, 0, z);
     data->GetPoints()->InsertNextPoint(x, 3, z);
   };
-  addRow(0, 0);
-  for (int k = 0; k <= steps; ++k)
+  for (const double x : rows)
+  {
+    addRow(x, 0);
+  }
+  for (int k = 1; k <= steps; ++k)
   {
     const double angle = vtkMath::Pi() / 2 * k / steps;
     addRow(2.7 + radius * std::sin(angle), radius * (std::cos(angle) - 1));
   }
-  for (vtkIdType k = 0; k <= steps; ++k)
+  for (vtkIdType k = 0; 2 * k + 3 < data->GetNumberOfPoints(); ++k)
   {
     const vtkIdType corners[4] = { 2 * k, 2 * k + 2, 2 * k + 3, 2 * k + 1 };
     data->GetPolys()->InsertNextCell(4, corners);
   }
   vtkSmartPointer<vtkPolyData> splats = MakeSplats(data);
+  const double first = *rows.begin();
   CheckFaces(splats,
-    [](double x, double y) { return x > 2.7 && x < 3.1 ? 0.0 : GetDistance(x, y, 2.7, 3); }, "a face with a fillet");
+    [first](double x, double y) { return x > 2.7 && x < 3.1 ? 0.0 : GetDistance(x - first, y, 2.7 - first, 3); }, name);
 }
 
 /// A dome has one flat face, whose edges are few, and at which it has that one's normals, too.
@@ -241,6 +316,40 @@ void TestDome()
     copies += x[2] < -12.999 && n[2] < -0.999;
   }
   Expect(copies > 20, std::to_string(copies) + " splats of a dome's rim are of its flat face");
+}
+
+/// A lens has no flat face, but its rim is the only edge that is not a bend: there it has the normals of either side.
+void TestLens()
+{
+  vtkNew<vtkSphereSource> ball;
+  ball->SetThetaResolution(48);
+  ball->SetPhiResolution(33); // a ring of its points lies half way between the poles
+  ball->SetRadius(1);
+  ball->Update();
+  vtkPolyData* lens = ball->GetOutput();
+  for (vtkIdType id = 0; id < lens->GetNumberOfPoints(); ++id)
+  {
+    double x[3];
+    lens->GetPoint(id, x);
+    const double cap = std::sqrt(std::max(2 - x[0] * x[0] - x[1] * x[1], 1.0)) - 1;
+    const double height = std::abs(x[2]) < 1e-6 ? 0 : std::copysign(cap, x[2]);
+    lens->GetPoints()->SetPoint(id, x[0], x[1], height + 0.0002 * std::sin(37.0 * id));
+  }
+  lens->GetPointData()->SetNormals(nullptr);
+  vtkSmartPointer<vtkPolyData> splats = MakeSplats(lens);
+  int sides[2] = { 0, 0 };
+  for (vtkIdType id = 0; id < splats->GetNumberOfPoints(); ++id)
+  {
+    double n[3], x[3];
+    splats->GetPointData()->GetNormals()->GetTuple(id, n);
+    splats->GetPoint(id, x);
+    if (std::hypot(x[0], x[1]) > 0.999)
+    {
+      AtMost(std::abs(std::abs(n[2]) - std::sqrt(0.5)), 0.1, "the normal at a lens' rim, splat " + std::to_string(id));
+      ++sides[n[2] < 0];
+    }
+  }
+  Expect(sides[0] >= 48 && sides[1] >= 48, "a lens' rim has splats on both sides");
 }
 
 /// A polygon of many short edges: what is looked at for each fill point does not grow with them.
@@ -347,13 +456,18 @@ int TestSplatMeshFaces(int, char*[])
   TestPolygons();
   TestSlit();
   TestLongEdge();
+  TestString();
+  TestNotch();
+  TestComb();
   TestPinch();
   TestTwoSides();
-  TestFillet();
+  TestFillet({ 0, 2.7 }, "a face with a fillet");
+  TestFillet({ 2.4, 2.5, 2.6, 2.7 }, "a face of three rows with a fillet");
   TestFineOutline();
   TestCube();
   TestSharedPoints();
   TestDome();
+  TestLens();
   TestTip();
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
