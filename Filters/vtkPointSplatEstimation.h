@@ -113,7 +113,8 @@
  *    *Borders*: where the sampling is as regular as a mesh's vertices, all over or from one point to the next, the surface ends between the
  *    points that its outline and its holes go through, and lines through these clip their splats, and
  *    those beside that would reach over (vtkPointSplatBorders.h). A mesh ends at edges that one triangle alone has, and so
- *    does each of its faces where it is split between them. Random samplings
+ *    does each of its faces where it is split between them; where its outline turns inward there is a second splat, a fill
+ *    point, since the surface is what either of two lines leaves. Random samplings
  *    end somewhere between their last points and the surface's border: there a line a little past the
  *    outermost of them clips all splats that reach over it. Where IsNoisy(), borders are not looked for.
  *    On tubes whose rings of points are farther apart than the tube is wide two lines clip disks beside the axis, which else would leave it.
@@ -126,7 +127,7 @@
  *    the bend ask for, graded from point to point (vtkPointSplatStars.h), and fill points lie between those that are
  *    farther apart than that (vtkPointSplatRefinement.h), with normals between theirs; so they do in holes of a regular
  *    sampling that no border surrounds, since these are gaps. Without it disks are as large as gaps are. Even samplings
- *    have no fill points, random ones few. A mesh, and so an isosurface's vertices, is
+ *    have no fill points but at meshes' borders, random ones few. A mesh, and so an isosurface's vertices, is
  *    split at its sharp edges, of 45 degrees, or of 30 where they end flat faces: there a point has a disk in the plane of each face, and
  *    those on other faces than its first one are fill points in its place. All are shaded with its normal, if it has one
  *    (vtkPointSplatMesh.h). Noise (IsNoisy()) of points at random does not count as bend,

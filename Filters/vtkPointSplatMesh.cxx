@@ -226,7 +226,6 @@ bool vtkPointSplatMesh::Split()
   {
     return false;
   }
-  this->OfFlat = edges.OfFlat;
   this->TakeGiven(planes);
   this->Points = MakePoints(this->Input, this->Sources, planes);
   this->Fans.Split(this->Sources, std::move(corners));

@@ -45,7 +45,6 @@ public:
   // What there is if it was split:
   vtkSmartPointer<vtkPolyData> Points; // the input's, and copies, with planes' normals and ghosts, and no other arrays
   std::vector<vtkIdType> Sources;      // of the copies
-  bool OfFlat = false;                 // whether faces are flat
   std::vector<float> Normals;          // to shade with, 3 a point of the input, unit length; empty if they are the planes'
 
   /// That of a point or copy, if there are any.

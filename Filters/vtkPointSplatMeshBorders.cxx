@@ -40,7 +40,8 @@ constexpr int MostSteps = 16;
 /// How far a triangle's normal may be from a disk's whose plane it is in, as a cosine (60 degrees).
 constexpr float AlikePlane = 0.5f;
 // The next two are from there, too.
-/// Lines do not go through the points themselves, but so many lengths of the edge off: their vectors are finite.
+/// Lines do not go through the points themselves, but so many lengths of the edge off, or distances of the next one if that is
+/// nearer: their vectors are finite.
 constexpr float LeastOff = 0.002f;
 /// How far past an edge that has no line a kernel may reach, of its reach: where an outline bends it does. And how far past a
 /// reflex corner one line across that may be, of the radius.
@@ -185,7 +186,7 @@ bool vtkPointSplatMeshBorders::FindOwnLines(vtkIdType id, bool two, End& end) co
   return true;
 }
 
-/// A disk's radius, or how wide its triangles are, if these are narrower: where a strip ends tells an edge across it.
+/// A disk's radius, or how wide its triangles are, if these are narrower: at a strip's end the edge across it tells the border.
 float vtkPointSplatMeshBorders::GetScale(vtkIdType id) const
 {
   double widest = 0;
