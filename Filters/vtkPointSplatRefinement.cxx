@@ -28,7 +28,7 @@ constexpr float LikeNormal = 0.8f;
 /// In how many parts a triangle's sides are divided by the places that have to be covered.
 constexpr int CoveredParts = 6;
 /// How many times as large as grading lets it a fill point may be.
-constexpr float MostGraded = 2;
+constexpr float MostGraded = 1.5f;
 /// How often fill points are graded, and what is long then divided: each time fewer are.
 constexpr int MostRounds = 3;
 /// Each division halves an edge: more are those of sizes that next to nothing is left of.
