@@ -285,6 +285,10 @@ void vtkPointSplatEstimates::TakeFill(const vtkPointSplatRefinement& fill)
 
 void vtkPointSplatEstimates::MakeFill()
 {
+  if (this->NumberOfPoints == 0)
+  {
+    return;
+  }
   const std::vector<vtkIdType>& sources = this->Split.Sources;
   const vtkIdType own = this->NumberOfPoints - static_cast<vtkIdType>(sources.size());
   for (vtkPointSplatRefinement::Point& point : this->Fill)

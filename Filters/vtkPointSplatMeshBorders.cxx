@@ -36,6 +36,8 @@ constexpr std::size_t MostListed = 64;
 /// How far the border is followed, in a point's radii, to tell where it goes, and over how many edges at most: vertices of
 /// isosurfaces lie as near to one another as they like, and an edge between two that nearly coincide goes anywhere.
 constexpr float LeastEdge = 0.002f;
+/// ... or of how wide triangles are, but no less than that of the radius: slivers beside such an edge are narrower.
+constexpr float NarrowShare = 0.05f;
 constexpr int MostSteps = 16;
 /// How far a triangle's normal may be from a disk's whose plane it is in, as a cosine (60 degrees).
 constexpr float AlikePlane = 0.5f;
@@ -186,13 +188,14 @@ bool vtkPointSplatMeshBorders::FindOwnLines(vtkIdType id, bool two, End& end) co
   return true;
 }
 
-/// A disk's radius, or how wide its triangles are, if these are narrower: at a strip's end the edge across it tells the border.
+/// A disk's radius, or how wide its triangles are, if these are narrow: at a strip's end the edge across it tells the border.
 float vtkPointSplatMeshBorders::GetScale(vtkIdType id) const
 {
   double widest = 0;
   this->Fans.VisitTriangles(
     id, [&](const vtkIdType own[3]) { widest = std::max(widest, this->Fans.GetShape(own).Height); });
-  return std::min(this->Radii->GetValue(id), static_cast<float>(widest));
+  const float radius = this->Radii->GetValue(id);
+  return std::clamp(static_cast<float>(widest), NarrowShare * radius, radius);
 }
 
 float vtkPointSplatMeshBorders::GetReach(vtkIdType id) const

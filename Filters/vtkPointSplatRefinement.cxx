@@ -105,9 +105,14 @@ vtkPointSplatRefinement::Corner vtkPointSplatRefinement::Divide(const Corner& a,
 {
   const auto [known, isNew] = this->Middles.try_emplace(std::minmax(a.Of, b.Of));
   Middle& middle = known->second;
-  if (isNew)
+  const Point p = isNew ? this->Get(known->first.first) : Point(), q = isNew ? this->Get(known->first.second) : Point();
+  if (isNew && std::equal(p.X, p.X + 3, q.X))
   {
-    const Point p = this->Get(known->first.first), q = this->Get(known->first.second), made = this->MakeMiddle(p, q);
+    middle = { known->first.first, { { 0, 0, 0 } } }; // one point stands for both ends
+  }
+  else if (isNew)
+  {
+    const Point made = this->MakeMiddle(p, q);
     middle.Of = FirstIndex + this->Points.size();
     if (!this->FindNear(made, middle.Of))
     {
@@ -120,6 +125,12 @@ vtkPointSplatRefinement::Corner vtkPointSplatRefinement::Divide(const Corner& a,
     }
   }
   Corner corner{ middle.Of, middle.Rise };
+  if (!this->GetRoom)
+  {
+    // A cloud's triangles overlap, and cover what lies between.
+    this->GetPlace(middle.Of, corner.At.data());
+    return corner;
+  }
   for (int c = 0; c < 3; ++c)
   {
     corner.At[c] += 0.5 * (a.At[c] + b.At[c]);

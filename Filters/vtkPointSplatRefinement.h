@@ -25,8 +25,8 @@
  *    squares of their sizes: a fillet's curvature says nothing of the face beside it. Half way to a tip it is twice that of
  *    the other end.
  * 4. *Cover.* The splats of the triangles that remain are larger, in the same proportion, where those of its three
- *    corners do not cover one together; sizes stay as they are. A triangle stays where it was, though other points stand for its
- *    corners: of a strip that is narrower than they are large these lie in one row, and the strip's other side is to be covered, too.
+ *    corners do not cover one together; sizes stay as they are. A mesh's triangle stays where it was, though other points stand for
+ *    its corners: of a strip that is narrower than they are large these lie in one row, and the strip's other side is to be covered, too.
  * 5. Ends, and weights of them, tell what else a fill point has: of up to three sites.
  *
  * Numbers of fill points depend on the triangles alone, and not on what is drawn: there are none where
@@ -76,7 +76,7 @@ public:
   vtkPointSplatRefinement(
     const vtkPointSplatStars& stars, const float* normals, const float* curvatures);
 
-  /// If set, gives the largest radius that the splat of a fill point has room for.
+  /// Of a mesh, gives the largest radius that the splat of a fill point has room for.
   std::function<float(const Point&)> GetRoom;
 
   /// Returns false if more than most points are to be made, or are expected to be.
