@@ -453,6 +453,7 @@ void TestTip()
 
 int TestSplatMeshFaces(int, char*[])
 {
+  Expect(MakeSplats(MakeEmpty())->GetNumberOfPoints() == 0, "no points have no splats");
   TestPolygons();
   TestSlit();
   TestLongEdge();
