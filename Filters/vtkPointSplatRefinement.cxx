@@ -293,15 +293,16 @@ const float* vtkPointSplatRefinement::GetPlace(Index index, double x[3]) const
   return this->Normals + std::size_t(3) * site;
 }
 
-/// Whether a point shares an end with another, and is on the same side of an edge at which a mesh was split: ends of theirs in
-/// one place are two there. What shares none may lie across a gap.
+/// Whether a point is on the same side as another of an edge at which a mesh was split: ends of theirs in one place are two
+/// there. And whether it shares an end with it: of a mesh what shares none may lie across a gap, of a cloud two sites may just
+/// see triangles in different ways.
 bool vtkPointSplatRefinement::IsOfOne(const Point& point, Index other) const
 {
   const Site site = static_cast<Site>(other);
   const Point* fill = other >= FirstIndex ? &this->Points[other - FirstIndex] : nullptr;
   const Site* ends = fill ? fill->Ends : &site;
   const int count = fill ? fill->Count : 1;
-  bool shared = false;
+  bool shared = !this->GetRoom;
   for (int k = 0; k < point.Count; ++k)
   {
     double x[3], y[3];

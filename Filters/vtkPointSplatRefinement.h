@@ -12,9 +12,10 @@
  *    edges, by powers of two, are divided first, and of these one after the other along a curve that fills space, so that
  *    what is near is near in memory, too. What is made depends on what is near, and but for ties not on the order of points.
  *    Sizes are graded to the middle from both ends, and at most ShareOfEdge of the edge.
- *    Where some point of about that size, a site or a fill point, lies within ShareOfSize of its place, and shares an end with
- *    it, that takes its: needles between a point and a dense row beside it have one row of fill points, and not each its own, and
- *    triangles that two sites see in different ways have the same. What shares none may lie across a gap.
+ *    Where some point of about that size, a site or a fill point, lies within ShareOfSize of its place, that takes
+ *    its: needles between a point and a dense row beside it have one row of fill points, and not each its own, and
+ *    triangles that two sites see in different ways have the same. Of a mesh both share an end: what shares none may lie across
+ *    a gap.
  *    Then sizes are graded across the triangles that are left, too, to within MostGraded, and what is long by that divided.
  * 3. A fill point's normal is the mean of the ends'. The second one's is turned, as normals that are not
  *    consistently oriented have to be, where it points against the first one's mirror image and its part across
