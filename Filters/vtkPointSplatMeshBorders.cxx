@@ -36,9 +36,10 @@ constexpr std::size_t MostListed = 64;
 /// How far the border is followed, in a point's radii, to tell where it goes, and over how many edges at most: vertices of
 /// isosurfaces lie as near to one another as they like, and an edge between two that nearly coincide goes anywhere.
 constexpr float LeastEdge = 0.002f;
-/// ... or of how wide triangles are, but no less than that of the radius: slivers beside such an edge are narrower.
-constexpr float NarrowShare = 0.05f;
 constexpr int MostSteps = 16;
+/// Where triangles are narrower than a radius it is followed for that share of their width, and as if they were no narrower
+/// than that of the radius: slivers beside such an edge are.
+constexpr float NarrowShare = 0.05f;
 /// How far a triangle's normal may be from a disk's whose plane it is in, as a cosine (60 degrees).
 constexpr float AlikePlane = 0.5f;
 // The next two are from there, too.
@@ -124,7 +125,7 @@ vtkPointSplatMeshBorders::Side vtkPointSplatMeshBorders::Walk(
 }
 
 /// Returns whether the point is of those that have lines.
-bool vtkPointSplatMeshBorders::FindOwnLines(vtkIdType id, bool two, End& end) const
+bool vtkPointSplatMeshBorders::FindOwnLines(vtkIdType id, float least, bool two, End& end) const
 {
   std::vector<vtkPointSplatFans::BorderEdge> edges;
   for (const vtkPointSplatFans::BorderEdge& edge : this->Fans.GetBorderEdges(id))
@@ -151,7 +152,6 @@ bool vtkPointSplatMeshBorders::FindOwnLines(vtkIdType id, bool two, End& end) co
   }
   const float* normal = this->Planes->GetPointer(3 * id);
   const vtkPointSplatBorderPlane plane(normal);
-  const float least = LeastEdge * this->GetScale(id);
   Side sides[2];
   float nearest = std::numeric_limits<float>::max();
   for (std::size_t k = 0; k < edges.size(); ++k)
@@ -188,14 +188,14 @@ bool vtkPointSplatMeshBorders::FindOwnLines(vtkIdType id, bool two, End& end) co
   return true;
 }
 
-/// A disk's radius, or how wide its triangles are, if these are narrow: at a strip's end the edge across it tells the border.
-float vtkPointSplatMeshBorders::GetScale(vtkIdType id) const
+/// How far off a point tells where a disk's border goes: where its triangles are narrow, at a strip's end, the edge across does.
+float vtkPointSplatMeshBorders::GetLeast(vtkIdType id) const
 {
   double widest = 0;
   this->Fans.VisitTriangles(
     id, [&](const vtkIdType own[3]) { widest = std::max(widest, this->Fans.GetShape(own).Height); });
   const float radius = this->Radii->GetValue(id);
-  return std::clamp(static_cast<float>(widest), NarrowShare * radius, radius);
+  return LeastEdge * std::clamp(static_cast<float>(widest), NarrowShare * radius, radius);
 }
 
 float vtkPointSplatMeshBorders::GetReach(vtkIdType id) const
@@ -447,10 +447,9 @@ void vtkPointSplatMeshBorders::Take(const Disk& disk, const std::vector<Edge>& e
   }
 }
 
-void vtkPointSplatMeshBorders::AddNearLines(const Near* first, const Near* last, End& end) const
+void vtkPointSplatMeshBorders::AddNearLines(const Near* first, const Near* last, float least, End& end) const
 {
   const Disk disk{ this->Fans.GetPosition(end.Id), this->Planes->GetPointer(3 * end.Id), this->Radii->GetValue(end.Id) };
-  const float least = LeastEdge * this->GetScale(end.Id);
   std::vector<Edge> edges;
   for (const Near* near = first; near != last; ++near)
   {
@@ -557,9 +556,14 @@ std::vector<vtkPointSplatMeshBorders::End> vtkPointSplatMeshBorders::FindEnds(co
     {
       const Near* first = near.data() + firsts[i];
       ends[i].Id = first->Id;
-      if (this->Radii->GetValue(first->Id) > 0 && this->FindOwnLines(first->Id, two, ends[i]))
+      if (!(this->Radii->GetValue(first->Id) > 0))
       {
-        this->AddNearLines(first, near.data() + firsts[i + 1], ends[i]);
+        continue;
+      }
+      const float least = this->GetLeast(first->Id);
+      if (this->FindOwnLines(first->Id, least, two, ends[i]))
+      {
+        this->AddNearLines(first, near.data() + firsts[i + 1], least, ends[i]);
       }
     }
   });

@@ -111,8 +111,8 @@ private:
   };
   void Face(vtkIdType from, const vtkPointSplatFans::BorderEdge& edge, const float normal[3], Side& side) const;
   Side Walk(vtkIdType id, const vtkPointSplatFans::BorderEdge& edge, const float normal[3], float least) const;
-  bool FindOwnLines(vtkIdType id, bool two, End& end) const;
-  float GetScale(vtkIdType id) const;
+  bool FindOwnLines(vtkIdType id, float least, bool two, End& end) const;
+  float GetLeast(vtkIdType id) const;
   float GetReach(vtkIdType id) const;
   float GetDistance(vtkIdType border, vtkIdType id) const;
   /// An edge of the border near to a disk, in its plane.
@@ -147,7 +147,7 @@ private:
   static std::array<float, 8> FindPassed(const Edge& edge, const float clip[6], float reach, const float part[2]);
   static float GetRoom(const Edge& edge, const float clip[6], float radius);
   static void Take(const Disk& disk, const std::vector<Edge>& edges, float clip[6], float& room);
-  void AddNearLines(const Near* first, const Near* last, End& end) const;
+  void AddNearLines(const Near* first, const Near* last, float least, End& end) const;
   void GetOffset(const double from[3], vtkIdType to, float d[3]) const;
 
   const vtkPointSplatFans& Fans;

@@ -100,29 +100,37 @@ void vtkPointSplatRefinement::AddEnds(const Point& of, Point& to) const
   }
 }
 
+/// Makes the point in the middle between two, unless there is one near to it.
+vtkPointSplatRefinement::Middle vtkPointSplatRefinement::AddMiddle(Index a, Index b)
+{
+  const Point p = this->Get(a), q = this->Get(b);
+  Middle middle{ a, { { 0, 0, 0 } } };
+  if (std::equal(p.X, p.X + 3, q.X))
+  {
+    return middle; // one point stands for both ends
+  }
+  const Point made = this->MakeMiddle(p, q);
+  middle.Of = FirstIndex + this->Points.size();
+  if (!this->FindNear(made, middle.Of))
+  {
+    this->Points.push_back(made);
+    this->Insert(middle.Of, made.X, made.Size);
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    middle.Rise[c] = made.X[c] - 0.5 * (p.X[c] + q.X[c]);
+  }
+  return middle;
+}
+
 /// Gives the corner in the middle of an edge.
 vtkPointSplatRefinement::Corner vtkPointSplatRefinement::Divide(const Corner& a, const Corner& b)
 {
   const auto [known, isNew] = this->Middles.try_emplace(std::minmax(a.Of, b.Of));
   Middle& middle = known->second;
-  const Point p = isNew ? this->Get(known->first.first) : Point(), q = isNew ? this->Get(known->first.second) : Point();
-  if (isNew && std::equal(p.X, p.X + 3, q.X))
+  if (isNew)
   {
-    middle = { known->first.first, { { 0, 0, 0 } } }; // one point stands for both ends
-  }
-  else if (isNew)
-  {
-    const Point made = this->MakeMiddle(p, q);
-    middle.Of = FirstIndex + this->Points.size();
-    if (!this->FindNear(made, middle.Of))
-    {
-      this->Points.push_back(made);
-      this->Insert(middle.Of, made.X, made.Size);
-    }
-    for (int c = 0; c < 3; ++c)
-    {
-      middle.Rise[c] = made.X[c] - 0.5 * (p.X[c] + q.X[c]);
-    }
+    middle = this->AddMiddle(known->first.first, known->first.second);
   }
   Corner corner{ middle.Of, middle.Rise };
   if (!this->GetRoom)

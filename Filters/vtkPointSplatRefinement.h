@@ -126,6 +126,13 @@ private:
   Point Get(Index index) const;
   float GetSize(Index index) const;
   bool IsLong(const Corner& a, const Corner& b, double& length) const;
+  /// The point in an edge's middle, and how far that is off the chord's.
+  struct Middle
+  {
+    Index Of;
+    Place Rise;
+  };
+  Middle AddMiddle(Index a, Index b);
   Corner Divide(const Corner& a, const Corner& b);
   Point MakeMiddle(const Point& p, const Point& q) const;
   void AddEnds(const Point& of, Point& to) const;
@@ -143,12 +150,6 @@ private:
     {
       return std::hash<Index>()(edge.first * 0x9e3779b97f4a7c15u ^ edge.second);
     }
-  };
-  /// The point in an edge's middle, and how far that is off the chord's.
-  struct Middle
-  {
-    Index Of;
-    Place Rise;
   };
   std::unordered_map<std::pair<Index, Index>, Middle, Hash> Middles;
   std::map<int, std::vector<Part>> Parts; // by their lengths' exponents

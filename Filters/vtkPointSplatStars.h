@@ -126,8 +126,8 @@ public:
   /// sparser: there just their denser part ends. In order.
   std::vector<Site> FindContinued(const Cloud& cloud) const;
 
-  /// Takes the triangles of a mesh's uneven sites, and of those that grading makes uneven. getRadius: of a site's disk, or 0 if it stays
-  /// as it is.
+  /// Takes the triangles of a mesh's uneven sites, and of those that grading makes uneven. getRadius: of a site's disk, or 0 if
+  /// that stays as it is.
   void Find(const vtkPointSplatFans& mesh, const std::function<float(Site)>& getRadius);
 
   /// The radius of the splat of an uneven site.
