@@ -16,8 +16,10 @@
  * 2. A leaf stores its positions as floats relative to its own origin (a double), so that
  *    neighbours are exact to float's precision of their *distance*, wherever the cloud lies
  *    and whatever outliers it has.
- * 3. For a leaf, candidates from the leaves next to it in the tree's order, as many leaves as have enough points,
- *    bound the search radius; one walk over the tree collects the leaves within that bound for all its points.
+ * 3. For a leaf, neighbours are looked for within the radius in which there are more than enough of them, if the
+ *    surface about is as dense as in the leaf; one walk over the tree collects the leaves within it for all its
+ *    points. Those that have too few there are searched for again: candidates from the leaves next to it in the
+ *    tree's order, as many leaves as have enough points, bound the radius.
  *
  * Nodes lie in depth-first order with the index of the next node to visit when one is
  * skipped, so the walk needs no stack.
@@ -47,6 +49,10 @@ public:
   static constexpr int MaximumNumberOfNeighbors = 128;
   static constexpr int NumberOfSpreadNeighbors = 64;
   static constexpr Slot None = std::numeric_limits<Slot>::max();
+
+  /// A neighbour's squared distance, whose bits are the upper half, and below them its slot or when it was found: as
+  /// doubles these are in the order of distances, which are none below zero, and comparing them needs no branch.
+  using Key = double;
 
   /// The neighbours of one slot, nearest first, none at the same position.
   struct Neighborhood
@@ -125,27 +131,45 @@ private:
   };
   struct Scratch
   {
-    std::vector<float> Distances; // k for each lane, ascending
+    std::vector<Key> Keys;    // k for each lane, ascending
+    std::vector<Key> Nearest; // of another search
+    std::vector<std::uint32_t> Leaves, Scanned;
+    std::uint32_t First, Last; // of the leaves around
+    std::vector<float> X, Y, Z, Distances; // of one neighbourhood
     std::vector<Slot> Slots;
-    std::vector<std::uint32_t> Leaves;
-    std::vector<float> X, Y, Z;
-    int Counts[LeafSize];
-    std::vector<float> NearestDistances; // of another search
-    std::vector<Slot> NearestSlots;
   };
   struct Builder;
 
   static constexpr unsigned int AllLanes = (1u << LeafSize) - 1;
 
   void GetBox(std::uint32_t leaf, double bounds[6]) const;
-  static double GetSquaredDistance(const double a[6], const double b[6]);
+  /// The squared distance of two boxes.
+  static double GetSquaredDistance(const double a[6], const double b[6])
+  {
+    double sum = 0;
+    for (int c = 0; c < 3; ++c)
+    {
+      const double d = std::max(std::max(a[c] - b[c + 3], b[c] - a[c + 3]), 0.0);
+      sum += d * d;
+    }
+    return sum;
+  }
 
   // spread: at most one neighbour a leaf.
   void SearchLeaf(
     std::uint32_t leaf, unsigned int lanes, int k, bool spread, Scratch& scratch) const;
+  // Which leaves are next to one in the tree's order.
+  void SetAround(std::uint32_t leaf, int k, bool spread, Scratch& scratch) const;
+  void ScanAround(
+    std::uint32_t leaf, unsigned int lanes, int k, bool spread, Scratch& scratch) const;
+  void ScanOthers(
+    std::uint32_t leaf, unsigned int lanes, int k, bool spread, Scratch& scratch) const;
+  // Returns the lanes that have fewer than k neighbours within the radius.
+  unsigned int SearchWithin(
+    double squared, std::uint32_t leaf, unsigned int lanes, int k, Scratch& scratch) const;
   void Scan(const Leaf& from, std::uint32_t other, unsigned int lanes, int k, bool self,
     bool spread, Scratch& scratch) const;
-  static void Keep(int k, Scratch& scratch);
+  static void Keep(Scratch& scratch);
   /// Adds those that were kept, of k a lane, and returns how many a lane has.
   static int Merge(int k, Scratch& scratch);
   Neighborhood Describe(std::uint32_t leaf, int lane, int k, Scratch& scratch) const;
@@ -202,7 +226,7 @@ bool vtkPointSplatNeighbors::VisitRounds(vtkAlgorithm* self, double from, double
         int count = round == 0 ? k : round == 1 ? more : NumberOfSpreadNeighbors;
         if (Widely && round == 2)
         {
-          Keep(more, scratch);
+          Keep(scratch);
         }
         this->SearchLeaf(leafId, lanes, count, round == 2, scratch);
         if (Widely && round == 2)
