@@ -45,10 +45,10 @@ constexpr float AlikePlane = 0.5f;
 // The next two are from there, too.
 /// Lines do not go through the points themselves, but so many lengths of the edge off, or distances of the next one if that is
 /// nearer: their vectors are finite.
-constexpr float LeastOff = 0.002f;
+constexpr float LeastOff = 0.0005f;
 /// How far past an edge that has no line a kernel may reach, of its reach: where an outline bends it does. And how far past a
 /// reflex corner one line across that may be, of the radius.
-constexpr float MostPast = 0.05f;
+constexpr float MostPast = 0.03f;
 /// What is left of a disk where faces meet in its point alone, which two lines cannot end.
 constexpr float PinchShare = 0.05f;
 /// Products with lines up to which a place is kept, and not just on them.

@@ -61,6 +61,11 @@ const float SteepFacing = 0.35;
 // Splats seen at a flatter angle than this belong to layers of their own side only: large ones
 // may reach to a silhouette from where they are seen less flat.
 const float OwnSideFacing = 0.7;
+// Of two clip lines, which are about parallel if what they keep is on opposite sides of them to this cosine.
+const float LeastOpposite = 0.7;
+// The least layer distance of splats at the edges of flat faces, of the others'. With 0.2 walls that are thin beside their
+// faces' triangles are blended, with 0.05 edges are less smooth (Testing/Accuracy/likeness.py channel, cog, slab).
+const float FlatLayer = 0.1;
 
 // The strongest bend, as K's eigenvalue: the normal turns 45 degrees at the rim.
 const float LargestBend = 1.0;
@@ -216,6 +221,23 @@ bool placeSplat(vec3 positionMC, uvec3 shape, vec3 axis1MC, vec3 axis2MC, float 
   return (Culling & (back ? 1 : 2)) == 0 && q.depth + deep > 0.0 && q.depth - deep < DepthRange.y &&
     w >= 1e-6 * longest && w > 0.0;
 }
+
+#ifdef CLIP_LINES
+// Clips a splat. What ends at lines ends before another face, which lies no farther off than its radius: one that does not
+// bend is of a flat face, whose other splats lie in its plane, and between two lines that are about parallel it is as wide
+// as these leave it. So far apart are layers there.
+void clipSplat(inout Splat q, vec4 lines)
+{
+  q.lines = lines;
+  float first = length(lines.xy);
+  float second = length(lines.zw);
+  bool clipped = max(first, second) > 0.0;
+  bool between = dot(lines.xy, lines.zw) < -LeastOpposite * first * second;
+  float width = between ? min(0.5 / first + 0.5 / second, 1.0) : 1.0; // of the disk's
+  width = Circular && clipped && q.bend == vec3(0.0) ? min(width, FlatLayer) : width;
+  q.layer = LayerDistance + width * (q.layer - LayerDistance);
+}
+#endif
 
 bool isEdgeOn(float facing)
 {

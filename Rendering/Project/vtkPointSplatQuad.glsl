@@ -81,7 +81,8 @@ bool spanQuad()
   splatSAndLean = vec4(q.s, q.lean.x);
   splatTAndLean = vec4(q.t, q.lean.y);
 #ifdef CLIP_LINES
-  splatLines = HasClipLines ? RadiusScale * clipLines : vec4(0.0);
+  clipSplat(q, HasClipLines ? RadiusScale * clipLines : vec4(0.0));
+  splatLines = q.lines;
 #endif
   splatNarrow = q.narrow;
   splatMAndLayer = vec4(q.m, q.layer);

@@ -184,6 +184,14 @@ def lens():
     return with_shared_points(split("lens", merged(mesh)))
 
 
+def channel(wall=0.04):
+    """Bent sheet metal: walls that are thin beside the two triangles of each face."""
+    side, floor = 0.5, -0.3
+    profile = [(-side, side), (-side + wall, side), (-side + wall, floor + wall), (side - wall, floor + wall),
+               (side - wall, side), (side, side), (side, floor), (-side, floor)]
+    return with_shared_points(body("channel", extruded(profile[::-1], 2.0)))
+
+
 def ledge(steps=6):
     """A bar whose flat face is three narrow and long triangles wide, beside one that is round."""
     angles = np.pi / 2 * np.arange(steps + 1) / steps

@@ -112,7 +112,7 @@ CONSTANTS = {
     "MostBend": ("vtkPointSplatStars.cxx", (0.3, 0.4, 0.5, 0.6), LONG + ("meshes:tubes_contour",)),
     "WidthShare": ("vtkPointSplatStars.cxx", (0.0, 0.5, 0.8, 1.2), LONG + ("meshes:tubes_contour",)),
     "TipShare": ("vtkPointSplatStars.cxx", (0.02, 0.05, 0.2), ("arrow",)),
-    "MostPast": ("vtkPointSplatMeshBorders.cxx", (0.02, 0.05, 0.1), LONG),
+    "MostPast": ("vtkPointSplatMeshBorders.cxx", (0.02, 0.03, 0.05, 0.1), LONG),
     "NarrowShare": ("vtkPointSplatMeshBorders.cxx", (0.01, 0.05, 1.0), ("slab", "ledge", "meshes:cut_noisy")),
     "LeastEdge": ("vtkPointSplatMeshBorders.cxx", (0.002, 0.01, 0.1), ("slab", "meshes:cut_edges", "meshes:cut_noisy")),
     "LeastOff": ("vtkPointSplatMeshBorders.cxx", (0.0005, 0.002, 0.01, 0.03), ("slab", "cog")),

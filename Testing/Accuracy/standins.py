@@ -525,6 +525,7 @@ ALL = {
     "plate": cad.plate,
     "lens": cad.lens,
     "ledge": cad.ledge,
+    "channel": cad.channel,
     "cog_shared_points": lambda: cad.with_shared_points(cad.cog()),
     "cog_means": lambda: cad.with_means(cad.cog()),
     "cog_triangles_apart": lambda: triangles_of(cad.cog(), shared=False),
