@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
-#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 

@@ -227,6 +227,7 @@ struct PackWorker
           double curvature[6];
           a.Curvature->GetTuple(i, curvature);
           out[6] = CodeBend(out[4], curvature, radius);
+          out[6] |= out[6] == 0u ? FlatBit : 0u;
         }
         out[6] |= body ? BodyBit : 0u;
         out[3] = Bits(radius);

@@ -180,7 +180,7 @@ void main()
   ivec2 tiles = last - first;
   bool isWide = max(tiles.x, tiles.y) >= WideTiles;
 #ifdef CLIP_LINES
-  clipSplat(q, HasClipLines ? RadiusScale * texelFetch(ClipLineTexels, int(splat)) : vec4(0.0));
+  clipSplat(q, HasClipLines ? RadiusScale * texelFetch(ClipLineTexels, int(splat)) : vec4(0.0), b.z);
   bool isClipped = any(notEqual(q.lines, vec4(0.0)));
 #else
   const bool isClipped = false;

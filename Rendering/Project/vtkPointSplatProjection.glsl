@@ -64,7 +64,8 @@ const float OwnSideFacing = 0.7;
 // Of two clip lines, which are about parallel if what they keep is on opposite sides of them to this cosine.
 const float LeastOpposite = 0.7;
 // The least layer distance of splats at the edges of flat faces, of the others'. With 0.2 walls that are thin beside their
-// faces' triangles are blended, with 0.05 edges are less smooth (Testing/Accuracy/likeness.py channel, cog, slab).
+// faces' triangles are blended, with 0.05 edges are less smooth (Testing/Accuracy/likeness.py channel, cog, slab); if others
+// of flat faces have it, too, these do not blend with the round ones that they go over into (part_triangles).
 const float FlatLayer = 0.1;
 
 // The strongest bend, as K's eigenvalue: the normal turns 45 degrees at the rim.
@@ -73,6 +74,7 @@ const float BendSteps = 511.0;
 // Bits of K's code: the three elements, and whether the splat is a body alone.
 const uint BendMask = 0x3fffffffu;
 const uint BodyBit = 0x40000000u;
+const uint FlatBit = 0x80000000u; // it is known not to bend
 // Pixels, the least radius of a body: times DiskReach (vtkPointSplatReach.h), 1.15, it is half of a
 // pixel's diagonal, so that no body falls between the pixels' centres.
 const float LeastBody = 0.62;
@@ -223,10 +225,10 @@ bool placeSplat(vec3 positionMC, uvec3 shape, vec3 axis1MC, vec3 axis2MC, float 
 }
 
 #ifdef CLIP_LINES
-// Clips a splat. What ends at lines ends before another face, which lies no farther off than its radius: one that does not
-// bend is of a flat face, whose other splats lie in its plane, and between two lines that are about parallel it is as wide
-// as these leave it. So far apart are layers there.
-void clipSplat(inout Splat q, vec4 lines)
+// Clips a splat. What ends at lines ends before another face, which lies no farther off than its radius. If it is known not to
+// bend it is of a flat one, whose other splats lie in its plane; and between two lines that are about parallel it is as wide
+// as these leave it. So far apart are layers there. code: of its bend.
+void clipSplat(inout Splat q, vec4 lines, uint code)
 {
   q.lines = lines;
   float first = length(lines.xy);
@@ -234,7 +236,7 @@ void clipSplat(inout Splat q, vec4 lines)
   bool clipped = max(first, second) > 0.0;
   bool between = dot(lines.xy, lines.zw) < -LeastOpposite * first * second;
   float width = between ? min(0.5 / first + 0.5 / second, 1.0) : 1.0; // of the disk's
-  width = Circular && clipped && q.bend == vec3(0.0) ? min(width, FlatLayer) : width;
+  width = clipped && (code & FlatBit) != 0u ? min(width, FlatLayer) : width;
   q.layer = LayerDistance + width * (q.layer - LayerDistance);
 }
 #endif

@@ -81,7 +81,7 @@ bool spanQuad()
   splatSAndLean = vec4(q.s, q.lean.x);
   splatTAndLean = vec4(q.t, q.lean.y);
 #ifdef CLIP_LINES
-  clipSplat(q, HasClipLines ? RadiusScale * clipLines : vec4(0.0));
+  clipSplat(q, HasClipLines ? RadiusScale * clipLines : vec4(0.0), shape.z);
   splatLines = q.lines;
 #endif
   splatNarrow = q.narrow;

@@ -92,7 +92,7 @@ CONSTANTS = {
     "Sparser": ("vtkPointSplatStars.cxx", (1.5, 2, 3), DISCS + ("holed_ball",)),
     "LongEdge": ("vtkPointSplatRefinement.cxx", (1.5, 1.7, 2.0), DISCS + FOLDS),
     "ShareOfEdge": ("vtkPointSplatRefinement.cxx", (0.5, 0.55, 0.6), DISCS + FOLDS),
-    "ShareOfSize": ("vtkPointSplatRefinement.cxx", (0.2, 0.4, 0.6), DISCS + FOLDS),
+    "ShareOfSize": ("vtkPointSplatRefinementNear.cxx", (0.2, 0.4, 0.6), DISCS + FOLDS),
     "MostGraded": ("vtkPointSplatRefinement.cxx", (1.2, 1.5, 2, 1000), ("ledge", "wire", "thick_slices") + ROUGH),
     "LengthPerEdge": ("vtkPointSplatFansDisk.cxx", (0.56, 0.62, 0.68),
                       ("meshes:drapery_vertices", "meshes:part_vertices", "meshes:tubes_edges")),
