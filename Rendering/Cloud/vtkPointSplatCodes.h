@@ -14,7 +14,7 @@ namespace vtkPointSplatCodes
 constexpr uint32_t BendMask = 0x3fffffffu;
 constexpr float BendSteps = 511.0f;
 constexpr uint32_t BodyBit = 0x40000000u;
-/// ... and set where a splat's curvature is given and too small to be coded: it is of a flat face.
+/// ... and of splats whose curvature is given and is none: these are of flat faces.
 constexpr uint32_t FlatBit = 0x80000000u;
 ///@}
 

@@ -38,6 +38,9 @@ bool Finite(const double v[3])
 
 constexpr double LargestLength = vtkPointSplatPacking::LargestLength;
 constexpr double SmallestLength = 1e-37;
+/// By less than this, radians over a radius, splats of flat faces bend: what floats leave of parts', not what a rough surface has
+/// here and there.
+constexpr double LargestFlatBend = 1e-5;
 
 /// Which part of a folded splat lies in the plane of that code; -1: none, it is the splat's first
 /// one.
@@ -227,7 +230,9 @@ struct PackWorker
           double curvature[6];
           a.Curvature->GetTuple(i, curvature);
           out[6] = CodeBend(out[4], curvature, radius);
-          out[6] |= out[6] == 0u ? FlatBit : 0u;
+          const bool flat = std::all_of(curvature, curvature + 6,
+            [radius](double c) { return std::abs(c) * radius < LargestFlatBend; });
+          out[6] |= flat ? FlatBit : 0u;
         }
         out[6] |= body ? BodyBit : 0u;
         out[3] = Bits(radius);

@@ -61,8 +61,6 @@ const float SteepFacing = 0.35;
 // Splats seen at a flatter angle than this belong to layers of their own side only: large ones
 // may reach to a silhouette from where they are seen less flat.
 const float OwnSideFacing = 0.7;
-// Of two clip lines, which are about parallel if what they keep is on opposite sides of them to this cosine.
-const float LeastOpposite = 0.7;
 // The least layer distance of splats at the edges of flat faces, of the others'. With 0.2 walls that are thin beside their
 // faces' triangles are blended, with 0.05 edges are less smooth (Testing/Accuracy/likeness.py channel, cog, slab); if others
 // of flat faces have it, too, these do not blend with the round ones that they go over into (part_triangles).
@@ -226,18 +224,12 @@ bool placeSplat(vec3 positionMC, uvec3 shape, vec3 axis1MC, vec3 axis2MC, float 
 
 #ifdef CLIP_LINES
 // Clips a splat. What ends at lines ends before another face, which lies no farther off than its radius. If it is known not to
-// bend it is of a flat one, whose other splats lie in its plane; and between two lines that are about parallel it is as wide
-// as these leave it. So far apart are layers there. code: of its bend.
+// bend it is of a flat one, whose other splats lie in its plane: so layers need not be as far apart. code: of its bend.
 void clipSplat(inout Splat q, vec4 lines, uint code)
 {
   q.lines = lines;
-  float first = length(lines.xy);
-  float second = length(lines.zw);
-  bool clipped = max(first, second) > 0.0;
-  bool between = dot(lines.xy, lines.zw) < -LeastOpposite * first * second;
-  float width = between ? min(0.5 / first + 0.5 / second, 1.0) : 1.0; // of the disk's
-  width = clipped && (code & FlatBit) != 0u ? min(width, FlatLayer) : width;
-  q.layer = LayerDistance + width * (q.layer - LayerDistance);
+  bool isOfFlat = (code & FlatBit) != 0u && any(notEqual(lines, vec4(0.0)));
+  q.layer = LayerDistance + (isOfFlat ? FlatLayer : 1.0) * (q.layer - LayerDistance);
 }
 #endif
 
