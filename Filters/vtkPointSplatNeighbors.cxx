@@ -50,6 +50,12 @@ std::uint32_t GetOrder(Key key)
   return static_cast<std::uint32_t>(GetBits(key));
 }
 
+/// Of a neighbour that there is not, farther off than any.
+Key NoKey()
+{
+  return MakeKey(std::numeric_limits<float>::infinity(), vtkPointSplatNeighbors::None);
+}
+
 /// Puts a key among k ascending ones, of which the last goes. Where it belongs is not to be foreseen: no branch
 /// asks for it.
 void Insert(Key key, int k, Key* keys)
@@ -160,8 +166,9 @@ void vtkPointSplatNeighbors::SetAround(std::uint32_t leafId, int k, bool spread,
   scratch.Last = last;
 }
 
-/// Scans a leaf itself and those around it.
-void vtkPointSplatNeighbors::ScanAround(
+/// Scans a leaf itself, those around it, and all others that then may have points nearer to those of the lanes than these'
+/// last neighbours.
+void vtkPointSplatNeighbors::ScanLeaves(
   std::uint32_t leafId, unsigned int lanes, int k, bool spread, Scratch& scratch) const
 {
   const Leaf& leaf = this->Leaves[leafId];
@@ -173,13 +180,6 @@ void vtkPointSplatNeighbors::ScanAround(
       this->Scan(leaf, other, lanes, k, false, spread, scratch);
     }
   }
-}
-
-/// Scans all other leaves that have points nearer to those of the lanes than these' last neighbours.
-void vtkPointSplatNeighbors::ScanOthers(
-  std::uint32_t leafId, unsigned int lanes, int k, bool spread, Scratch& scratch) const
-{
-  const Leaf& leaf = this->Leaves[leafId];
   float worst = 0;
   double bounds[6];
   for (int c = 0; c < 6; ++c)
@@ -232,8 +232,7 @@ unsigned int vtkPointSplatNeighbors::SearchWithin(
   }
   const Key last = MakeKey(static_cast<float>(squared), None);
   std::fill(scratch.Keys.begin(), scratch.Keys.end(), last);
-  this->ScanAround(leafId, lanes, k, false, scratch);
-  this->ScanOthers(leafId, lanes, k, false, scratch);
+  this->ScanLeaves(leafId, lanes, k, false, scratch);
   for (int lane = 0; lane < LeafSize; ++lane)
   {
     lanes &= scratch.Keys[lane * k + k - 1] == last ? AllLanes : ~(1u << lane);
@@ -244,8 +243,7 @@ unsigned int vtkPointSplatNeighbors::SearchWithin(
 void vtkPointSplatNeighbors::SearchLeaf(
   std::uint32_t leafId, unsigned int lanes, int k, bool spread, Scratch& scratch) const
 {
-  const Key noKey = MakeKey(std::numeric_limits<float>::infinity(), None);
-  scratch.Keys.assign(static_cast<std::size_t>(k) * LeafSize, noKey);
+  scratch.Keys.assign(static_cast<std::size_t>(k) * LeafSize, NoKey());
   scratch.Scanned.clear();
   this->SetAround(leafId, k, spread, scratch);
   if (!spread)
@@ -263,11 +261,10 @@ void vtkPointSplatNeighbors::SearchLeaf(
     {
       if (lanes >> lane & 1u)
       {
-        std::fill_n(scratch.Keys.begin() + static_cast<std::ptrdiff_t>(lane) * k, k, noKey);
+        std::fill_n(scratch.Keys.begin() + static_cast<std::ptrdiff_t>(lane) * k, k, NoKey());
       }
     }
-    this->ScanAround(leafId, lanes, k, spread, scratch);
-    this->ScanOthers(leafId, lanes, k, spread, scratch);
+    this->ScanLeaves(leafId, lanes, k, spread, scratch);
   }
   for (Key& key : scratch.Keys)
   {
@@ -289,8 +286,7 @@ int vtkPointSplatNeighbors::Merge(int k, Scratch& scratch)
 {
   const int nearest = std::min(k, NumberOfSpreadNeighbors);
   const int count = nearest + NumberOfSpreadNeighbors;
-  const Key noKey = MakeKey(std::numeric_limits<float>::infinity(), None);
-  std::vector<Key> merged(static_cast<std::size_t>(count) * LeafSize, noKey);
+  std::vector<Key> merged(static_cast<std::size_t>(count) * LeafSize, NoKey());
   for (int lane = 0; lane < LeafSize; ++lane)
   {
     const auto begin = merged.begin() + static_cast<std::ptrdiff_t>(lane) * count;
@@ -298,7 +294,7 @@ int vtkPointSplatNeighbors::Merge(int k, Scratch& scratch)
     std::copy_n(scratch.Keys.begin() + static_cast<std::ptrdiff_t>(lane) * NumberOfSpreadNeighbors,
       NumberOfSpreadNeighbors, begin + nearest);
     std::sort(begin, begin + count);
-    std::fill(std::unique(begin, begin + count), begin + count, noKey);
+    std::fill(std::unique(begin, begin + count), begin + count, NoKey());
   }
   scratch.Keys.swap(merged);
   return count;

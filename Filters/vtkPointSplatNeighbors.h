@@ -160,9 +160,7 @@ private:
     std::uint32_t leaf, unsigned int lanes, int k, bool spread, Scratch& scratch) const;
   // Which leaves are next to one in the tree's order.
   void SetAround(std::uint32_t leaf, int k, bool spread, Scratch& scratch) const;
-  void ScanAround(
-    std::uint32_t leaf, unsigned int lanes, int k, bool spread, Scratch& scratch) const;
-  void ScanOthers(
+  void ScanLeaves(
     std::uint32_t leaf, unsigned int lanes, int k, bool spread, Scratch& scratch) const;
   // Returns the lanes that have fewer than k neighbours within the radius.
   unsigned int SearchWithin(

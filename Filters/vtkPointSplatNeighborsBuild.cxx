@@ -53,6 +53,7 @@ void GetBounds(const Item* begin, const Item* end, double bounds[6])
     }
   }
 }
+
 /**
  * Which coordinates are the same: cells of a grid whose spacing is about that of floats as large as the cloud,
  * and so less than a 16th of that of four thousand million points all over it. Few far outliers do not widen it.

@@ -519,9 +519,9 @@ public:
 
   ///@{
   /**
-   * The least distance between two surface layers, in world units, measured along the normal: what
-   * is nearer than this belongs to one layer, with a weight that falls to 0 there. 0, the default, is
-   * automatic: each splat's own radius; a tenth of it where one ends at the edge of a flat face. GetLayerDistanceUsed() gives the distance for a splat of median size.
+   * The least distance between two surface layers, in world units, measured along the normal: what is nearer than this
+   * belongs to one layer, with a weight that falls to 0 there. 0, the default, is automatic: each splat's own radius, at
+   * edges of flat faces a tenth of it. GetLayerDistanceUsed() gives the distance for a splat of median size.
    */
   vtkPointSplatSetClampMacro(LayerDistance, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(LayerDistance, double);

@@ -181,7 +181,7 @@ void main()
   bool isWide = max(tiles.x, tiles.y) >= WideTiles;
 #ifdef CLIP_LINES
   clipSplat(q, HasClipLines ? RadiusScale * texelFetch(ClipLineTexels, int(splat)) : vec4(0.0), b.z);
-  bool isClipped = any(notEqual(q.lines, vec4(0.0)));
+  bool isClipped = endsAtLines(q);
 #else
   const bool isClipped = false;
 #endif

@@ -223,13 +223,18 @@ bool placeSplat(vec3 positionMC, uvec3 shape, vec3 axis1MC, vec3 axis2MC, float 
 }
 
 #ifdef CLIP_LINES
+bool endsAtLines(Splat q)
+{
+  return any(notEqual(q.lines, vec4(0.0)));
+}
+
 // Clips a splat. What ends at lines ends before another face, which lies no farther off than its radius. If it is known not to
 // bend it is of a flat one, whose other splats lie in its plane: so layers need not be as far apart. code: of its bend.
 void clipSplat(inout Splat q, vec4 lines, uint code)
 {
   q.lines = lines;
-  bool isOfFlat = (code & FlatBit) != 0u && any(notEqual(lines, vec4(0.0)));
-  q.layer = LayerDistance + (isOfFlat ? FlatLayer : 1.0) * (q.layer - LayerDistance);
+  bool isOfFlat = (code & FlatBit) != 0u && endsAtLines(q);
+  q.layer = isOfFlat ? mix(LayerDistance, q.layer, FlatLayer) : q.layer;
 }
 #endif
 
@@ -243,7 +248,7 @@ bool isEdgeOn(float facing)
 bool belongsToBothSides(Splat q)
 {
 #ifdef CLIP_LINES
-  if (any(notEqual(q.lines, vec4(0.0))))
+  if (endsAtLines(q))
   {
     return false;
   }
