@@ -92,6 +92,21 @@ def of_cloud(cloud):
     return mapper
 
 
+def differs(picture):
+    """Where something is drawn, by its shade."""
+    return np.logical_or.reduce([np.abs(picture[..., c] - np.float32(round(255 * value))) > 2
+                                 for c, value in enumerate(BACKGROUND)])
+
+
+def samples_of(picture):
+    """Pictures of each pixel's first sample, second sample and so on."""
+    return [picture[j::SAMPLES, i::SAMPLES] for j in range(SAMPLES) for i in range(SAMPLES)]
+
+
+def averaged(picture):
+    return sum(samples_of(picture)) / np.float32(SAMPLES ** 2)
+
+
 def compare(standin, size=512, views=4, opacity=1.0, pictures=None, light=None):
     """The figures, as a dictionary: psnr and gap a view, holes and openings of all views, the largest
     spill."""
@@ -99,23 +114,17 @@ def compare(standin, size=512, views=4, opacity=1.0, pictures=None, light=None):
     plain = View(of_mesh(standin.mesh), size, opacity, light)
     splats = View(of_cloud(standin.cloud), size, opacity, light)
     field = View(of_mesh(standin.fine()), SAMPLES * size, opacity, light) if standin.fine else None
-    background = np.round(255 * np.array(BACKGROUND))
     found = {"psnr": [], "gap": [], "holes": 0, "openings": 0, "spill": 0.0}
     if field:
         found["gap of field"] = []
 
-    def sampled(picture):
-        return picture.reshape(size, SAMPLES, size, SAMPLES, 3)
-
-    def averaged(picture):
-        return sampled(picture).mean((1, 3))
     for k in range(views):
         close = k == views - 1 and views > 1
         drawn = [view.draw(k, close, standin.mesh.GetBounds()) for view in (fine, plain, splats)]
         truth = averaged(drawn[0])
-        covered = np.abs(truth - background).max(2) > 2
-        whole = (np.abs(sampled(drawn[0]) - background).max(4) > 2).all((1, 3))
-        is_drawn = np.abs(drawn[2] - background).max(2) > 2
+        covered = differs(truth)
+        whole = np.logical_and.reduce(samples_of(differs(drawn[0])))
+        is_drawn = differs(drawn[2])
         if opacity == 1:
             depths = [depth(view.window, view.renderer) for view in (splats, plain)]
             found["openings"] += openings(*depths, BEHIND * standin.mesh.GetLength())

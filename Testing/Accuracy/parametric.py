@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Surfaces that two parameters run over: their meshes, points of theirs, and how far places are from
 them."""
+import functools
+
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersPoints import vtkPointInterpolator, vtkVoronoiKernel
@@ -41,9 +43,12 @@ def random_of(function, u_range, v_range, count, rng):
 
 
 def to_parametric(function, u_range, v_range):
-    """The distance to such a surface."""
-    u, v = np.meshgrid(np.linspace(*u_range, 1501), np.linspace(*v_range, 1001))
-    return to_points(function(u, v).reshape(-1, 3), normals_of(function, u, v).reshape(-1, 3))
+    """The distance to such a surface, whose many points are made when it is first asked for."""
+    @functools.lru_cache
+    def find():
+        u, v = np.meshgrid(np.linspace(*u_range, 1501), np.linspace(*v_range, 1001))
+        return to_points(function(u, v).reshape(-1, 3), normals_of(function, u, v).reshape(-1, 3))
+    return lambda p: find()(p)
 
 
 def to_points(points, normals):

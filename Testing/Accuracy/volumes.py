@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Stand-ins that come as volumes (standins.py): vessels, what a volume cuts off, a ball with holes, a machined
 part, thick slices."""
+import functools
 import math
 
 import numpy as np
@@ -180,9 +181,9 @@ def holed_ball(size=72):
     return StandIn("holed ball", vertices(mesh), distance, 0.7, mesh)
 
 
-def gear(extraction="edges", size=128):
-    """A machined part as a volume of distances gives it: the faces of its teeth bend, and points near their edges have
-    normals of both faces, by the field's differences. extraction: as of isosurface()."""
+@functools.lru_cache(1)
+def gear_field(size):
+    """The gear's distances, as a function of places and sampled."""
     half = (size - 1) / 2
 
     def field(p):
@@ -191,11 +192,17 @@ def gear(extraction="edges", size=128):
         teeth = r - 0.749 - 0.1 * np.clip(4 * np.cos(14 * angle), -1, 1)
         bores = [0.119 - np.hypot(x - 0.45 * math.cos(a), y - 0.45 * math.sin(a))
                  for a in np.arange(6) * math.pi / 3]
-        return np.max([teeth, np.abs(z) - 0.199, 0.181 - r, *bores], 0)
-    mesh = isosurface(sampled(field, size), "edges")
-    cloud = isosurface(sampled(field, size), extraction)
-    return StandIn("gear " + extraction, vertices(mesh) if extraction == "edges" else cloud,
-                   to_level(field), 0.7, mesh)
+        return np.maximum.reduce([teeth, np.abs(z) - 0.199, 0.181 - r, *bores])
+    return field, sampled(field, size)
+
+
+def gear(extraction="edges", size=128):
+    """A machined part as a volume of distances gives it: the faces of its teeth bend, and points near their edges have
+    normals of both faces, by the field's differences. extraction: as of isosurface()."""
+    field, values = gear_field(size)
+    mesh = isosurface(values, "edges")
+    cloud = vertices(mesh) if extraction == "edges" else isosurface(values, extraction)
+    return StandIn("gear " + extraction, cloud, to_level(field), 0.7, mesh)
 
 
 def thick_slices(ratio=4, size=72):

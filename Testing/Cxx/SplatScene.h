@@ -12,6 +12,7 @@
 #include "vtkMinimalStandardRandomSequence.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPointSplatEstimation.h"
 #include "vtkPointSplatMapper.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -187,6 +188,17 @@ inline vtkSmartPointer<vtkPolyData> Cloud(vtkPolyData* mesh)
   cloud->SetPoints(mesh->GetPoints());
   cloud->GetPointData()->SetNormals(mesh->GetPointData()->GetNormals());
   return cloud;
+}
+
+/**
+ * A cloud with sizes, which each mapper else estimates anew.
+ */
+inline vtkSmartPointer<vtkPolyData> Estimated(vtkPolyData* cloud)
+{
+  vtkNew<vtkPointSplatEstimation> estimation;
+  estimation->SetInputData(cloud);
+  estimation->Update();
+  return estimation->GetOutput();
 }
 
 /**

@@ -66,11 +66,23 @@ vtkSmartPointer<vtkPolyData> MakeSheet()
 
 vtkSmartPointer<vtkPolyData> MakeCloud(vtkPolyData* mesh)
 {
-  vtkSmartPointer<vtkPolyData> cloud = Cloud(mesh);
+  vtkSmartPointer<vtkPolyData> cloud = Estimated(Cloud(mesh));
   cloud->GetPointData()->SetScalars(mesh->GetPointData()->GetScalars());
   cloud->GetPointData()->AddArray(mesh->GetPointData()->GetArray("vectors"));
   return cloud;
 }
+
+struct Surface
+{
+  vtkSmartPointer<vtkPolyData> Mesh;
+  vtkSmartPointer<vtkPolyData> Cloud;
+
+  explicit Surface(vtkPolyData* mesh)
+    : Mesh(mesh)
+    , Cloud(MakeCloud(mesh))
+  {
+  }
+};
 
 vtkSmartPointer<vtkPolyDataMapper> MakeMapper(vtkPolyData* data, const Way* way)
 {
@@ -104,41 +116,43 @@ Picture Draw(vtkPolyData* data, const Way* way, const Change& change)
   return window.Draw();
 }
 
-void Compare(Checks& checks, const std::string& name, const Change& change)
+void Compare(
+  Checks& checks, const Surface& sphere, const std::string& name, const Change& change)
 {
-  vtkSmartPointer<vtkPolyData> mesh = MakeMesh();
-  const Picture wanted = Draw(mesh, nullptr, change);
+  const Picture wanted = Draw(sphere.Mesh, nullptr, change);
   for (const Way& way : Ways)
   {
     if (way.Method != Mapper::IMAGE_SPACE)
     {
-      checks.AtLeast(Psnr(wanted, Draw(MakeCloud(mesh), &way, change)), LeastPsnr,
+      checks.AtLeast(Psnr(wanted, Draw(sphere.Cloud, &way, change)), LeastPsnr,
         name + ", " + way.Name + ": psnr");
     }
   }
 }
 
-void CompareSheets(Checks& checks, const std::string& name, const Change& change)
+void CompareSheets(
+  Checks& checks, const Surface& sheet, const std::string& name, const Change& change)
 {
-  vtkSmartPointer<vtkPolyData> mesh = MakeSheet();
   const Change zoomed = [&](Window& window, vtkActor* actor) {
     change(window, actor);
     window.Renderer->GetActiveCamera()->Zoom(2.2);
   };
-  const Picture wanted = Draw(mesh, nullptr, zoomed);
+  const Picture wanted = Draw(sheet.Mesh, nullptr, zoomed);
   checks.AtLeast(wanted.CountDrawn(), Size * Size, name + ": pixels of the sheet");
   for (const Way& way : Ways)
   {
-    checks.AtLeast(Psnr(wanted, Draw(MakeCloud(mesh), &way, zoomed)), LeastPsnr,
+    checks.AtLeast(Psnr(wanted, Draw(sheet.Cloud, &way, zoomed)), LeastPsnr,
       name + " on a sheet, " + way.Name + ": psnr");
   }
 }
 
 void TestTables(Checks& checks)
 {
-  Compare(checks, "smooth table", [](Window&, vtkActor*) {});
-  CompareSheets(checks, "smooth table", [](Window&, vtkActor*) {});
-  Compare(checks, "colour transfer function", [](Window&, vtkActor* actor) {
+  const Surface sphere(MakeMesh());
+  const Surface sheet(MakeSheet());
+  Compare(checks, sphere, "smooth table", [](Window&, vtkActor*) {});
+  CompareSheets(checks, sheet, "smooth table", [](Window&, vtkActor*) {});
+  Compare(checks, sphere, "colour transfer function", [](Window&, vtkActor* actor) {
     vtkNew<vtkDiscretizableColorTransferFunction> function;
     function->AddRGBPoint(0.1, 0.1, 0.1, 1.0);
     function->AddRGBPoint(0.8, 0.9, 0.9, 0.9);
@@ -147,12 +161,12 @@ void TestTables(Checks& checks)
     function->Build();
     actor->GetMapper()->SetLookupTable(function);
   });
-  Compare(checks, "logarithm", [](Window&, vtkActor* actor) {
+  Compare(checks, sphere, "logarithm", [](Window&, vtkActor* actor) {
     vtkNew<vtkLookupTable> table;
     table->SetScaleToLog10();
     actor->GetMapper()->SetLookupTable(table);
   });
-  Compare(checks, "magnitude of vectors", [](Window&, vtkActor* actor) {
+  Compare(checks, sphere, "magnitude of vectors", [](Window&, vtkActor* actor) {
     vtkNew<vtkLookupTable> table;
     table->SetVectorModeToMagnitude();
     actor->GetMapper()->SetLookupTable(table);
@@ -160,7 +174,7 @@ void TestTables(Checks& checks)
     actor->GetMapper()->SelectColorArray("vectors");
     actor->GetMapper()->SetScalarRange(0.5, 2.5);
   });
-  Compare(checks, "below and above the range", [](Window&, vtkActor* actor) {
+  Compare(checks, sphere, "below and above the range", [](Window&, vtkActor* actor) {
     vtkNew<vtkLookupTable> table;
     table->SetHueRange(0.2, 0.5);
     table->UseBelowRangeColorOn();
@@ -181,10 +195,10 @@ void TestTables(Checks& checks)
     }
     actor->GetMapper()->SetLookupTable(table);
   };
-  Compare(checks, "4096 grey bands", bands);
-  CompareSheets(checks, "4096 grey bands", bands);
+  Compare(checks, sphere, "4096 grey bands", bands);
+  CompareSheets(checks, sheet, "4096 grey bands", bands);
   // Few entries of a range a hundred times as wide as the table's.
-  Compare(checks, "narrow range", [](Window&, vtkActor* actor) {
+  Compare(checks, sphere, "narrow range", [](Window&, vtkActor* actor) {
     actor->GetMapper()->SetScalarRange(1.09, 1.11);
     vtkNew<vtkLookupTable> table;
     table->SetNumberOfTableValues(2);
@@ -305,15 +319,15 @@ void TestNan(Checks& checks)
 /// The half of a sphere to one side, with the same radii everywhere.
 vtkSmartPointer<vtkPolyData> Half(double side)
 {
-  vtkSmartPointer<vtkPolyData> all = MakeCloud(MakeMesh(120));
-  for (vtkIdType i = 0; i < all->GetNumberOfPoints(); ++i)
+  vtkSmartPointer<vtkPolyData> mesh = MakeMesh(120);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
     double p[3];
-    all->GetPoint(i, p);
+    mesh->GetPoint(i, p);
     p[0] = 0.4 * p[0] + 0.3 * side;
-    all->GetPoints()->SetPoint(i, p);
+    mesh->GetPoints()->SetPoint(i, p);
   }
-  return all;
+  return MakeCloud(mesh);
 }
 
 /// Clouds with other tables, and without the flag, beside one another: each as if alone.
@@ -323,6 +337,7 @@ void TestSeveral(Checks& checks)
   grey->SetHueRange(0.0, 0.0);
   grey->SetSaturationRange(0.0, 0.0);
   grey->SetValueRange(0.3, 1.0);
+  const vtkSmartPointer<vtkPolyData> halves[] = { Half(-1.0), Half(1.0) };
   for (const bool flag : { false, true })
   {
     for (const Way& way : Ways)
@@ -333,8 +348,7 @@ void TestSeveral(Checks& checks)
         Window window;
         for (int side = 0; side < 2; ++side)
         {
-          vtkSmartPointer<vtkPolyDataMapper> mapper =
-            MakeMapper(Half(side == 0 ? -1.0 : 1.0), &way);
+          vtkSmartPointer<vtkPolyDataMapper> mapper = MakeMapper(halves[side], &way);
           mapper->SetLookupTable(side == 0 ? Saturated().Get() : grey.Get());
           mapper->SetInterpolateScalarsBeforeMapping(side == 0 || flag);
           vtkActor* actor = window.Add(mapper);
