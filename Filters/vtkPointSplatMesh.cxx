@@ -189,6 +189,10 @@ void vtkPointSplatMesh::TakeGiven(std::vector<float>& planes) const
 
 bool vtkPointSplatMesh::Split()
 {
+  if (this->Fans.AreApart() && !this->Normals.empty())
+  {
+    this->Fans.Join(this->Normals.data()); // those of one normal are one point
+  }
   if (this->Fans.IsEmpty() || this->Fans.AreApart())
   {
     return false;

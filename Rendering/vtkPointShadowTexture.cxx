@@ -235,6 +235,10 @@ bool vtkPointShadowTexture::Compute(
     {
       factors->SetTypedComponent(cloud.GetPointId(static_cast<vtkIdType>(k)), i, result[0][k]);
     }
+    for (const vtkPointSplatCopies::Copy& copy : cloud.GetCopies())
+    {
+      factors->SetTypedComponent(copy.Point, i, factors->GetTypedComponent(copy.Of, i));
+    }
     this->UpdateProgress(0.3 + 0.7 * (i + 1) / lights);
     if (this->GetAbortExecute())
     {

@@ -530,13 +530,14 @@ public:
 
   ///@{
   /**
-   * Of the input when last drawn: splats, and points that are not drawn. Where TargetError or a drag
-   * lets splats be fewer, only every GetStride()-th of them was drawn. And bytes of the images that
-   * the last frame used, shared by all splat actors of its renderer.
+   * Of the input when last drawn: splats, points that are not drawn, and copies, which others' splats are drawn for.
+   * Where TargetError or a drag lets splats be fewer, only every GetStride()-th of them was drawn. And bytes
+   * of the images that the last frame used, shared by all splat actors of its renderer.
    */
   vtkIdType GetNumberOfSplats();
   int GetStride();
   vtkIdType GetNumberOfSkippedPoints();
+  vtkIdType GetNumberOfCopies();
   vtkIdType GetImageMemorySize();
   ///@}
 

@@ -126,6 +126,7 @@ void vtkPointSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfSplats: " << this->GetNumberOfSplats() << "\n";
   os << indent << "Stride: " << this->GetStride() << "\n";
   os << indent << "NumberOfSkippedPoints: " << this->GetNumberOfSkippedPoints() << "\n";
+  os << indent << "NumberOfCopies: " << this->GetNumberOfCopies() << "\n";
   os << indent << "ImageMemorySize: " << this->GetImageMemorySize() << "\n";
 }
 

@@ -72,6 +72,10 @@ const char* vtkPointSplatMapper::GetChoices()
   {
     text << ", without " << unused << " that no cell uses";
   }
+  if (const vtkIdType copies = this->GetNumberOfCopies())
+  {
+    text << ", " << copies << " of which are drawn by the splats of others at their places";
+  }
   text << "\nerror allowed: " << vtkPointSplatChoices::Text(r.Choice.Tolerance) << ", "
        << r.Choice.BudgetReason;
   const vtkPointSplatDrafts& drafts = this->Internals->GetDrafts();
@@ -163,6 +167,12 @@ int vtkPointSplatMapper::GetStride()
 vtkIdType vtkPointSplatMapper::GetNumberOfSkippedPoints()
 {
   return this->Internals->GetCloud().GetNumberOfSkippedPoints();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPointSplatMapper::GetNumberOfCopies()
+{
+  return static_cast<vtkIdType>(this->Internals->GetCloud().GetCopies().size());
 }
 
 //------------------------------------------------------------------------------

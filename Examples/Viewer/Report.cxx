@@ -132,13 +132,15 @@ void WriteReport(const std::string& file, const Scene& scene, vtkRenderWindow* w
   for (const Surface& surface : scene.Surfaces)
   {
     vtkPointSplatMapper* mapper = surface.Mapper;
-    total += mapper->GetNumberOfSplats() - surface.NumberOfFillPoints;
+    const vtkIdType points =
+      mapper->GetNumberOfSplats() - surface.NumberOfFillPoints + mapper->GetNumberOfCopies();
+    total += points;
     double bounds[6];
     FindBounds(surface, bounds);
     const double* colour = surface.Actor->GetProperty()->GetColor();
     out << separator << "    {\"name\": " << Quoted(surface.Name) << ", \"isovalue\": "
         << (surface.Isovalue ? Number(*surface.Isovalue) : "null")
-        << ", \"points\": " << mapper->GetNumberOfSplats() - surface.NumberOfFillPoints
+        << ", \"points\": " << points
         << ", \"points_in_file\": "
         << (surface.Stream ? std::to_string(surface.Stream->GetNumberOfPointsInFile()) : "null")
         << ", \"fill_points\": " << surface.NumberOfFillPoints

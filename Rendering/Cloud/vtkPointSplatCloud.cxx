@@ -32,7 +32,7 @@ std::vector<vtkPointSplatCloud::Block> vtkPointSplatCloud::Gather(vtkDataObject*
     vtkPointSet* data = vtkPointSet::SafeDownCast(object);
     if (data && data->GetPoints() && data->GetNumberOfPoints() > 0)
     {
-      blocks.push_back({ data, flatIndex, 0, 0, nullptr });
+      blocks.push_back({ data, flatIndex, 0, 0, nullptr, nullptr });
     }
   };
   if (auto composite = vtkCompositeDataSet::SafeDownCast(input))
@@ -93,7 +93,7 @@ void vtkPointSplatCloud::Update(const vtkPointSplatCloudInput& input)
   this->Whole = input.Whole;
   this->WholeIds = input.WholeIds;
   Key splatKey = vtkPointSplatCloud::SplatKey(blocks);
-  if (!this->Follow(input, blocks, splatKey))
+  if (!this->AreCopiesSame(blocks) || !this->Follow(input, blocks, splatKey))
   {
     this->Levels.Clear();
     this->Motion.End();
@@ -213,6 +213,12 @@ vtkIdType vtkPointSplatCloud::BuildBlock(
       std::copy_n(packed.data() + words * order[i], words, to + words * i);
     }
   });
+  auto copies = std::make_shared<vtkPointSplatCopies>();
+  kept = copies->TakeOut(to, words, kept, block.Data, packing.Clip);
+  if (!copies->Get().empty())
+  {
+    block.Copies = std::move(copies);
+  }
   return static_cast<vtkIdType>(kept);
 }
 
@@ -365,9 +371,7 @@ bool vtkPointSplatCloud::BuildValues(const vtkPointSplatCloudInput& input)
   for (size_t b = 0; b < all.size(); ++b)
   {
     const Block& block = this->Blocks[b];
-    const vtkSmartPointer<vtkFloatArray> places = block.Fill
-      ? block.Fill->Extend(all[b].Coordinates.Get())
-      : all[b].Coordinates;
+    const vtkSmartPointer<vtkFloatArray> places = block.OfSplats(all[b].Coordinates.Get());
     const float* from = places->GetPointer(0);
     vtkSMPTools::For(block.First, block.First + block.Count, [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType number = begin; number < end; ++number)
@@ -413,9 +417,7 @@ void vtkPointSplatCloud::BuildFactors(vtkObject* owner)
       this->Factors.assign(static_cast<size_t>(this->Count), 0xffffffffu);
     }
     this->FactorCount = std::max(this->FactorCount, count);
-    const vtkSmartPointer<vtkDataArray> extended = block.Fill
-      ? block.Fill->Extend(factors)
-      : vtkSmartPointer<vtkDataArray>(factors);
+    const vtkSmartPointer<vtkDataArray> extended = block.OfSplats(factors);
     vtkSMPTools::For(block.First, block.First + block.Count, [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType number = begin; number < end; ++number)
       {

@@ -7,7 +7,7 @@
 //    what is missing is estimated, of blocks that are pieces of one cloud together
 //    (vtkPointSplatPieces.h). Points that cannot be drawn are left out and counted.
 // 2. Each block's splats are put into Morton order, once: tiles, blocks and caches live on
-//    neighbours that lie together.
+//    neighbours that lie together. Of those that are the same one is left (vtkPointSplatCopies.h).
 // 3. Colours, factors of lights and groups are made for them, in the same order.
 // 4. Of large clouds that stay as they are levels are made, of splats that stand for those below
 //    them (vtkPointSplatLevels.h); then splats are in the order of these, in which those of several blocks may be
@@ -52,6 +52,7 @@
 #include "vtkPointSplatBlocks.h"
 #include "vtkPointSplatBuffer.h"
 #include "vtkPointSplatCloudInput.h"
+#include "vtkPointSplatCopies.h"
 #include "vtkPointSplatFillPoints.h"
 #include "vtkPointSplatGroups.h"
 #include "vtkPointSplatLevels.h"
@@ -258,6 +259,8 @@ public:
   bool IsProjected() const { return this->Projected; }
   /// With those that the input's Whole has beside its own.
   vtkIdType GetNumberOfPoints() const;
+  /// Those that are drawn by other points' splats, which are the same: of one block after another.
+  std::vector<vtkPointSplatCopies::Copy> GetCopies() const;
   /// Of those points, how many splats are made from.
   double GetShare() const;
   /// The point, of its block, that a splat was made from.
@@ -309,6 +312,16 @@ private:
     vtkIdType First;
     vtkIdType Count;
     std::shared_ptr<const vtkPointSplatFillPoints> Fill; // or none
+    std::shared_ptr<const vtkPointSplatCopies> Copies;   // or none
+
+    /// What splats have of an array of the points: by their numbers, fill points' behind the points'.
+    template <typename Array>
+    vtkSmartPointer<Array> OfSplats(Array* array) const
+    {
+      const vtkSmartPointer<Array> means =
+        this->Copies ? this->Copies->Average(array) : vtkSmartPointer<Array>(array);
+      return this->Fill ? this->Fill->Extend(means.Get()) : means;
+    }
   };
   using ContextBuffers = std::list<std::pair<vtkPointSplatContext, Buffers>>;
 
@@ -392,6 +405,9 @@ private:
     const vtkPointSplatCloudInput& input, const std::vector<Block>& blocks, const Key& key);
   /// False where some block has points that are not drawn, or what is given says more than radii.
   static bool CanMove(const std::vector<Block>& blocks);
+  bool AreCopiesTogether(const std::vector<Block>& blocks) const;
+  /// Whether splats that were left out as copies, of blocks that were there before, still are some.
+  bool AreCopiesSame(const std::vector<Block>& blocks);
   void BeginMotion(vtkPointSplatMotion::Splats splats);
   std::vector<uint32_t> FindAnchors(const std::vector<uint32_t>& splats) const;
   std::vector<vtkPointSplatMotion::Part> MakeParts(const std::vector<uint32_t>& anchors);
@@ -464,6 +480,7 @@ private:
   vtkTimeStamp TriangleTime;
   vtkTimeStamp BlockTime;
   Key SplatsMadeFrom;
+  Key CopiesToldBy;
   Key ColoursMadeFrom;
   std::string ColourKey;
   std::map<unsigned int, vtkPointSplatBlockLook> Looks;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Of the cloud: which points splats are of, where some are fill points.
+// Of the cloud: which points splats are of, where some are fill points and some have copies.
 #include "vtkPointSplatCloud.h"
 
 #include "vtkPointSet.h"
@@ -27,4 +27,39 @@ vtkIdType vtkPointSplatCloud::NumberOf(const Block& block, size_t splat) const
 {
   const uint32_t* words = this->GetRestingSplats().data() + this->GetWordsPerSplat() * splat;
   return block.Fill ? block.Fill->GetNumber(words) : static_cast<vtkIdType>(words[7]);
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkPointSplatCopies::Copy> vtkPointSplatCloud::GetCopies() const
+{
+  std::vector<vtkPointSplatCopies::Copy> all;
+  for (const Block& block : this->Blocks)
+  {
+    if (block.Copies)
+    {
+      all.insert(all.end(), block.Copies->Get().begin(), block.Copies->Get().end());
+    }
+  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatCloud::AreCopiesSame(const std::vector<Block>& blocks)
+{
+  Key key;
+  for (const Block& block : blocks)
+  {
+    key.emplace_back(nullptr, block.FlatIndex);
+    for (vtkDataArray* array : vtkPointSplatCopies::GetTelling(block.Data))
+    {
+      key.emplace_back(array, array ? array->GetMTime() : 0);
+    }
+  }
+  const bool same = key == this->CopiesToldBy || blocks.size() != this->Blocks.size() ||
+    std::equal(this->Blocks.begin(), this->Blocks.end(), blocks.begin(),
+      [](const Block& own, const Block& block) {
+        return !own.Copies || own.Copies->AreSame(block.Data);
+      });
+  this->CopiesToldBy = std::move(key);
+  return same;
 }

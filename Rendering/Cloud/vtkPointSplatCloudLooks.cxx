@@ -148,9 +148,8 @@ void vtkPointSplatCloud::BuildScalarColours(
       colours.OfCells ? vtkPointSplatPacking::CellsOfPoints(block.Data) : std::vector<vtkIdType>();
     this->CellColours = this->CellColours || colours.OfCells;
     const bool ofPoints = !colours.OfCells && colours.Only < 0;
-    const vtkSmartPointer<vtkUnsignedCharArray> array = ofPoints && block.Fill
-      ? block.Fill->Extend(colours.Array.Get())
-      : colours.Array;
+    const vtkSmartPointer<vtkUnsignedCharArray> array =
+      ofPoints ? block.OfSplats(colours.Array.Get()) : colours.Array;
     const unsigned char* from = array->GetPointer(0);
     const vtkIdType tuples = array->GetNumberOfTuples();
     vtkSMPTools::For(block.First, block.First + block.Count, [&](vtkIdType begin, vtkIdType end) {

@@ -74,6 +74,15 @@ bool vtkPointSplatCloud::CanMove(const std::vector<Block>& blocks)
 }
 
 //------------------------------------------------------------------------------
+bool vtkPointSplatCloud::AreCopiesTogether(const std::vector<Block>& blocks) const
+{
+  return std::equal(this->Blocks.begin(), this->Blocks.end(), blocks.begin(), blocks.end(),
+    [](const Block& own, const Block& block) {
+      return !own.Copies || own.Copies->AreTogether(block.Data);
+    });
+}
+
+//------------------------------------------------------------------------------
 bool vtkPointSplatCloud::Follow(const vtkPointSplatCloudInput& input)
 {
   const std::vector<Block> blocks =
@@ -94,7 +103,8 @@ bool vtkPointSplatCloud::Follow(
   // Settings are the same, and so is all but where points are.
   if (!input.FollowMotion || !drawsAll || this->SplatsMadeFrom.empty() ||
     !this->IsMadeFrom(input, this->SplatsMadeFrom) ||
-    vtkPointSplatCloud::StayingKey(blocks) != this->StaysFrom || !vtkPointSplatCloud::CanMove(blocks))
+    vtkPointSplatCloud::StayingKey(blocks) != this->StaysFrom || !vtkPointSplatCloud::CanMove(blocks) ||
+    !this->AreCopiesTogether(blocks))
   {
     return false;
   }

@@ -16,7 +16,7 @@ void vtkPointSplatCloud::MakeTriangles()
     auto mesh = vtkPolyData::SafeDownCast(block.Data);
     // Ids of polygons follow those of vertices and lines.
     key.emplace_back(nullptr, mesh ? mesh->GetNumberOfVerts() + mesh->GetNumberOfLines() : 0);
-    meshes.push_back({ mesh, block.First, block.Count });
+    meshes.push_back({ mesh, block.First, block.Count, block.Copies.get() });
   }
   if (key == this->TrianglesMadeFrom)
   {

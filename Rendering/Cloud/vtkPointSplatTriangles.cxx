@@ -122,6 +122,12 @@ void vtkPointSplatTriangles::Collect(
     const uint32_t point = splats.Words[splats.WordsPerSplat * static_cast<size_t>(i) + 7];
     splatOf[point] = splatOf[point] == None ? static_cast<uint32_t>(i) : splatOf[point];
   }
+  static const std::vector<vtkPointSplatCopies::Copy> none;
+  const std::vector<vtkPointSplatCopies::Copy>& copies = mesh.Copies ? mesh.Copies->Get() : none;
+  for (const vtkPointSplatCopies::Copy& copy : copies)
+  {
+    splatOf[copy.Point] = splatOf[copy.Of];
+  }
   vtkUnsignedCharArray* ghosts = vtkPointSplatCells::GetGhosts(mesh.Data);
   std::vector<bool> isCorner(static_cast<size_t>(points), false);
   auto add = [&](const vtkIdType* ids, vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell) {
@@ -178,6 +184,10 @@ void vtkPointSplatTriangles::Collect(
         }
       }
     }
+  }
+  for (const vtkPointSplatCopies::Copy& copy : copies)
+  {
+    isCorner[copy.Of] = isCorner[copy.Of] || isCorner[copy.Point];
   }
   for (vtkIdType i = mesh.First; i < mesh.First + mesh.Count; ++i)
   {

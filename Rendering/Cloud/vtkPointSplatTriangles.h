@@ -20,6 +20,7 @@
 #define vtkPointSplatTriangles_h
 
 #include "vtkPointSplatBlocks.h"
+#include "vtkPointSplatCopies.h"
 #include "vtkPointSplatLevels.h"
 
 #include <array>
@@ -41,6 +42,7 @@ public:
     vtkPolyData* Data;
     vtkIdType First;
     vtkIdType Count;
+    const vtkPointSplatCopies* Copies; // points whose triangles have other points' splats as corners; or null
   };
 
   /**

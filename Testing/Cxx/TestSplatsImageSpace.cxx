@@ -58,7 +58,8 @@ void MakeRandomImages(RandomImages& images, unsigned int seed)
           const int y = tile / (Side / Tile) * Tile + 2 + k / TilePixels;
           const int depth = static_cast<int>(random() % depths);
           // Of points equally near, the rasteriser keeps the first: all have one side.
-          // Each twice, so that they count as dense enough for the masks alone.
+          // Each twice, so that they count as dense enough for the masks alone; with texture coordinates of their own,
+          // or one splat would be drawn for both.
           samples.insert(
             samples.end(), 2, { { x, y, depth, (7 * x + 13 * y + depth) % 5 == 0 ? 1 : 0 } });
         }
@@ -70,10 +71,13 @@ void MakeRandomImages(RandomImages& images, unsigned int seed)
   vtkNew<vtkFloatArray> normals;
   normals->SetName("Normals");
   normals->SetNumberOfComponents(3);
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetName("Coordinates");
   for (const auto& s : samples)
   {
     const vtkIdType id =
       points->InsertNextPoint(s[0] + 0.5 - Side / 2, s[1] + 0.5 - Side / 2, -s[2]);
+    coordinates->InsertNextValue(static_cast<float>(id));
     normals->InsertNextTuple3(0.0, 0.0, s[3] ? -1.0 : 1.0);
     Pixel& pixel = images.Projected[static_cast<size_t>(s[1] * Side + s[0])];
     // In sixteenths; what shows its back is taken for 3/8 of a layer farther.
@@ -85,6 +89,7 @@ void MakeRandomImages(RandomImages& images, unsigned int seed)
   }
   images.Cloud->SetPoints(points);
   images.Cloud->GetPointData()->SetNormals(normals);
+  images.Cloud->GetPointData()->SetTCoords(coordinates);
 }
 
 /**

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatCopies.h"
+
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPointSplatArrays.h"
+
+#include <algorithm>
+#include <cstring>
+#include <tuple>
+
+namespace
+{
+constexpr std::size_t IdWord = 7;
+// Splats at one place that each other one is compared with: where more differ, copies stay.
+constexpr std::size_t MostCompared = 32;
+
+bool ArePlacesEqual(const uint32_t* a, const uint32_t* b)
+{
+  return std::equal(a, a + 3, b);
+}
+
+/// Of no array, or of one that is too short, all are.
+bool AreTuplesEqual(vtkDataArray* array, vtkIdType a, vtkIdType b)
+{
+  const bool there = array && std::max(a, b) < array->GetNumberOfTuples();
+  for (int c = 0; there && c < array->GetNumberOfComponents(); ++c)
+  {
+    if (array->GetComponent(a, c) != array->GetComponent(b, c))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+}
+
+//------------------------------------------------------------------------------
+std::array<vtkDataArray*, 3> vtkPointSplatCopies::GetTelling(vtkPointSet* data)
+{
+  vtkPointData* arrays = data->GetPointData();
+  return { { arrays->GetTCoords(), arrays->GetTangents(), arrays->GetArray(vtkPointSplatArrays::Group) } };
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkPointSplatCopies::TakeOut(
+  uint32_t* splats, std::size_t words, std::size_t count, vtkPointSet* data, vtkDataArray* clip)
+{
+  const std::size_t points = static_cast<std::size_t>(data->GetNumberOfPoints());
+  const std::array<vtkDataArray*, 3> telling = vtkPointSplatCopies::GetTelling(data);
+  const auto isCopy = [&](const uint32_t* splat, const uint32_t* other) {
+    return splat[IdWord] < points && other[IdWord] < points && splat[IdWord] != other[IdWord] &&
+      std::equal(splat, splat + IdWord, other) &&
+      std::equal(splat + IdWord + 1, splat + words, other + IdWord + 1) &&
+      AreTuplesEqual(clip, splat[IdWord], other[IdWord]) &&
+      std::all_of(telling.begin(), telling.end(),
+        [&](vtkDataArray* array) { return AreTuplesEqual(array, splat[IdWord], other[IdWord]); });
+  };
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const uint32_t* splat = splats + words * i;
+    const uint32_t* found = nullptr;
+    for (std::size_t k = kept; !found && k > 0 && kept - k < MostCompared; --k)
+    {
+      const uint32_t* other = splats + words * (k - 1);
+      if (!ArePlacesEqual(splat, other))
+      {
+        break;
+      }
+      found = isCopy(splat, other) ? other : nullptr;
+    }
+    if (found)
+    {
+      this->Copies.push_back({ found[IdWord], splat[IdWord] });
+      continue;
+    }
+    if (kept != i)
+    {
+      std::copy_n(splat, words, splats + words * kept);
+    }
+    ++kept;
+  }
+  // Folded splats are several of one point.
+  const auto less = [](const Copy& a, const Copy& b) {
+    return std::tie(a.Of, a.Point) < std::tie(b.Of, b.Point);
+  };
+  std::sort(this->Copies.begin(), this->Copies.end(), less);
+  const auto same = [](const Copy& a, const Copy& b) { return a.Of == b.Of && a.Point == b.Point; };
+  this->Copies.erase(
+    std::unique(this->Copies.begin(), this->Copies.end(), same), this->Copies.end());
+  return kept;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatCopies::HaveSame(vtkDataArray* array) const
+{
+  return std::all_of(this->Copies.begin(), this->Copies.end(),
+    [array](const Copy& copy) { return AreTuplesEqual(array, copy.Of, copy.Point); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatCopies::AreSame(vtkPointSet* data) const
+{
+  const std::array<vtkDataArray*, 3> telling = vtkPointSplatCopies::GetTelling(data);
+  return std::all_of(
+    telling.begin(), telling.end(), [this](vtkDataArray* array) { return this->HaveSame(array); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkPointSplatCopies::AreTogether(vtkPointSet* data) const
+{
+  return this->HaveSame(data->GetPoints()->GetData()) &&
+    this->HaveSame(data->GetPointData()->GetNormals());
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataArray> vtkPointSplatCopies::MakeAverage(vtkDataArray* array) const
+{
+  auto means = vtk::TakeSmartPointer(array->NewInstance());
+  means->DeepCopy(array);
+  const vtkIdType tuples = array->GetNumberOfTuples();
+  for (auto first = this->Copies.begin(); first != this->Copies.end();)
+  {
+    const auto end = std::find_if(
+      first, this->Copies.end(), [&](const Copy& copy) { return copy.Of != first->Of; });
+    for (int c = 0; c < array->GetNumberOfComponents() && first->Of < tuples; ++c)
+    {
+      double sum = array->GetComponent(first->Of, c);
+      int count = 1;
+      for (auto copy = first; copy != end; ++copy)
+      {
+        if (copy->Point < tuples)
+        {
+          sum += array->GetComponent(copy->Point, c);
+          ++count;
+        }
+      }
+      means->SetComponent(first->Of, c, sum / count);
+    }
+    first = end;
+  }
+  return means;
+}
