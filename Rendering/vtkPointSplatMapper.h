@@ -64,6 +64,9 @@
  * show is named in a warning, once: VertexVisibility, shader code of its own, and, by quads, sorted
  * layers or another Method than two passes, textures, Anisotropy and EdgeVisibility.
  *
+ * Points at one place whose splats are the same, as corners of triangles that share no points have them, are drawn
+ * by one with the mean of their normals and colours (GetNumberOfCopies()), unless texture coordinates differ.
+ *
  * Bad input: points that are ghosts, or whose coordinates, normal or size are not finite or not
  * positive, or that lie farther off than a million times what the middle half of all points spans,
  * are left out; their number is reported once, and by GetNumberOfSkippedPoints(). So are points of ghost

@@ -3,9 +3,11 @@
 #include "vtkPointSplatCopies.h"
 
 #include "vtkDataArray.h"
+#include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPointSplatArrays.h"
+#include "vtkPointSplatCodes.h"
 
 #include <algorithm>
 #include <cstring>
@@ -13,13 +15,49 @@
 
 namespace
 {
+constexpr std::size_t NormalWord = 5;
 constexpr std::size_t IdWord = 7;
+// A cosine: where normals are farther apart they are of two surfaces.
+constexpr double LeastAlike = 0.5;
 // Splats at one place that each other one is compared with: where more differ, copies stay.
 constexpr std::size_t MostCompared = 32;
 
 bool ArePlacesEqual(const uint32_t* a, const uint32_t* b)
 {
   return std::equal(a, a + 3, b);
+}
+
+/// The sum of the normals of a kept splat and of its copies.
+struct Sum
+{
+  uint32_t* Splat;
+  double Normal[3];
+  bool Differ;
+};
+
+double DotOfNormals(uint32_t a, uint32_t b)
+{
+  double n[3], m[3];
+  vtkPointSplatCodes::DecodeNormal(a, n);
+  vtkPointSplatCodes::DecodeNormal(b, m);
+  return vtkMath::Dot(n, m);
+}
+
+/// Adds a copy's normal to those of its splat, whose sum is among the last ones.
+void AddNormal(std::vector<Sum>& sums, uint32_t* splat, uint32_t code)
+{
+  const auto first = sums.end() - static_cast<std::ptrdiff_t>(std::min(sums.size(), MostCompared));
+  auto sum = std::find_if(first, sums.end(), [splat](const Sum& one) { return one.Splat == splat; });
+  if (sum == sums.end())
+  {
+    sums.push_back({ splat, { 0.0, 0.0, 0.0 }, false });
+    sum = sums.end() - 1;
+    vtkPointSplatCodes::DecodeNormal(splat[NormalWord], sum->Normal);
+  }
+  double normal[3];
+  vtkPointSplatCodes::DecodeNormal(code, normal);
+  vtkMath::Add(sum->Normal, normal, sum->Normal);
+  sum->Differ = sum->Differ || code != splat[NormalWord];
 }
 
 /// Of no array, or of one that is too short, all are.
@@ -52,20 +90,23 @@ std::size_t vtkPointSplatCopies::TakeOut(
   const std::array<vtkDataArray*, 3> telling = vtkPointSplatCopies::GetTelling(data);
   const auto isCopy = [&](const uint32_t* splat, const uint32_t* other) {
     return splat[IdWord] < points && other[IdWord] < points && splat[IdWord] != other[IdWord] &&
-      std::equal(splat, splat + IdWord, other) &&
+      std::equal(splat, splat + NormalWord, other) && splat[NormalWord + 1] == other[NormalWord + 1] &&
       std::equal(splat + IdWord + 1, splat + words, other + IdWord + 1) &&
+      (splat[NormalWord] == other[NormalWord] ||
+        DotOfNormals(splat[NormalWord], other[NormalWord]) > LeastAlike) &&
       AreTuplesEqual(clip, splat[IdWord], other[IdWord]) &&
       std::all_of(telling.begin(), telling.end(),
         [&](vtkDataArray* array) { return AreTuplesEqual(array, splat[IdWord], other[IdWord]); });
   };
+  std::vector<Sum> sums;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < count; ++i)
   {
     const uint32_t* splat = splats + words * i;
-    const uint32_t* found = nullptr;
+    uint32_t* found = nullptr;
     for (std::size_t k = kept; !found && k > 0 && kept - k < MostCompared; --k)
     {
-      const uint32_t* other = splats + words * (k - 1);
+      uint32_t* other = splats + words * (k - 1);
       if (!ArePlacesEqual(splat, other))
       {
         break;
@@ -75,6 +116,7 @@ std::size_t vtkPointSplatCopies::TakeOut(
     if (found)
     {
       this->Copies.push_back({ found[IdWord], splat[IdWord] });
+      AddNormal(sums, found, splat[NormalWord]);
       continue;
     }
     if (kept != i)
@@ -82,6 +124,13 @@ std::size_t vtkPointSplatCopies::TakeOut(
       std::copy_n(splat, words, splats + words * kept);
     }
     ++kept;
+  }
+  for (Sum& sum : sums)
+  {
+    if (sum.Differ && vtkMath::Normalize(sum.Normal) > 0.0)
+    {
+      sum.Splat[NormalWord] = vtkPointSplatCodes::CodeNormal(sum.Normal);
+    }
   }
   // Folded splats are several of one point.
   const auto less = [](const Copy& a, const Copy& b) {

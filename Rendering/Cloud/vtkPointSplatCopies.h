@@ -4,11 +4,11 @@
 // but not their point, as readers of files with texture coordinates leave them. One splat is drawn for all.
 //
 // 1. Of packed splats (vtkPointSplatCloud.h) in an order in which those at one place are neighbours, each is
-//    compared with those before it at its place: all but the point's id must be the same to the bit, and so must
-//    what says where a point is drawn and to what it belongs: its clip lines, texture coordinates, tangent, and group.
-//    Fill points are nobody's copies.
-// 2. What points have beside that may differ, as colours do that cells gave to their corners. The splat then has
-//    the mean, which is what splats at one place are blended to.
+//    compared with those before it at its place: all but the point's id and its normal to shade with must be the
+//    same to the bit, and so must what says where a point is drawn and to what it belongs: its clip lines, texture
+//    coordinates, tangent, and group. Fill points are nobody's copies.
+// 2. What points have beside that may differ, as normals do that are those of triangles, and colours that cells gave
+//    to their corners. The splat then has the mean, which is what splats at one place are blended to.
 #ifndef vtkPointSplatCopies_h
 #define vtkPointSplatCopies_h
 

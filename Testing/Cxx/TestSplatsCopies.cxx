@@ -10,6 +10,7 @@
 #include "vtkLight.h"
 #include "vtkLookupTable.h"
 #include "vtkPointShadowTexture.h"
+#include "vtkTriangle.h"
 
 #include <algorithm>
 
@@ -109,6 +110,51 @@ void TestPictures(Checks& checks, bool triangles)
           std::to_string(splats[1]) + " for " + std::to_string(splats[0]));
       checks.AtLeast(Psnr(pictures[0], pictures[1]), 60.0, name + ": psnr to shared points");
     }
+  }
+}
+
+/// Corners with their triangles' normals: one splat has the mean, to which several are blended where texture coordinates
+/// keep them apart.
+void TestNormals(Checks& checks)
+{
+  const Soup soup(MakeSphereMesh(80), true);
+  vtkPoints* points = soup.Data->GetPoints();
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetName("Coordinates");
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); i += 3)
+  {
+    double corners[3][3];
+    double normal[3];
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      points->GetPoint(i + k, corners[k]);
+      coordinates->InsertNextValue(static_cast<float>(i + k));
+    }
+    vtkTriangle::ComputeNormal(corners[0], corners[1], corners[2], normal);
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      soup.Data->GetPointData()->GetNormals()->SetTuple(i + k, normal);
+    }
+  }
+  vtkNew<vtkPolyData> apart;
+  apart->ShallowCopy(soup.Data);
+  apart->GetPointData()->SetTCoords(coordinates);
+  for (const bool triangles : { true, false })
+  {
+    if (!triangles)
+    {
+      soup.Data->SetPolys(nullptr);
+      apart->SetPolys(nullptr);
+    }
+    const std::string what = triangles ? "triangles' normals" : "triangles' normals, points alone";
+    Scene scenes[2] = { Scene(soup.Data), Scene(apart) };
+    checks.AtLeast(Psnr(scenes[0].Draw(), scenes[1].Draw()), 45.0, what + ": psnr to splats apart");
+    checks.AtMost(scenes[0].Mapper->GetNumberOfSplats(), scenes[1].Mapper->GetNumberOfSplats() / 4,
+      what + ": splats");
+    // Copies that are told apart later have splats of their own.
+    scenes[0].Mapper->SetInputData(apart);
+    scenes[0].Draw();
+    checks.AtMost(scenes[0].Mapper->GetNumberOfCopies(), vtkIdType(0), what + ": with coordinates");
   }
 }
 
@@ -289,6 +335,7 @@ int TestSplatsCopies(int, char*[])
   Checks checks;
   TestPictures(checks, false);
   TestPictures(checks, true);
+  TestNormals(checks);
   TestColours(checks);
   TestMotion(checks);
   TestTriangles(checks);
