@@ -172,7 +172,7 @@ vtkIdType vtkPointSplatMapper::GetNumberOfSkippedPoints()
 //------------------------------------------------------------------------------
 vtkIdType vtkPointSplatMapper::GetNumberOfCopies()
 {
-  return static_cast<vtkIdType>(this->Internals->GetCloud().GetCopies().size());
+  return this->Internals->GetCloud().GetNumberOfCopies();
 }
 
 //------------------------------------------------------------------------------

@@ -259,7 +259,9 @@ public:
   bool IsProjected() const { return this->Projected; }
   /// With those that the input's Whole has beside its own.
   vtkIdType GetNumberOfPoints() const;
-  /// Those that are drawn by other points' splats, which are the same: of one block after another.
+  /// Those that are drawn by other points' splats, which are the same.
+  vtkIdType GetNumberOfCopies() const;
+  /// Them, of one block after another.
   std::vector<vtkPointSplatCopies::Copy> GetCopies() const;
   /// Of those points, how many splats are made from.
   double GetShare() const;

@@ -6,6 +6,9 @@
 
 #include "vtkPointSet.h"
 
+#include <algorithm>
+#include <numeric>
+
 //------------------------------------------------------------------------------
 void vtkPointSplatCloud::NumberFillPoints(
   const Block& block, const vtkPointSplatPacking& packing)
@@ -27,6 +30,15 @@ vtkIdType vtkPointSplatCloud::NumberOf(const Block& block, size_t splat) const
 {
   const uint32_t* words = this->GetRestingSplats().data() + this->GetWordsPerSplat() * splat;
   return block.Fill ? block.Fill->GetNumber(words) : static_cast<vtkIdType>(words[7]);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPointSplatCloud::GetNumberOfCopies() const
+{
+  return std::accumulate(
+    this->Blocks.begin(), this->Blocks.end(), vtkIdType(0), [](vtkIdType sum, const Block& block) {
+      return sum + (block.Copies ? static_cast<vtkIdType>(block.Copies->Get().size()) : 0);
+    });
 }
 
 //------------------------------------------------------------------------------

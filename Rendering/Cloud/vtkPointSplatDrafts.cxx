@@ -74,7 +74,7 @@ vtkSmartPointer<vtkPointSet> CopyForThread(vtkPointSet* data)
   }
   std::vector<const char*> names(std::begin(Geometry), std::end(Geometry));
   names.insert(names.end(),
-    { vtkPointSplatArrays::Sensor, vtkPointSplatArrays::Scan,
+    { vtkPointSplatArrays::Sensor, vtkPointSplatArrays::Scan, vtkPointSplatArrays::Group,
       vtkDataSetAttributes::GhostArrayName() });
   for (const char* name : names)
   {
@@ -82,6 +82,15 @@ vtkSmartPointer<vtkPointSet> CopyForThread(vtkPointSet* data)
     {
       arrays->AddArray(CopyOf(array));
     }
+  }
+  // What tells points of one place apart, too.
+  if (vtkDataArray* coordinates = given->GetTCoords())
+  {
+    arrays->SetTCoords(CopyOf(coordinates));
+  }
+  if (vtkDataArray* tangents = given->GetTangents())
+  {
+    arrays->SetTangents(CopyOf(tangents));
   }
   if (vtkDataArray* normals = data->GetCellData()->GetNormals())
   {
