@@ -222,11 +222,15 @@ bool vtkPointSplatCloud::MoveTo(const std::vector<Block>& blocks)
   const std::array<double, 3> origin = this->Origin;
   this->ForgetRange();
   std::vector<vtkPointSplatMotion::Block> moving;
-  for (const Block& block : blocks)
+  for (size_t b = 0; b < blocks.size(); ++b)
   {
-    vtkPointData* arrays = block.Data->GetPointData();
-    moving.push_back({ block.Data->GetPoints()->GetData(), arrays->GetNormals(),
-      arrays->GetArray(vtkPointSplatArrays::Radius) });
+    vtkPointSet* data = blocks[b].Data;
+    vtkPointData* arrays = data->GetPointData();
+    const std::shared_ptr<const vtkPointSplatCopies>& copies = this->Blocks[b].Copies;
+    vtkSmartPointer<vtkDataArray> normals = arrays->GetNormals();
+    normals = copies ? copies->Average(normals.Get()) : normals;
+    moving.push_back(
+      { data->GetPoints()->GetData(), normals, arrays->GetArray(vtkPointSplatArrays::Radius) });
     this->AddRange(moving.back().Points);
   }
   // The origin stays while it is among the points.

@@ -10,7 +10,6 @@
 #include "vtkPointSplatCodes.h"
 
 #include <algorithm>
-#include <cstring>
 #include <tuple>
 
 namespace
@@ -162,7 +161,7 @@ bool vtkPointSplatCopies::AreSame(vtkPointSet* data) const
 bool vtkPointSplatCopies::AreTogether(vtkPointSet* data) const
 {
   return this->HaveSame(data->GetPoints()->GetData()) &&
-    this->HaveSame(data->GetPointData()->GetNormals());
+    this->HaveSame(data->GetPointData()->GetArray(vtkPointSplatArrays::Radius));
 }
 
 //------------------------------------------------------------------------------

@@ -52,7 +52,7 @@ public:
   /// Whether they still have the same of the telling arrays.
   bool AreSame(vtkPointSet* data) const;
 
-  /// Whether copies are still where the points are that have splats, with the same normals.
+  /// Whether copies are still where the points are that have splats, with the same given radii.
   bool AreTogether(vtkPointSet* data) const;
 
   /// An array of points, in which those that have copies have the mean of theirs; it itself if there are none.

@@ -52,6 +52,25 @@ struct Soup
       this->Data->SetPolys(cells);
     }
   }
+  /// Gives corners their triangles' normals.
+  void TakeNormalsOfFaces()
+  {
+    vtkPoints* points = this->Data->GetPoints();
+    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); i += 3)
+    {
+      double corners[3][3];
+      double normal[3];
+      for (vtkIdType k = 0; k < 3; ++k)
+      {
+        points->GetPoint(i + k, corners[k]);
+      }
+      vtkTriangle::ComputeNormal(corners[0], corners[1], corners[2], normal);
+      for (vtkIdType k = 0; k < 3; ++k)
+      {
+        this->Data->GetPointData()->GetNormals()->SetTuple(i + k, normal);
+      }
+    }
+  }
 };
 
 struct Scene
@@ -117,24 +136,13 @@ void TestPictures(Checks& checks, bool triangles)
 /// keep them apart.
 void TestNormals(Checks& checks)
 {
-  const Soup soup(MakeSphereMesh(80), true);
-  vtkPoints* points = soup.Data->GetPoints();
+  Soup soup(MakeSphereMesh(80), true);
+  soup.TakeNormalsOfFaces();
   vtkNew<vtkFloatArray> coordinates;
   coordinates->SetName("Coordinates");
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); i += 3)
+  for (vtkIdType i = 0; i < soup.Data->GetNumberOfPoints(); ++i)
   {
-    double corners[3][3];
-    double normal[3];
-    for (vtkIdType k = 0; k < 3; ++k)
-    {
-      points->GetPoint(i + k, corners[k]);
-      coordinates->InsertNextValue(static_cast<float>(i + k));
-    }
-    vtkTriangle::ComputeNormal(corners[0], corners[1], corners[2], normal);
-    for (vtkIdType k = 0; k < 3; ++k)
-    {
-      soup.Data->GetPointData()->GetNormals()->SetTuple(i + k, normal);
-    }
+    coordinates->InsertNextValue(static_cast<float>(i));
   }
   vtkNew<vtkPolyData> apart;
   apart->ShallowCopy(soup.Data);
@@ -207,10 +215,13 @@ void TestColours(Checks& checks)
 }
 
 /// Copies that move together are moved along; once they part, all are drawn.
-void TestMotion(Checks& checks)
+void TestMotion(Checks& checks, bool ofFaces)
 {
-  const Mesh mesh = MakeSphereMesh(80);
-  const Soup soup(mesh, false);
+  Soup soup(MakeSphereMesh(80), false);
+  if (ofFaces)
+  {
+    soup.TakeNormalsOfFaces();
+  }
   Scene scene(soup.Data);
   scene.Draw();
   const vtkIdType splats = scene.Mapper->GetNumberOfSplats();
@@ -337,7 +348,8 @@ int TestSplatsCopies(int, char*[])
   TestPictures(checks, true);
   TestNormals(checks);
   TestColours(checks);
-  TestMotion(checks);
+  TestMotion(checks, false);
+  TestMotion(checks, true);
   TestTriangles(checks);
   TestShadows(checks);
   TestOthers(checks);
