@@ -223,6 +223,7 @@ bool vtkPointShadowTexture::Compute(
   factors->SetNumberOfComponents(lights);
   factors->SetNumberOfTuples(input->GetNumberOfPoints());
   factors->FillValue(1.0f);
+  const std::vector<vtkPointSplatCopies::Copy> copies = cloud.GetCopies();
   vtkPointSplatShadows shadows;
   bool good = true;
   for (int i = 0; i < lights && good; ++i)
@@ -235,7 +236,7 @@ bool vtkPointShadowTexture::Compute(
     {
       factors->SetTypedComponent(cloud.GetPointId(static_cast<vtkIdType>(k)), i, result[0][k]);
     }
-    for (const vtkPointSplatCopies::Copy& copy : cloud.GetCopies())
+    for (const vtkPointSplatCopies::Copy& copy : copies)
     {
       factors->SetTypedComponent(copy.Point, i, factors->GetTypedComponent(copy.Of, i));
     }

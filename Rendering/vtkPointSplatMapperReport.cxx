@@ -74,7 +74,7 @@ const char* vtkPointSplatMapper::GetChoices()
   }
   if (const vtkIdType copies = this->GetNumberOfCopies())
   {
-    text << ", " << copies << " of which are drawn by the splats of others at their places";
+    text << ", " << copies << " drawn by the splats of others at their places";
   }
   text << "\nerror allowed: " << vtkPointSplatChoices::Text(r.Choice.Tolerance) << ", "
        << r.Choice.BudgetReason;

@@ -232,6 +232,7 @@ bool vtkPointSplatCloud::BuildSplats(
   }
   this->Splats.clear();
   this->ClipLines.clear();
+  this->CopiesToldBy.clear();
   this->Mixed.clear();
   this->ForgetRange();
   this->Count = this->Points = this->Skipped = this->Unused = 0;

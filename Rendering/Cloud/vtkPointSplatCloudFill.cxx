@@ -58,20 +58,23 @@ std::vector<vtkPointSplatCopies::Copy> vtkPointSplatCloud::GetCopies() const
 //------------------------------------------------------------------------------
 bool vtkPointSplatCloud::AreCopiesSame(const std::vector<Block>& blocks)
 {
+  if (blocks.size() != this->Blocks.size() || this->GetNumberOfCopies() == 0)
+  {
+    return true;
+  }
   Key key;
   for (const Block& block : blocks)
   {
-    key.emplace_back(nullptr, block.FlatIndex);
     for (vtkDataArray* array : vtkPointSplatCopies::GetTelling(block.Data))
     {
       key.emplace_back(array, array ? array->GetMTime() : 0);
     }
   }
-  const bool same = key == this->CopiesToldBy || blocks.size() != this->Blocks.size() ||
+  const bool same = key == this->CopiesToldBy ||
     std::equal(this->Blocks.begin(), this->Blocks.end(), blocks.begin(),
       [](const Block& own, const Block& block) {
         return !own.Copies || own.Copies->AreSame(block.Data);
       });
-  this->CopiesToldBy = std::move(key);
+  this->CopiesToldBy = same ? std::move(key) : Key();
   return same;
 }

@@ -10,7 +10,6 @@
 #include "vtkPointSplatCodes.h"
 
 #include <algorithm>
-#include <tuple>
 
 namespace
 {
@@ -59,6 +58,18 @@ void AddNormal(std::vector<Sum>& sums, uint32_t* splat, uint32_t code)
   sum->Differ = sum->Differ || code != splat[NormalWord];
 }
 
+/// Gives splats the means of these normals, where they differ.
+void TakeMeans(std::vector<Sum>& sums)
+{
+  for (Sum& sum : sums)
+  {
+    if (sum.Differ && vtkMath::Normalize(sum.Normal) > 0.0)
+    {
+      sum.Splat[NormalWord] = vtkPointSplatCodes::CodeNormal(sum.Normal);
+    }
+  }
+}
+
 /// Of no array, or of one that is too short, all are.
 bool AreTuplesEqual(vtkDataArray* array, vtkIdType a, vtkIdType b)
 {
@@ -97,49 +108,48 @@ std::size_t vtkPointSplatCopies::TakeOut(
       std::all_of(telling.begin(), telling.end(),
         [&](vtkDataArray* array) { return AreTuplesEqual(array, splat[IdWord], other[IdWord]); });
   };
-  std::vector<Sum> sums;
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const uint32_t* splat = splats + words * i;
-    uint32_t* found = nullptr;
-    for (std::size_t k = kept; !found && k > 0 && kept - k < MostCompared; --k)
+  const auto findSame = [&](const uint32_t* splat) -> uint32_t* {
+    for (std::size_t k = kept; k > 0 && kept - k < MostCompared; --k)
     {
       uint32_t* other = splats + words * (k - 1);
       if (!ArePlacesEqual(splat, other))
       {
-        break;
+        return nullptr;
       }
-      found = isCopy(splat, other) ? other : nullptr;
+      if (isCopy(splat, other))
+      {
+        return other;
+      }
     }
-    if (found)
-    {
-      this->Copies.push_back({ found[IdWord], splat[IdWord] });
-      AddNormal(sums, found, splat[NormalWord]);
-      continue;
-    }
-    if (kept != i)
-    {
-      std::copy_n(splat, words, splats + words * kept);
-    }
-    ++kept;
-  }
-  for (Sum& sum : sums)
-  {
-    if (sum.Differ && vtkMath::Normalize(sum.Normal) > 0.0)
-    {
-      sum.Splat[NormalWord] = vtkPointSplatCodes::CodeNormal(sum.Normal);
-    }
-  }
-  // Folded splats are several of one point.
-  const auto less = [](const Copy& a, const Copy& b) {
-    return std::tie(a.Of, a.Point) < std::tie(b.Of, b.Point);
+    return nullptr;
   };
-  std::sort(this->Copies.begin(), this->Copies.end(), less);
-  const auto same = [](const Copy& a, const Copy& b) { return a.Of == b.Of && a.Point == b.Point; };
-  this->Copies.erase(
-    std::unique(this->Copies.begin(), this->Copies.end(), same), this->Copies.end());
+  std::vector<Sum> sums;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const uint32_t* splat = splats + words * i;
+    if (uint32_t* same = findSame(splat))
+    {
+      this->Copies.push_back({ same[IdWord], splat[IdWord] });
+      AddNormal(sums, same, splat[NormalWord]);
+    }
+    else
+    {
+      std::copy_n(splat, kept != i ? words : 0, splats + words * kept);
+      ++kept;
+    }
+  }
+  TakeMeans(sums);
+  this->Sort();
   return kept;
+}
+
+//------------------------------------------------------------------------------
+/// Each once: folded splats are several of one point.
+void vtkPointSplatCopies::Sort()
+{
+  std::sort(this->Copies.begin(), this->Copies.end());
+  this->Copies.erase(std::unique(this->Copies.begin(), this->Copies.end()), this->Copies.end());
 }
 
 //------------------------------------------------------------------------------

@@ -34,6 +34,11 @@ public:
   {
     uint32_t Of;
     uint32_t Point;
+    bool operator==(const Copy& other) const { return this->Of == other.Of && this->Point == other.Point; }
+    bool operator<(const Copy& other) const
+    {
+      return this->Of != other.Of ? this->Of < other.Of : this->Point < other.Point;
+    }
   };
 
   /// The arrays of a data set's points that copies must have the same of, but for what splats are made from; or nulls.
@@ -65,6 +70,7 @@ public:
   }
 
 private:
+  void Sort();
   bool HaveSame(vtkDataArray* array) const;
   vtkSmartPointer<vtkDataArray> MakeAverage(vtkDataArray* array) const;
 

@@ -191,12 +191,13 @@ inline vtkSmartPointer<vtkPolyData> Cloud(vtkPolyData* mesh)
 }
 
 /**
- * A cloud with sizes, which each mapper else estimates anew.
+ * A cloud with sizes and fill points, which each mapper else makes anew.
  */
 inline vtkSmartPointer<vtkPolyData> Estimated(vtkPolyData* cloud)
 {
   vtkNew<vtkPointSplatEstimation> estimation;
   estimation->SetInputData(cloud);
+  estimation->FillGapsOn();
   estimation->Update();
   return estimation->GetOutput();
 }

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Corners of triangles that share their places but not their points, as readers of files with texture
 // coordinates leave them: one splat is drawn for those that are the same, with the picture of points that are shared.
+#include "MeshScene.h"
 #include "PickedPoints.h"
 #include "SplatTables.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkLight.h"
 #include "vtkLookupTable.h"
 #include "vtkPointShadowTexture.h"
@@ -22,34 +21,21 @@ using Mesh = vtkSmartPointer<vtkPolyData>;
 /// A mesh's triangles, each with points of its own; and which points these were.
 struct Soup
 {
-  Mesh Data = Mesh::New();
+  Mesh Data;
   std::vector<vtkIdType> Of;
 
-  explicit Soup(vtkPolyData* mesh, bool triangles)
+  Soup(vtkPolyData* mesh, bool triangles)
+    : Data(MeshScene::MakeSoup(mesh))
   {
-    vtkNew<vtkPoints> points;
-    vtkNew<vtkFloatArray> normals;
-    normals->SetNumberOfComponents(3);
-    vtkNew<vtkCellArray> cells;
-    auto it = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
-    for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
     {
-      vtkIdType count = 0;
-      const vtkIdType* ids = nullptr;
-      it->GetCurrentCell(count, ids);
-      cells->InsertNextCell(static_cast<int>(count));
-      for (vtkIdType k = 0; k < count; ++k)
-      {
-        cells->InsertCellPoint(points->InsertNextPoint(mesh->GetPoint(ids[k])));
-        normals->InsertNextTuple(mesh->GetPointData()->GetNormals()->GetTuple(ids[k]));
-        this->Of.push_back(ids[k]);
-      }
+      mesh->GetCellPoints(cell, ids);
+      this->Of.insert(this->Of.end(), ids->begin(), ids->end());
     }
-    this->Data->SetPoints(points);
-    this->Data->GetPointData()->SetNormals(normals);
-    if (triangles)
+    if (!triangles)
     {
-      this->Data->SetPolys(cells);
+      this->Data->SetPolys(nullptr);
     }
   }
   /// Gives corners their triangles' normals.
