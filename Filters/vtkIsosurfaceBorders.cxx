@@ -5,7 +5,7 @@
 #include "vtkMath.h"
 #include "vtkPointSplatBorderPlane.h"
 #include "vtkPointSplatBorders.h"
-#include "vtkSMPTools.h"
+#include "vtkPointSplatThreads.h"
 
 #include <algorithm>
 #include <atomic>
@@ -92,7 +92,7 @@ void vtkIsosurfaceBorders::Clip(vtkIsosurfaceOutput& output) const
       vtkPointSplatBorders::KernelReach * output.Radii->GetValue(id), clip);
   };
   std::atomic<bool> any{ false };
-  vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, count, [&](vtkIdType begin, vtkIdType end) {
     float clip[6];
     for (vtkIdType id = begin; id < end && !any; ++id)
     {
@@ -110,7 +110,7 @@ void vtkIsosurfaceBorders::Clip(vtkIsosurfaceOutput& output) const
   output.Clips->SetName(vtkPointSplatArrays::Clip);
   output.Clips->SetNumberOfComponents(6);
   output.Clips->SetNumberOfTuples(count);
-  vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, count, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType id = begin; id < end; ++id)
     {
       find(id, output.Clips->GetPointer(6 * id));

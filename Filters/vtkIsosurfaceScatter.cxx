@@ -5,7 +5,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkIsosurfaceThinning.h"
 #include "vtkMath.h"
-#include "vtkSMPTools.h"
+#include "vtkPointSplatThreads.h"
 
 #include <algorithm>
 #include <cmath>
@@ -178,7 +178,7 @@ void vtkIsosurfaceScatter::FindOnPairs(std::size_t v, std::vector<Point>& points
   const double isovalue = this->Isovalues[v];
   const vtkIdType nodes = this->Field->GetNumberOfNodes();
   std::vector<std::size_t> first(nodes + 1, 0);
-  vtkSMPTools::For(0, nodes, [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, nodes, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType node = begin; node < end; ++node)
     {
       this->Field->VisitPairs(static_cast<Node>(node), isovalue,
@@ -190,7 +190,7 @@ void vtkIsosurfaceScatter::FindOnPairs(std::size_t v, std::vector<Point>& points
     first[node + 1] += first[node];
   }
   points.resize(first[nodes]);
-  vtkSMPTools::For(0, nodes, [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, nodes, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType node = begin; node < end; ++node)
     {
       std::size_t at = first[node];

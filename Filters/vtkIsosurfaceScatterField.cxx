@@ -6,7 +6,7 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkMath.h"
 #include "vtkPointSplatInput.h"
-#include "vtkSMPTools.h"
+#include "vtkPointSplatThreads.h"
 
 #include <array>
 #include <cmath>
@@ -141,7 +141,7 @@ struct ReadWorker
   void operator()(Array* scalars, int component, std::vector<double>& all) const
   {
     const auto range = vtk::DataArrayTupleRange(scalars);
-    vtkSMPTools::For(0, range.size(), [&](vtkIdType begin, vtkIdType end) {
+    vtkPointSplatThreads::For(0, range.size(), [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType id = begin; id < end; ++id)
       {
         all[id] = static_cast<double>(range[id][component]);
@@ -209,7 +209,7 @@ void vtkIsosurfaceScatterField::MarkLeaves(const Classifier& getClass, double di
   const Slot size = vtkPointSplatNeighbors::LeafSize;
   const vtkIdType leaves = this->Neighbors.GetNumberOfSlots() / size;
   std::vector<Range> ranges(leaves);
-  vtkSMPTools::For(0, leaves, [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, leaves, [&](vtkIdType begin, vtkIdType end) {
     for (Slot slot = static_cast<Slot>(begin) * size; slot < static_cast<Slot>(end) * size; ++slot)
     {
       if (this->Neighbors.GetId(slot) >= 0)
@@ -221,7 +221,7 @@ void vtkIsosurfaceScatterField::MarkLeaves(const Classifier& getClass, double di
       }
     }
   });
-  vtkSMPTools::For(0, leaves, [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, leaves, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType l = begin; l < end; ++l)
     {
       const Slot leaf = static_cast<Slot>(l);

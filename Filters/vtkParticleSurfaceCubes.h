@@ -9,6 +9,7 @@
 #ifndef vtkParticleSurfaceCubes_h
 #define vtkParticleSurfaceCubes_h
 
+#include "vtkPointSplatThreads.h"
 #include "vtkPointSplattingABI.h"
 #include "vtkSMPTools.h"
 #include "vtkType.h"
@@ -63,7 +64,7 @@ public:
   void MarkDeep(double full)
   {
     this->Deep.resize(this->Keys.size());
-    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Keys.size()), [&](vtkIdType i, vtkIdType end) {
+    vtkPointSplatThreads::For(0, static_cast<vtkIdType>(this->Keys.size()), [&](vtkIdType i, vtkIdType end) {
       for (; i < end; ++i)
       {
         bool deep = true;

@@ -9,7 +9,7 @@
 #include "vtkParticleSurfaceCubes.h"
 #include "vtkParticleSurfaceProbe.h"
 #include "vtkPointSplatInput.h"
-#include "vtkSMPTools.h"
+#include "vtkPointSplatThreads.h"
 
 #include <algorithm>
 #include <cmath>
@@ -305,7 +305,7 @@ void vtkParticleSurfaceKernels::MarkDeep(const Settings& settings)
         cubes.IsDeep(get(slot));
     }
   };
-  vtkSMPTools::For(0, static_cast<vtkIdType>(slots), mark);
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(slots), mark);
 }
 
 /// A ball, as those inside the fluid nearly are.

@@ -4,6 +4,7 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkFiltersPointSplattingConfigure.h"
+#include "vtkPointSplatThreads.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ bool vtkPointSplatBatches::IsAborted(vtkAlgorithm* self)
 }
 
 bool vtkPointSplatBatches::For(vtkAlgorithm* self, vtkIdType count, vtkIdType grain, double from,
-  double to, const std::function<void(vtkIdType, vtkIdType)>& work)
+  double to, const vtkPointSplatThreads::Work& work)
 {
   const vtkIdType numberOfBatches = 16;
   const vtkIdType batch = std::max<vtkIdType>((count + numberOfBatches - 1) / numberOfBatches,
@@ -32,8 +33,7 @@ bool vtkPointSplatBatches::For(vtkAlgorithm* self, vtkIdType count, vtkIdType gr
     {
       return false;
     }
-    vtkSMPTools::For(begin, std::min(begin + batch, count), grain,
-      [&work](vtkIdType first, vtkIdType last) { work(first, last); });
+    vtkPointSplatThreads::For(begin, std::min(begin + batch, count), grain, work);
   }
   self->UpdateProgress(to);
   return !vtkPointSplatBatches::IsAborted(self);

@@ -8,10 +8,9 @@
 #define vtkPointSplatBatches_h
 
 #include "vtkFiltersPointSplattingModule.h" // For export macro
+#include "vtkPointSplatThreads.h"
 #include "vtkPointSplattingABI.h"
 #include "vtkType.h"
-
-#include <functional>
 
 class vtkAlgorithm;
 
@@ -23,14 +22,13 @@ namespace vtkPointSplatBatches
 VTKFILTERSPOINTSPLATTING_EXPORT bool IsAborted(vtkAlgorithm* self);
 
 /**
- * Runs work(begin, end) over [0, count) like vtkSMPTools::For, in batches between
+ * Runs work(begin, end) over [0, count) like vtkPointSplatThreads::For, in batches between
  * which the calling thread moves self's progress from `from` to `to` and looks whether
  * it is to stop. A batch is large enough to give each thread several times `grain`. Returns
- * false when it was stopped. No template, since VTK compiles a loop once for each way to run
- * threads, and extractions have many.
+ * false when it was stopped.
  */
 VTKFILTERSPOINTSPLATTING_EXPORT bool For(vtkAlgorithm* self, vtkIdType count, vtkIdType grain,
-  double from, double to, const std::function<void(vtkIdType, vtkIdType)>& work);
+  double from, double to, const vtkPointSplatThreads::Work& work);
 }
 
 VTK_ABI_NAMESPACE_END

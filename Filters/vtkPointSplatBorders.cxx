@@ -6,7 +6,8 @@
 #include "vtkFloatArray.h"
 #include "vtkMath.h"
 #include "vtkPointSplatBorderPlane.h"
-#include "vtkSMPTools.h"
+#include "vtkPointSplatThreads.h"
+#include "vtkSMPThreadLocal.h"
 
 #include <algorithm>
 #include <atomic>
@@ -518,7 +519,7 @@ void vtkPointSplatBorders::Write(
   }
   vtkPointSplatBorders::MakeLines(clips, count);
   float* values = clips->GetPointer(0);
-  vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, count, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType id = begin; id < end; ++id)
     {
       const Slot s = slotOf[id];

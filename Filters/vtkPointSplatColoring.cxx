@@ -3,7 +3,7 @@
 #include "vtkPointSplatColoring.h"
 
 #include "vtkMath.h"
-#include "vtkSMPTools.h"
+#include "vtkPointSplatThreads.h"
 
 #include <algorithm>
 #include <cmath>
@@ -123,7 +123,7 @@ std::vector<float> vtkPointSplatColoring::OverlapAreas(
     mean += radii[i] * radii[i];
   }
   mean *= vtkMath::Pi() / std::max<Index>(graph.GetNumberOfSplats(), 1);
-  vtkSMPTools::For(0, graph.GetNumberOfSplats(), [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, graph.GetNumberOfSplats(), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType v = begin; v < end; ++v)
     {
       const Index i = static_cast<Index>(v);

@@ -6,9 +6,10 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
+#include "vtkPointSplatThreads.h"
 #include "vtkPolyData.h"
 #include "vtkSMPThreadLocalObject.h"
-#include "vtkSMPTools.h"
+#include "vtkSMPThreadLocal.h"
 #include "vtkStaticPointLocator.h"
 
 #include <algorithm>
@@ -81,7 +82,7 @@ vtkPointSplatCoverage::vtkPointSplatCoverage(const double* positions, const doub
     this->Measured[m] = std::min(static_cast<Index>(part * this->Count), this->Count - 1);
   }
   this->Weights.resize(this->Measured.size() * samples);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Measured.size()),
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(this->Measured.size()),
     [this, samples](vtkIdType begin, vtkIdType end) {
       std::array<int, ManySamples> covers;
       for (vtkIdType m = begin; m < end; ++m)
@@ -184,7 +185,7 @@ vtkPointSplatCoverage::Cover vtkPointSplatCoverage::Measure(const std::vector<In
   const std::size_t samples = this->Samples.size() / 2;
   std::vector<double> needed(this->Weights.size(), std::numeric_limits<double>::infinity());
   vtkSMPThreadLocalObject<vtkIdList> lists;
-  vtkSMPTools::For(
+  vtkPointSplatThreads::For(
     0, static_cast<vtkIdType>(this->Measured.size()), [&](vtkIdType begin, vtkIdType end) {
       vtkIdList* nearest = lists.Local();
       for (vtkIdType m = begin; m < end; ++m)
@@ -271,7 +272,7 @@ std::vector<Index> vtkPointSplatCoverage::Fill(
       mask[k / 64] |= static_cast<std::uint64_t>(squared < 1.0 ? 1 : 0) << (k % 64);
     });
   };
-  vtkSMPTools::For(0, this->Count, [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, this->Count, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType v = begin; v < end; ++v)
     {
       const Index i = static_cast<Index>(v);

@@ -5,8 +5,8 @@
 #include "vtkFloatArray.h"
 #include "vtkMath.h"
 #include "vtkPointSplatMirrored.h"
+#include "vtkPointSplatThreads.h"
 #include "vtkSMPThreadLocal.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <atomic>
@@ -535,7 +535,7 @@ void vtkPointSplatCreases::Write(
     auto write = [&](const Splat& splat, vtkIdType id) {
       std::copy_n(array == clips ? splat.Clip : splat.Fold, 6, values + 6 * id);
     };
-    vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+    vtkPointSplatThreads::For(0, count, [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType id = begin; id < end; ++id)
       {
         const Slot s = slotOf[id];

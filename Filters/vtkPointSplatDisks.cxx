@@ -3,7 +3,7 @@
 #include "vtkPointSplatDisks.h"
 
 #include "vtkMath.h"
-#include "vtkSMPTools.h"
+#include "vtkPointSplatThreads.h"
 
 #include <algorithm>
 #include <cmath>
@@ -194,7 +194,7 @@ void vtkPointSplatDisks::TrustNormals()
   {
     return;
   }
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Turn.size()), [this](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(this->Turn.size()), [this](vtkIdType begin, vtkIdType end) {
     for (std::size_t s = static_cast<std::size_t>(begin); s < static_cast<std::size_t>(end); ++s)
     {
       this->Turn[s] = std::min(this->Turn[s], MostSteepness * this->Facing[s]);
@@ -314,7 +314,7 @@ void vtkPointSplatDisks::Close(Slot slot)
 
 void vtkPointSplatDisks::Finish()
 {
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Length.size()), [this](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(this->Length.size()), [this](vtkIdType begin, vtkIdType end) {
     for (vtkIdType s = begin; s < end; ++s)
     {
       this->Close(static_cast<Slot>(s));

@@ -10,8 +10,8 @@
 #include "vtkPointSplatNormals.h"
 #include "vtkPointSplatSensors.h"
 #include "vtkPointSplatSparsePart.h"
+#include "vtkPointSplatThreads.h"
 #include "vtkSMPThreadLocal.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,7 +82,7 @@ bool vtkPointSplatEstimates::FindNormals()
   this->SlotNormals = vtkPointSplatLargeArray<float>(std::size_t(3) * slots);
   this->Known.resize(slots);
   std::atomic<Slot> given{ 0 }, missing{ 0 };
-  vtkSMPTools::For(0, slots, [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, slots, [&](vtkIdType begin, vtkIdType end) {
     const float none[3] = { 0, 0, 0 };
     Slot known = 0, unknown = 0;
     for (Slot s = static_cast<Slot>(begin); s < static_cast<Slot>(end); ++s)
@@ -264,7 +264,7 @@ void vtkPointSplatEstimates::FindSearched()
 {
   const std::vector<Slot>& slotOf = this->Neighbors.GetSlots();
   this->Searched = std::vector<std::atomic<bool>>(this->Neighbors.GetNumberOfSlots());
-  vtkSMPTools::For(0, this->NumberOfPoints, [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, this->NumberOfPoints, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType id = begin; id < end; ++id)
     {
       if (slotOf[id] != vtkPointSplatNeighbors::None && !this->Fans.Has(id))
@@ -280,7 +280,7 @@ bool vtkPointSplatEstimates::FindSparseDisks(std::vector<unsigned char>& taken)
 {
   vtkPointSplatDisks& disks = *this->Disks;
   std::vector<unsigned char> hemmed(this->Neighbors.GetNumberOfSlots(), 0);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(hemmed.size()), [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(hemmed.size()), [&](vtkIdType begin, vtkIdType end) {
     for (Slot s = static_cast<Slot>(begin); s < static_cast<Slot>(end); ++s)
     {
       hemmed[s] = this->Searched[s] && this->IsHemmed(s);
@@ -347,7 +347,7 @@ bool vtkPointSplatEstimates::FindDisks()
   }
   this->SheetNormals = vtkPointSplatLargeArray<float>(this->SlotNormals.size());
   std::vector<unsigned char> again(slots, 0);
-  vtkSMPTools::For(0, slots, [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, slots, [&](vtkIdType begin, vtkIdType end) {
     for (Slot s = static_cast<Slot>(begin); s < static_cast<Slot>(end); ++s)
     {
       again[s] = this->Searched[s] && !sparse[s] &&
@@ -385,7 +385,7 @@ vtkPointSplatEstimates::Twins vtkPointSplatEstimates::FindTwins() const
   }
   const std::vector<Slot>& slotOf = this->Neighbors.GetSlots();
   vtkSMPThreadLocal<Twins> found;
-  vtkSMPTools::For(0, this->NumberOfPoints, [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, this->NumberOfPoints, [&](vtkIdType begin, vtkIdType end) {
     Twins& local = found.Local();
     for (vtkIdType id = begin; id < end; ++id)
     {

@@ -8,7 +8,7 @@
 #include "vtkPointSet.h"
 #include "vtkPointSplatEstimation.h"
 #include "vtkPoints.h"
-#include "vtkSMPTools.h"
+#include "vtkPointSplatThreads.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +38,7 @@ bool vtkPointSplatEstimates::FindStars()
   this->Stars = std::make_unique<vtkPointSplatStars>(
     slots, [this](Slot s, double x[3]) { this->Neighbors.GetPosition(s, x); });
   this->Disks->TrustNormals();
-  vtkSMPTools::For(0, slots, [this](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, slots, [this](vtkIdType begin, vtkIdType end) {
     for (Slot s = static_cast<Slot>(begin); s < static_cast<Slot>(end); ++s)
     {
       if (this->Searched[s])

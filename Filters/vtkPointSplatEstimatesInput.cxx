@@ -10,8 +10,8 @@
 #include "vtkPointSplatArrays.h"
 #include "vtkPointSplatInput.h"
 #include "vtkPointSplatMeshNormals.h"
+#include "vtkPointSplatThreads.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <vector>
@@ -119,7 +119,7 @@ void vtkPointSplatEstimates::ReadMesh()
   if (this->MeshAlone)
   {
     this->Corners.resize(this->NumberOfPoints);
-    vtkSMPTools::For(0, this->NumberOfPoints, [&](vtkIdType begin, vtkIdType end) {
+    vtkPointSplatThreads::For(0, this->NumberOfPoints, [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType id = begin; id < end; ++id)
       {
         if (this->Fans.Has(id) && this->Fans.GetSame(id) == id)

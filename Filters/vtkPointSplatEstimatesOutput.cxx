@@ -7,7 +7,7 @@
 #include "vtkPointSet.h"
 #include "vtkPointSplatInput.h"
 #include "vtkPointSplatMeshBorders.h"
-#include "vtkSMPTools.h"
+#include "vtkPointSplatThreads.h"
 
 #include <algorithm>
 #include <atomic>
@@ -20,14 +20,14 @@ void vtkPointSplatEstimates::Write()
   const vtkPointSplatDisks& disks = *this->Disks;
   // Of slots in their order, whose neighbours' sizes lie near to theirs in memory.
   vtkPointSplatLargeArray<float> lengths(disks.Length.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(lengths.size()), [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(lengths.size()), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType s = begin; s < end; ++s)
     {
       lengths[s] = disks.GetBounded(static_cast<Slot>(s));
     }
   });
   std::atomic<vtkIdType> pointsAlone{ 0 };
-  vtkSMPTools::For(0, this->NumberOfPoints, [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, this->NumberOfPoints, [&](vtkIdType begin, vtkIdType end) {
     vtkIdType aloneHere = 0;
     for (vtkIdType id = begin; id < end; ++id)
     {
@@ -98,7 +98,7 @@ void vtkPointSplatEstimates::WriteMesh()
   }
   const std::vector<unsigned char> ends = this->GetSlotsAtCreases();
   const float* n = this->Normals->GetPointer(0);
-  vtkSMPTools::For(0, this->NumberOfPoints, [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, this->NumberOfPoints, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType id = begin; id < end; ++id)
     {
       if (this->Fans.Has(id) && this->IsDrawn(id) && !this->IsAt(ends, id))
@@ -210,7 +210,7 @@ void vtkPointSplatEstimates::ClipFill()
       lines.Write(point.Clip);
     }
   };
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Fill.size()), [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(this->Fill.size()), [&](vtkIdType begin, vtkIdType end) {
     std::for_each(this->Fill.begin() + begin, this->Fill.begin() + end, clip);
   });
 }

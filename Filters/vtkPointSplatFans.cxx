@@ -10,9 +10,9 @@
 #include "vtkPointSplatCrease.h"
 #include "vtkPointSplatInput.h"
 #include "vtkPoints.h"
+#include "vtkPointSplatThreads.h"
 #include "vtkPolyData.h"
 #include "vtkSMPThreadLocal.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -84,7 +84,7 @@ void vtkPointSplatFans::LeaveOutDoubles()
 {
   const vtkIdType count = static_cast<vtkIdType>(this->Corners.size() / 3);
   std::vector<unsigned char> doubled(count, 0);
-  vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, count, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType t = begin; t < end; ++t)
     {
       const vtkIdType* own = this->Corners.data() + 3 * t;
@@ -321,7 +321,7 @@ void vtkPointSplatFans::FindBorder()
   const vtkIdType numberOfPoints = this->GetNumberOfPoints();
   std::vector<unsigned char> atBorder(numberOfPoints, 0);
   vtkSMPThreadLocal<std::vector<BorderEdge>> scratch;
-  vtkSMPTools::For(0, numberOfPoints, [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, numberOfPoints, [&](vtkIdType begin, vtkIdType end) {
     std::vector<BorderEdge>& edges = scratch.Local();
     for (vtkIdType id = begin; id < end; ++id)
     {

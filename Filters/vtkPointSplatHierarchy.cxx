@@ -4,7 +4,7 @@
 
 #include "vtkPointSplatMoments.h"
 
-#include "vtkSMPTools.h"
+#include "vtkPointSplatThreads.h"
 
 #include <algorithm>
 #include <array>
@@ -139,7 +139,7 @@ void vtkPointSplatHierarchy::Builder::Read(const std::vector<Index>& ends)
 {
   this->Items.resize(ends.empty() ? 0 : ends.back());
   constexpr Index none = std::numeric_limits<Index>::max();
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Items.size()), [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(this->Items.size()), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
       Item& item = this->Items[static_cast<size_t>(i)];
@@ -384,7 +384,7 @@ std::vector<vtkPointSplatHierarchy::Builder::Cell> vtkPointSplatHierarchy::Build
   while (std::any_of(cells.begin(), cells.end(), large))
   {
     std::vector<size_t> middles(cells.size(), 0);
-    vtkSMPTools::For(0, static_cast<vtkIdType>(cells.size()), 1, [&](vtkIdType from, vtkIdType to) {
+    vtkPointSplatThreads::For(0, static_cast<vtkIdType>(cells.size()), 1, [&](vtkIdType from, vtkIdType to) {
       for (size_t c = static_cast<size_t>(from); c < static_cast<size_t>(to); ++c)
       {
         const Cell& cell = cells[c];
@@ -428,7 +428,7 @@ bool vtkPointSplatHierarchy::Builder::Build(const std::function<bool(double)>& p
     {
       return false;
     }
-    vtkSMPTools::For(count * batch / batches, count * (batch + 1) / batches, 1,
+    vtkPointSplatThreads::For(count * batch / batches, count * (batch + 1) / batches, 1,
       [&](vtkIdType from, vtkIdType to) {
         for (size_t c = static_cast<size_t>(from); c < static_cast<size_t>(to); ++c)
         {

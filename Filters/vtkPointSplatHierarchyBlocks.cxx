@@ -4,7 +4,7 @@
 // Of the hierarchy: its blocks.
 #include "vtkPointSplatHierarchy.h"
 
-#include "vtkSMPTools.h"
+#include "vtkPointSplatThreads.h"
 
 #include <algorithm>
 #include <cmath>
@@ -144,7 +144,7 @@ bool vtkPointSplatHierarchy::MakeBlocks(
     this->Blocks[i].FirstChild = children;
     this->Blocks[i].ChildCount = static_cast<Index>(this->Blocks.size()) - children;
   }
-  vtkSMPTools::For(
+  vtkPointSplatThreads::For(
     0, static_cast<vtkIdType>(this->Blocks.size()), 64, [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType i = begin; i < end; ++i)
       {

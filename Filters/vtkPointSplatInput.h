@@ -12,8 +12,8 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
+#include "vtkPointSplatThreads.h"
 #include "vtkPointSplattingABI.h"
-#include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ struct MarkFiniteWorker
   void operator()(Array* points, std::vector<unsigned char>& used) const
   {
     const auto range = vtk::DataArrayTupleRange<3>(points);
-    vtkSMPTools::For(0, range.size(), [&](vtkIdType begin, vtkIdType end) {
+    vtkPointSplatThreads::For(0, range.size(), [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType id = begin; id < end; ++id)
       {
         const auto x = range[id];
@@ -54,7 +54,7 @@ struct ReadNormalsWorker
   void operator()(Array* given, float* normals) const
   {
     const auto range = vtk::DataArrayTupleRange<3>(given);
-    vtkSMPTools::For(0, range.size(), [&](vtkIdType begin, vtkIdType end) {
+    vtkPointSplatThreads::For(0, range.size(), [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType id = begin; id < end; ++id)
       {
         const auto n = range[id];
@@ -78,7 +78,7 @@ struct ReadPositionsWorker
   void operator()(Array* points, std::vector<double>& positions) const
   {
     const auto range = vtk::DataArrayTupleRange<3>(points);
-    vtkSMPTools::For(0, range.size(), [&](vtkIdType begin, vtkIdType end) {
+    vtkPointSplatThreads::For(0, range.size(), [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType id = begin; id < end; ++id)
       {
         const auto x = range[id];

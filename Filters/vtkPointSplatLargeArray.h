@@ -10,8 +10,8 @@
 #ifndef vtkPointSplatLargeArray_h
 #define vtkPointSplatLargeArray_h
 
+#include "vtkPointSplatThreads.h"
 #include "vtkPointSplattingABI.h"
-#include "vtkSMPTools.h"
 #include "vtkType.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ public:
   vtkPointSplatLargeArray(std::size_t count, Value value)
     : vtkPointSplatLargeArray(count)
   {
-    vtkSMPTools::For(0, static_cast<vtkIdType>(count), [&](vtkIdType begin, vtkIdType end) {
+    vtkPointSplatThreads::For(0, static_cast<vtkIdType>(count), [&](vtkIdType begin, vtkIdType end) {
       std::fill(this->data() + begin, this->data() + end, value);
     });
   }

@@ -4,6 +4,7 @@
 
 #include "vtkMarchingCubesTriangleCases.h"
 #include "vtkPointSplatInput.h"
+#include "vtkPointSplatThreads.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -241,7 +242,7 @@ bool vtkPointSplatLattice::FindCrossings()
     return false;
   }
   this->Crossings.resize(ids.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(ids.size()), [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(ids.size()), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
       std::int64_t index[3];
@@ -449,7 +450,7 @@ bool vtkPointSplatLattice::Find()
   this->FindRows();
   std::vector<std::vector<vtkIdType>> found(this->Rows.size());
   std::atomic<bool> whole{ true };
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Rows.size()), [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(this->Rows.size()), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType r = begin; r < end && whole; ++r)
     {
       if (!this->March(this->Rows[r], found[r]))

@@ -8,8 +8,8 @@
 #include "vtkPointSplatBorderPlane.h"
 #include "vtkPointSplatBorders.h"
 #include "vtkPointSplatInput.h"
+#include "vtkPointSplatThreads.h"
 #include "vtkSMPThreadLocal.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -224,7 +224,7 @@ std::vector<vtkPointSplatMeshBorders::Near> vtkPointSplatMeshBorders::FindNear()
 {
   vtkSMPThreadLocal<std::vector<Near>> found;
   const std::vector<vtkIdType>& border = this->Fans.GetBorder();
-  vtkSMPTools::For(0, static_cast<vtkIdType>(border.size()), [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(border.size()), [&](vtkIdType begin, vtkIdType end) {
     std::vector<Near>& near = found.Local();
     std::vector<vtkIdType> around; // in the order in which they were met
     std::set<vtkIdType> seen;
@@ -551,7 +551,7 @@ std::vector<vtkPointSplatMeshBorders::End> vtkPointSplatMeshBorders::FindEnds(co
   }
   std::vector<End> ends(firsts.size());
   firsts.push_back(near.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(ends.size()), [&](vtkIdType begin, vtkIdType last) {
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(ends.size()), [&](vtkIdType begin, vtkIdType last) {
     for (vtkIdType i = begin; i < last; ++i)
     {
       const Near* first = near.data() + firsts[i];

@@ -7,9 +7,9 @@
 #include "vtkNew.h"
 #include "vtkPointSplatFans.h"
 #include "vtkPointSplatInput.h"
+#include "vtkPointSplatThreads.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataNormals.h"
-#include "vtkSMPTools.h"
 #include "vtkTriangle.h"
 
 #include <algorithm>
@@ -117,7 +117,7 @@ struct Count
     const double sharper = GetCosine(vtkPointSplatMeshFaces::RoundAngle);
     const std::vector<vtkIdType>& corners = fans.GetCorners();
     const vtkIdType count = (static_cast<vtkIdType>(corners.size() / 3) + stride - 1) / stride;
-    vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+    vtkPointSplatThreads::For(0, count, [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType i = begin; i < end; ++i)
       {
         const vtkIdType* own = corners.data() + 3 * stride * i;
@@ -147,7 +147,7 @@ using Direction = std::array<float, 3>;
 std::vector<Direction> GetDirections(const vtkPointSplatFans& fans, const std::vector<vtkIdType>& corners)
 {
   std::vector<Direction> directions(corners.size() / 3);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(directions.size()), [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(directions.size()), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType t = begin; t < end; ++t)
     {
       const vtkIdType* own = corners.data() + 3 * t;
@@ -186,7 +186,7 @@ std::vector<Direction> GetTurned(
   const std::vector<vtkIdType>& corners = fans.GetCorners();
   std::vector<unsigned char> against(directions.size(), 0);
   std::atomic<std::size_t> agree{ 0 };
-  vtkSMPTools::For(0, static_cast<vtkIdType>(directions.size()), [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(directions.size()), [&](vtkIdType begin, vtkIdType end) {
     std::size_t here = 0;
     for (vtkIdType t = begin; t < end; ++t)
     {
@@ -221,7 +221,7 @@ public:
     , Least(GetCosine(edges.GetAngle()))
     , Slivers(directions.size(), 0)
   {
-    vtkSMPTools::For(0, edges.OfFlat ? 0 : static_cast<vtkIdType>(directions.size()), [&](vtkIdType begin, vtkIdType end) {
+    vtkPointSplatThreads::For(0, edges.OfFlat ? 0 : static_cast<vtkIdType>(directions.size()), [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType t = begin; t < end; ++t)
       {
         this->Slivers[t] = IsSliver(mesh, mesh.GetCorners().data() + 3 * t);
@@ -360,7 +360,7 @@ vtkPointSplatMeshFaces::vtkPointSplatMeshFaces(
       ofJoined[std::find(own, own + 3, id) - joined.GetCorners().data()] = (sum - this->Normals.data()) / 3;
     }
   }
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Normals.size() / 3), [this](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(this->Normals.size() / 3), [this](vtkIdType begin, vtkIdType end) {
     for (vtkIdType corner = begin; corner < end; ++corner)
     {
       vtkMath::Normalize(this->Normals.data() + 3 * corner);

@@ -4,7 +4,7 @@
 
 #include "vtkArrayDispatch.h"
 #include "vtkDataArrayRange.h"
-#include "vtkSMPTools.h"
+#include "vtkPointSplatThreads.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ struct Gather
   void operator()(Array* points, const std::vector<vtkIdType>& ids, vtkPointSplatLargeArray<Item>& items) const
   {
     const auto range = vtk::DataArrayTupleRange<3>(points);
-    vtkSMPTools::For(0, static_cast<vtkIdType>(ids.size()), [&](vtkIdType begin, vtkIdType end) {
+    vtkPointSplatThreads::For(0, static_cast<vtkIdType>(ids.size()), [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType i = begin; i < end; ++i)
       {
         const auto x = range[ids[i]];
@@ -206,7 +206,7 @@ struct vtkPointSplatNeighbors::Builder
           this->Tasks.resize(this->Tasks.size() + 2);
         }
       }
-      vtkSMPTools::For(first, last, 1, [&](vtkIdType begin, vtkIdType end) {
+      vtkPointSplatThreads::For(first, last, 1, [&](vtkIdType begin, vtkIdType end) {
         for (vtkIdType t = begin; t < end; ++t)
         {
           Task& task = this->Tasks[t];
@@ -226,7 +226,7 @@ struct vtkPointSplatNeighbors::Builder
       });
       first = last;
     }
-    vtkSMPTools::For(0, this->Tasks.size(), 1, [&](vtkIdType begin, vtkIdType end) {
+    vtkPointSplatThreads::For(0, this->Tasks.size(), 1, [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType t = begin; t < end; ++t)
       {
         if (this->Tasks[t].Children < 0)
@@ -297,7 +297,7 @@ void vtkPointSplatNeighbors::Build(vtkDataArray* points, const unsigned char* us
 
   this->Leaves = vtkPointSplatLargeArray<Leaf>(ranges.size());
   this->Ids = vtkPointSplatLargeArray<vtkIdType>(ranges.size() * LeafSize, -1);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(ranges.size()), [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(ranges.size()), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType l = begin; l < end; ++l)
     {
       Item* items = builder.Items.data() + ranges[l].Begin;

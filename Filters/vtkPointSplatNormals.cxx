@@ -3,8 +3,8 @@
 #include "vtkPointSplatNormals.h"
 
 #include "vtkPointSplatRows.h"
+#include "vtkPointSplatThreads.h"
 #include "vtkSMPThreadLocal.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -402,7 +402,7 @@ void vtkPointSplatNormals::Turn(const Target& target)
       this->Turned[slot] = 1;
     }
   };
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Neighbors.GetNumberOfSlots()), turn);
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(this->Neighbors.GetNumberOfSlots()), turn);
 }
 
 void vtkPointSplatNormals::OrientToViewpoint(const double viewpoint[3])

@@ -21,8 +21,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkPointSplatThreads.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -106,7 +106,7 @@ private:
     vtkDataArray* planes = ArrayOf(data, vtkPointSplatArrays::PlaneNormal, 3);
     vtkDataArray* folds = ArrayOf(data, vtkPointSplatArrays::Fold, 6);
     const vtkIdType count = planes && folds ? planes->GetNumberOfTuples() : 0;
-    vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+    vtkPointSplatThreads::For(0, count, [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType id = begin; id < end; ++id)
       {
         double fold[6];
@@ -128,7 +128,7 @@ private:
       ArrayOf(data, vtkPointSplatArrays::Axis2, 3) };
     this->Elliptical = axes[0] && axes[1];
     this->Radii.resize(this->Normals.size() / 3);
-    vtkSMPTools::For(
+    vtkPointSplatThreads::For(
       0, static_cast<vtkIdType>(this->Radii.size()), [&](vtkIdType begin, vtkIdType end) {
         for (vtkIdType id = begin; id < end; ++id)
         {
@@ -214,7 +214,7 @@ void CopyPoints(vtkPolyData* whole, const std::vector<Index>& order, vtkPolyData
   to->CopyAllOn();
   to->CopyAllocate(from, count);
   to->SetNumberOfTuples(count);
-  vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, count, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
       double x[3];
@@ -236,7 +236,7 @@ void CopyPoints(vtkPolyData* whole, const std::vector<Index>& order, vtkPolyData
     };
     if (vtkArrayDownCast<vtkDataArray>(target) && target->GetDataType() != VTK_BIT)
     {
-      vtkSMPTools::For(0, count, copy);
+      vtkPointSplatThreads::For(0, count, copy);
     }
     else
     {
@@ -385,7 +385,7 @@ void AverageData(const Hierarchy& hierarchy, const Reader& reader, vtkPolyData* 
   {
     const Index count = hierarchy.GetNumberOfSplats(level);
     std::vector<double> areas(count, 0.0);
-    vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+    vtkPointSplatThreads::For(0, count, [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType i = begin; i < end; ++i)
       {
         const Index child = hierarchy.GetSplats(level)[i].First;
@@ -444,7 +444,7 @@ void AddLines(const Hierarchy& hierarchy, vtkPolyData* points, vtkPolyData* leve
     vtkPolyData* below = level == 1 ? points : levels;
     vtkDataArray* lines = level == 1 ? from : to;
     const vtkIdType count = hierarchy.GetNumberOfSplats(level);
-    vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+    vtkPointSplatThreads::For(0, count, [&](vtkIdType begin, vtkIdType end) {
       std::vector<vtkPointSplatLevelLines::Splat> splats;
       for (vtkIdType i = begin; i < end; ++i)
       {

@@ -3,6 +3,7 @@
 #include "vtkPointSplatOverlap.h"
 
 #include "vtkPointSplatMorton.h"
+#include "vtkPointSplatThreads.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -43,7 +44,7 @@ struct Level
   void Sort(const double* positions, const double origin[3])
   {
     std::vector<std::pair<std::uint64_t, Index>> entries(this->Splats.size());
-    vtkSMPTools::For(
+    vtkPointSplatThreads::For(
       0, static_cast<vtkIdType>(entries.size()), [&](vtkIdType begin, vtkIdType end) {
         for (vtkIdType e = begin; e < end; ++e)
         {
@@ -226,7 +227,7 @@ bool vtkPointSplatOverlap::Build(const double* positions, const double* radii, I
       }
     }
   };
-  vtkSMPTools::For(0, static_cast<vtkIdType>(tasks.size()), 1, search);
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(tasks.size()), 1, search);
   if (edges > mostEdges)
   {
     return false;
@@ -235,7 +236,7 @@ bool vtkPointSplatOverlap::Build(const double* positions, const double* radii, I
   // 3. Rows
   std::vector<std::atomic<Index>> cursors(count);
   auto each = [&](const std::function<void(const std::pair<Index, Index>&)>& visit) {
-    vtkSMPTools::For(0, static_cast<vtkIdType>(pairs.size()), 1, [&](vtkIdType a, vtkIdType b) {
+    vtkPointSplatThreads::For(0, static_cast<vtkIdType>(pairs.size()), 1, [&](vtkIdType a, vtkIdType b) {
       for (vtkIdType t = a; t < b; ++t)
       {
         for (const auto& pair : pairs[t])

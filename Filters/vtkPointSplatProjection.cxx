@@ -18,8 +18,9 @@
 #include "vtkPointSplatSheet.h"
 #include "vtkPointSplatSensors.h"
 #include "vtkPoints.h"
+#include "vtkPointSplatThreads.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
+#include "vtkSMPThreadLocal.h"
 
 #include <algorithm>
 #include <array>
@@ -62,7 +63,7 @@ struct MoveWorker
   {
     auto range = vtk::DataArrayTupleRange<3>(points);
     using Value = vtk::GetAPIType<Array>;
-    vtkSMPTools::For(0, range.size(), [&](vtkIdType begin, vtkIdType end) {
+    vtkPointSplatThreads::For(0, range.size(), [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType id = begin; id < end; ++id)
       {
         if (slots[id] == vtkPointSplatNeighbors::None)
@@ -463,7 +464,7 @@ void vtkPointSplatProjection::Run::Write(vtkPolyData* output, const char* normal
   vtkNew<vtkUnsignedCharArray> strays;
   strays->SetName(vtkPointSplatArrays::Outlier);
   strays->SetNumberOfTuples(points);
-  vtkSMPTools::For(0, points, [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, points, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType id = begin; id < end; ++id)
     {
       const Slot s = slotOf[id];

@@ -3,6 +3,7 @@
 #include "vtkPointSplatRefinement.h"
 
 #include "vtkMath.h"
+#include "vtkPointSplatThreads.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -267,7 +268,7 @@ float vtkPointSplatRefinement::GetCover(const Corners& corners) const
 void vtkPointSplatRefinement::Cover()
 {
   vtkPointSplatLargeArray<float> covers(this->Undivided.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Undivided.size()), [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(this->Undivided.size()), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType t = begin; t < end; ++t)
     {
       covers[t] = this->GetCover(this->Undivided[t]);

@@ -4,7 +4,7 @@
 
 #include "vtkMath.h"
 #include "vtkPointSplatNormals.h"
-#include "vtkSMPTools.h"
+#include "vtkPointSplatThreads.h"
 
 #include <algorithm>
 #include <cmath>
@@ -303,7 +303,7 @@ void vtkPointSplatRows::KeepSurfaces(
   for (int vote = 0; vote < NumberOfVotes; ++vote)
   {
     std::vector<unsigned char> kept(planes.size());
-    vtkSMPTools::For(0, static_cast<vtkIdType>(planes.size()), [&](vtkIdType begin, vtkIdType end) {
+    vtkPointSplatThreads::For(0, static_cast<vtkIdType>(planes.size()), [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType k = begin; k < end; ++k)
       {
         kept[k] = hasPlane[planes[k].At] && isSurface(planes[k]);

@@ -4,7 +4,7 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
-#include "vtkSMPTools.h"
+#include "vtkPointSplatThreads.h"
 
 #include <algorithm>
 #include <array>
@@ -47,7 +47,7 @@ std::vector<unsigned char> vtkPointSplatSparsePart::GetUsed() const
   const float least = SparseRatio * vtkPointSplatDisks::GetQuantile(spacings, 0.5);
   const std::vector<std::atomic<bool>> near = this->GetNearLeaves();
   std::vector<unsigned char> used(this->Neighbors.GetSlots().size(), 0);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Hemmed.size()), [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(this->Hemmed.size()), [&](vtkIdType begin, vtkIdType end) {
     for (Slot s = static_cast<Slot>(begin); s < static_cast<Slot>(end); ++s)
     {
       const vtkIdType id = this->Neighbors.GetId(s);
@@ -70,7 +70,7 @@ std::vector<std::atomic<bool>> vtkPointSplatSparsePart::GetNearLeaves() const
     std::fill(near.begin(), near.end(), true);
     return near;
   }
-  vtkSMPTools::For(0, static_cast<vtkIdType>(near.size()), [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(near.size()), [&](vtkIdType begin, vtkIdType end) {
     for (Slot leaf = static_cast<Slot>(begin); leaf < static_cast<Slot>(end); ++leaf)
     {
       float spacing = 0;

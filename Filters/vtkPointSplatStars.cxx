@@ -4,6 +4,7 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkMath.h"
+#include "vtkPointSplatThreads.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
 #include "vtkTriangle.h"
@@ -304,7 +305,7 @@ void vtkPointSplatStars::FindUneven(const Cloud& cloud)
       turns[leaf] = this->IsOpen(cloud, s) ? std::numeric_limits<float>::max() : turns[leaf];
     }
   }
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Sizes.size()), [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(this->Sizes.size()), [&](vtkIdType begin, vtkIdType end) {
     for (Site s = static_cast<Site>(begin); s < static_cast<Site>(end); ++s)
     {
       const float reach = disks.GetReach(s);
@@ -401,7 +402,7 @@ bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
   }
   // Neighbours may be those of another body in the same plane, as the soles of an animal's feet are: what no triangle
   // reaches is not the site's to cover.
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Sizes.size()), [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(this->Sizes.size()), [&](vtkIdType begin, vtkIdType end) {
     for (Site s = static_cast<Site>(begin); s < static_cast<Site>(end); ++s)
     {
       this->Sizes[s] = this->Uneven[s] ? std::min(this->Sizes[s], longest[s]) : this->Sizes[s];

@@ -6,7 +6,7 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkSMPTools.h"
+#include "vtkPointSplatThreads.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ vtkSmartPointer<vtkImageData> MakeHydrogenVolume(int size)
   density->SetName("density");
   density->SetNumberOfTuples(static_cast<vtkIdType>(size) * size * size);
   float* values = density->GetPointer(0);
-  vtkSMPTools::For(0, size, [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, size, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType k = begin; k < end; ++k)
     {
       for (vtkIdType j = 0; j < size; ++j)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatBlocks.h"
 
-#include "vtkSMPTools.h"
+#include "vtkPointSplatThreads.h"
 
 #include <algorithm>
 #include <cstring>
@@ -14,7 +14,7 @@ void vtkPointSplatBlocks::Make(
   this->Count = count;
   const vtkIdType blocks = (count + Size - 1) / Size;
   this->Boxes.resize(static_cast<size_t>(blocks));
-  vtkSMPTools::For(0, blocks, [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, blocks, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType block = begin; block < end; ++block)
     {
       Box box{ { { VTK_FLOAT_MAX, VTK_FLOAT_MAX, VTK_FLOAT_MAX } },

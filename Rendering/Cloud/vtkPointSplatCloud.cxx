@@ -17,8 +17,8 @@
 #include "vtkPointSplatPacking.h"
 #include "vtkPointSplatSpacing.h"
 #include "vtkPoints.h"
+#include "vtkPointSplatThreads.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -207,7 +207,7 @@ vtkIdType vtkPointSplatCloud::BuildBlock(
   const std::vector<uint32_t> order =
     vtkPointSplatMorton(this->Low, this->High).Order(packed.data(), words, kept, this->Origin);
   uint32_t* to = this->Splats.data() + words * static_cast<size_t>(block.First);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(kept), [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(kept), [&](vtkIdType begin, vtkIdType end) {
     for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
     {
       std::copy_n(packed.data() + words * order[i], words, to + words * i);
@@ -374,7 +374,7 @@ bool vtkPointSplatCloud::BuildValues(const vtkPointSplatCloudInput& input)
     const Block& block = this->Blocks[b];
     const vtkSmartPointer<vtkFloatArray> places = block.OfSplats(all[b].Coordinates.Get());
     const float* from = places->GetPointer(0);
-    vtkSMPTools::For(block.First, block.First + block.Count, [&](vtkIdType begin, vtkIdType end) {
+    vtkPointSplatThreads::For(block.First, block.First + block.Count, [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType number = begin; number < end; ++number)
       {
         const size_t i = this->SplatOf(number);
@@ -419,7 +419,7 @@ void vtkPointSplatCloud::BuildFactors(vtkObject* owner)
     }
     this->FactorCount = std::max(this->FactorCount, count);
     const vtkSmartPointer<vtkDataArray> extended = block.OfSplats(factors);
-    vtkSMPTools::For(block.First, block.First + block.Count, [&](vtkIdType begin, vtkIdType end) {
+    vtkPointSplatThreads::For(block.First, block.First + block.Count, [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType number = begin; number < end; ++number)
       {
         const size_t i = this->SplatOf(number);

@@ -5,7 +5,7 @@
 #include "vtkPointSplatPacking.h"
 
 #include "vtkDataArray.h"
-#include "vtkSMPTools.h"
+#include "vtkPointSplatThreads.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ double GetNearestDistance(const std::vector<uint32_t>& splats, size_t words)
     return p;
   };
   std::vector<float> nearest((count + step - 1) / step, VTK_FLOAT_MAX);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(nearest.size()), [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(nearest.size()), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType k = begin; k < end; ++k)
     {
       const std::array<float, 3> p = at(static_cast<size_t>(k) * step);

@@ -9,8 +9,8 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
+#include "vtkPointSplatThreads.h"
 #include "vtkSMPThreadLocal.h"
-#include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -120,7 +120,7 @@ std::array<double, 6> vtkPointSplatCloud::BoundsOf(vtkPointSet* data)
     vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT;
   const std::array<double, 6> none{ { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 } };
   vtkSMPThreadLocal<std::array<double, 6>> parts(none);
-  vtkSMPTools::For(0, data->GetNumberOfPoints(), [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, data->GetNumberOfPoints(), [&](vtkIdType begin, vtkIdType end) {
     std::array<double, 6>& part = parts.Local();
     for (vtkIdType i = begin; i < end; ++i)
     {

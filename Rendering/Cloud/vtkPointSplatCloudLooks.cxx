@@ -9,7 +9,7 @@
 #include "vtkPointSet.h"
 #include "vtkPointSplatCoordinates.h"
 #include "vtkPointSplatPieces.h"
-#include "vtkSMPTools.h"
+#include "vtkPointSplatThreads.h"
 
 #include <algorithm>
 #include <cmath>
@@ -152,7 +152,7 @@ void vtkPointSplatCloud::BuildScalarColours(
       ofPoints ? block.OfSplats(colours.Array.Get()) : colours.Array;
     const unsigned char* from = array->GetPointer(0);
     const vtkIdType tuples = array->GetNumberOfTuples();
-    vtkSMPTools::For(block.First, block.First + block.Count, [&](vtkIdType begin, vtkIdType end) {
+    vtkPointSplatThreads::For(block.First, block.First + block.Count, [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType number = begin; number < end; ++number)
       {
         const size_t i = this->SplatOf(number);
@@ -193,7 +193,7 @@ void vtkPointSplatCloud::BuildLooks(
     const double opacity = this->OwnOpacity ? look.Opacity.value_or(actor[3]) : 1.0;
     const bool keeps = scalars[b] && !look.Colour;
     const uint32_t plain = byte(colour[0]) | byte(colour[1]) << 8 | byte(colour[2]) << 16;
-    vtkSMPTools::For(block.First, block.First + block.Count, [&](vtkIdType begin, vtkIdType end) {
+    vtkPointSplatThreads::For(block.First, block.First + block.Count, [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType number = begin; number < end; ++number)
       {
         const size_t i = this->SplatOf(number);

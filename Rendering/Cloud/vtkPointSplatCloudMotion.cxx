@@ -12,7 +12,7 @@
 #include "vtkPointSplatCells.h"
 #include "vtkPointSplatPacking.h"
 #include "vtkPoints.h"
-#include "vtkSMPTools.h"
+#include "vtkPointSplatThreads.h"
 
 #include <algorithm>
 #include <cmath>
@@ -304,7 +304,7 @@ void vtkPointSplatCloud::MoveBlocks(const std::vector<uint32_t>& blocks)
   }
   this->MoveParts(parts);
   const float radius = static_cast<float>(missing.empty() ? 0.0 : this->GetUsualRadius());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(missing.size()), 16, [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(missing.size()), 16, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
       this->Levels.Refit(missing[static_cast<size_t>(i)], this->Splats, this->GetWordsPerSplat(), radius);

@@ -5,7 +5,7 @@
 #include "vtkPointSplatCloud.h"
 
 #include "vtkPointSplatCoordinates.h"
-#include "vtkSMPTools.h"
+#include "vtkPointSplatThreads.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -128,7 +128,7 @@ void vtkPointSplatCloud::UploadSome(const std::vector<uint32_t>& data, size_t wo
     to.Fill(0, bytes, 0u); // out of memory: splats of no size
     return;
   }
-  vtkSMPTools::For(0, static_cast<vtkIdType>(buffers.Resident.size()), 256, [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(buffers.Resident.size()), 256, [&](vtkIdType begin, vtkIdType end) {
     for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
     {
       const size_t from = words * buffers.Runs->Runs[i].First;

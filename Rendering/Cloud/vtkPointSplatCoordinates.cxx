@@ -8,9 +8,10 @@
 #include "vtkNew.h"
 #include "vtkPointSplatCodes.h"
 #include "vtkPoints.h"
+#include "vtkPointSplatThreads.h"
 #include "vtkPolyData.h"
 #include "vtkSMPThreadLocalObject.h"
-#include "vtkSMPTools.h"
+#include "vtkSMPThreadLocal.h"
 #include "vtkStaticPointLocator.h"
 
 #include <glm/glm.hpp>
@@ -241,7 +242,7 @@ void vtkPointSplatCoordinates::Make(
     locator->BuildLocator();
   }
   vtkSMPThreadLocalObject<vtkIdList> lists;
-  vtkSMPTools::For(0, splats.Count, [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, splats.Count, [&](vtkIdType begin, vtkIdType end) {
     vtkIdList* nearest = lists.Local();
     std::vector<Neighbour> all;
     for (vtkIdType i = begin; i < end; ++i)
@@ -294,7 +295,7 @@ void vtkPointSplatCoordinates::Make(
 void vtkPointSplatCoordinates::MakeTangents(
   const Splats& splats, vtkDataArray* tangents, uint32_t* codes)
 {
-  vtkSMPTools::For(0, splats.Count, [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, splats.Count, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
       double t[3];

@@ -7,7 +7,7 @@
 #include "vtkPointSplatLevelLines.h"
 #include "vtkPointSplatOrdered.h"
 #include "vtkPointSplatRims.h"
-#include "vtkSMPTools.h"
+#include "vtkPointSplatThreads.h"
 
 #include <algorithm>
 #include <chrono>
@@ -251,7 +251,7 @@ void vtkPointSplatLevels::AppendSplats(
     const std::vector<vtkPointSplatHierarchy::Splat>& from =
       this->Hierarchy.GetSplats(static_cast<int>(level));
     const uint32_t start = this->Starts[level];
-    vtkSMPTools::For(0, static_cast<vtkIdType>(from.size()), [&](vtkIdType begin, vtkIdType end) {
+    vtkPointSplatThreads::For(0, static_cast<vtkIdType>(from.size()), [&](vtkIdType begin, vtkIdType end) {
       for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
       {
         const uint32_t own = start + static_cast<uint32_t>(i);
@@ -322,7 +322,7 @@ vtkPointSplatLevels::Deviations vtkPointSplatLevels::MeasureDeviations(
     return sum;
   };
   auto deviations = std::make_shared<std::vector<float>>(this->Blocks.size(), 0.0f);
-  vtkSMPTools::For(
+  vtkPointSplatThreads::For(
     0, static_cast<vtkIdType>(this->Blocks.size()), 64, [&](vtkIdType begin, vtkIdType end) {
       for (size_t b = static_cast<size_t>(begin); b < static_cast<size_t>(end); ++b)
       {
@@ -355,7 +355,7 @@ void vtkPointSplatLevels::Append(std::vector<uint32_t>& data, const Mean& mean) 
   data.resize(this->Starts.back());
   for (size_t level = 1; level + 1 < this->Starts.size(); ++level)
   {
-    vtkSMPTools::For(this->Starts[level], this->Starts[level + 1],
+    vtkPointSplatThreads::For(this->Starts[level], this->Starts[level + 1],
       [&](vtkIdType begin, vtkIdType end) {
         for (uint32_t i = static_cast<uint32_t>(begin); i < static_cast<uint32_t>(end); ++i)
         {

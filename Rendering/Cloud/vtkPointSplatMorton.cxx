@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatMorton.h"
 
+#include "vtkPointSplatThreads.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -54,7 +55,7 @@ std::vector<uint32_t> vtkPointSplatMorton::Order(const uint32_t* records, size_t
   size_t count, const std::array<double, 3>& origin) const
 {
   std::vector<std::pair<uint64_t, uint32_t>> keys(count);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(count), [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(count), [&](vtkIdType begin, vtkIdType end) {
     for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
     {
       float p[3];

@@ -5,8 +5,8 @@
 #include "vtkArrayDispatch.h"
 #include "vtkDataArrayRange.h"
 #include "vtkPointSplatMotionTurn.h"
+#include "vtkPointSplatThreads.h"
 #include "vtkSMPThreadLocal.h"
-#include "vtkSMPTools.h"
 
 #include <glm/glm.hpp>
 
@@ -49,7 +49,7 @@ struct Look
     const auto points = vtk::DataArrayTupleRange<3>(pointArray);
     const auto normals = vtk::DataArrayTupleRange<3>(normalArray);
     std::atomic<bool> good{ true };
-    vtkSMPTools::For(0, points.size(), LookedAtOnce, [&](vtkIdType begin, vtkIdType end) {
+    vtkPointSplatThreads::For(0, points.size(), LookedAtOnce, [&](vtkIdType begin, vtkIdType end) {
       bool all = true;
       for (vtkIdType i = begin; i < end; ++i)
       {
@@ -120,7 +120,7 @@ public:
     vtkDataArray* radii)
   {
     vtkSMPThreadLocal<Sums> sums;
-    vtkSMPTools::For(0, static_cast<vtkIdType>(parts.size()), 16, [&](vtkIdType begin, vtkIdType end) {
+    vtkPointSplatThreads::For(0, static_cast<vtkIdType>(parts.size()), 16, [&](vtkIdType begin, vtkIdType end) {
       Anchored anchored;
       Sums& own = sums.Local();
       for (vtkIdType i = begin; i < end; ++i)

@@ -4,7 +4,7 @@
 #ifndef vtkPointSplatOrdered_h
 #define vtkPointSplatOrdered_h
 
-#include "vtkSMPTools.h"
+#include "vtkPointSplatThreads.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -16,7 +16,7 @@ inline std::vector<uint32_t> vtkPointSplatOrdered(const std::vector<uint32_t>& d
   const std::vector<uint32_t>& order, size_t room)
 {
   std::vector<uint32_t> ordered(words * room, 0u);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(order.size()), [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(order.size()), [&](vtkIdType begin, vtkIdType end) {
     for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
     {
       std::copy_n(data.data() + words * order[i], words, ordered.data() + words * i);

@@ -20,8 +20,8 @@
 #include "vtkPointSplatFolds.h"
 #include "vtkPointSplatProjection.h"
 #include "vtkPoints.h"
+#include "vtkPointSplatThreads.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -139,7 +139,7 @@ struct PackWorker
     const auto points = vtk::DataArrayTupleRange<3>(pointArray);
     const auto normals = vtk::DataArrayTupleRange<3>(normalArray);
     const vtkIdType words = circular ? 8 : 16;
-    vtkSMPTools::For(0, points.size(), [&](vtkIdType begin, vtkIdType end) {
+    vtkPointSplatThreads::For(0, points.size(), [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType i = begin; i < end; ++i)
       {
         valid[i] = 0;
@@ -510,7 +510,7 @@ void vtkPointSplatPacking::PackClipLines(
   const uint32_t* splats, vtkIdType count, bool circular, uint32_t* lines) const
 {
   const vtkIdType words = circular ? 8 : 16;
-  vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, count, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
       const uint32_t* splat = splats + words * i;

@@ -11,7 +11,7 @@
 #include "vtkPointSet.h"
 #include "vtkPointSplatPacking.h"
 #include "vtkPoints.h"
-#include "vtkSMPTools.h"
+#include "vtkPointSplatThreads.h"
 
 #include <algorithm>
 #include <cmath>
@@ -160,7 +160,7 @@ std::vector<std::pair<size_t, size_t>> vtkPointSplatPieceVotes::Count() const
 {
   const size_t blocks = this->Ends.size();
   std::vector<Votes> votes(blocks);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(blocks), [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(blocks), [&](vtkIdType begin, vtkIdType end) {
     for (size_t b = static_cast<size_t>(begin); b < static_cast<size_t>(end); ++b)
     {
       this->Ask(b, votes[b]);

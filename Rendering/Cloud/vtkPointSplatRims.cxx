@@ -3,7 +3,7 @@
 #include "vtkPointSplatRims.h"
 
 #include "vtkMath.h"
-#include "vtkSMPTools.h"
+#include "vtkPointSplatThreads.h"
 
 #include <algorithm>
 #include <array>
@@ -108,7 +108,7 @@ std::vector<bool> vtkPointSplatRims::Find(
   const Points& points, const std::vector<Block>& blocks, size_t roots)
 {
   std::vector<std::array<float, 3>> places(points.Order.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(places.size()), [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(places.size()), [&](vtkIdType begin, vtkIdType end) {
     for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
     {
       std::memcpy(places[i].data(), points.Splats + points.Words * points.Order[i],
@@ -117,7 +117,7 @@ std::vector<bool> vtkPointSplatRims::Find(
   });
   const Search search{ places, blocks };
   std::vector<unsigned char> found(blocks.size(), 0); // a byte each, for threads
-  vtkSMPTools::For(
+  vtkPointSplatThreads::For(
     0, static_cast<vtkIdType>(found.size()), 64, [&](vtkIdType begin, vtkIdType end) {
       for (size_t b = static_cast<size_t>(begin); b < static_cast<size_t>(end); ++b)
       {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatSeams.h"
 
-#include "vtkSMPTools.h"
+#include "vtkPointSplatThreads.h"
 
 #include <algorithm>
 #include <array>
@@ -141,7 +141,7 @@ void vtkPointSplatSeams::Make(
   }
   const Search search(blocks, this->Runs);
   std::vector<std::vector<uint32_t>> found(this->Runs.size());
-  vtkSMPTools::For(
+  vtkPointSplatThreads::For(
     0, static_cast<vtkIdType>(found.size()), 64, [&](vtkIdType begin, vtkIdType end) {
       for (size_t r = static_cast<size_t>(begin); r < static_cast<size_t>(end); ++r)
       {

@@ -8,9 +8,9 @@
 #include "vtkNew.h"
 #include "vtkPointSplatCells.h"
 #include "vtkPoints.h"
+#include "vtkPointSplatThreads.h"
 #include "vtkPolyData.h"
 #include "vtkPolygon.h"
-#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -345,7 +345,7 @@ void vtkPointSplatTriangles::Measure(const Splats& splats)
           LongestShare * longest[i]);
     }
   };
-  vtkSMPTools::For(
+  vtkPointSplatThreads::For(
     0, static_cast<vtkIdType>(longest.size()), 256, [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType i = begin; i < end; ++i)
       {

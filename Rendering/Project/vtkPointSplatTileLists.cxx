@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatTileLists.h"
 
+#include "vtkPointSplatThreads.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -75,7 +76,7 @@ void vtkPointSplatTileLists::ForEachTile(const Listed& listed, const Function& f
 template <typename Function>
 void vtkPointSplatTileLists::ForParts(const Function& function) const
 {
-  vtkSMPTools::For(0, this->Parts, 1, [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, this->Parts, 1, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType part = begin; part < end; ++part)
     {
       function(static_cast<size_t>(part));

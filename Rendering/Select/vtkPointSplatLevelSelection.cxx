@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatLevelSelection.h"
 
-#include "vtkSMPTools.h"
+#include "vtkPointSplatThreads.h"
 
 #include <algorithm>
 #include <cmath>
@@ -222,7 +222,7 @@ std::shared_ptr<const vtkPointSplatRuns> vtkPointSplatLevelSelection::Choose()
   }
   const std::vector<uint32_t> branches = this->FindBranches();
   std::vector<Chosen> parts(branches.size());
-  vtkSMPTools::For(
+  vtkPointSplatThreads::For(
     0, static_cast<vtkIdType>(branches.size()), BranchesAtOnce, [&](vtkIdType begin, vtkIdType end) {
       for (size_t i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
       {

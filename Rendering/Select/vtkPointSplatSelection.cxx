@@ -6,7 +6,7 @@
 #include "vtkPointSplatLevelSelection.h"
 #include "vtkPointSplatPatches.h"
 
-#include "vtkSMPTools.h"
+#include "vtkPointSplatThreads.h"
 
 #include <algorithm>
 
@@ -69,7 +69,7 @@ std::shared_ptr<const vtkPointSplatRuns> vtkPointSplatSelection::Runs(
   auto isPatch = [&](size_t block) {
     return item.TrianglePixels > 0.0 && sizeOf(block).Edge > 0.0f;
   };
-  vtkSMPTools::For(0, static_cast<vtkIdType>(boxes.size()), 256, [&](vtkIdType begin, vtkIdType end) {
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(boxes.size()), 256, [&](vtkIdType begin, vtkIdType end) {
     for (size_t block = static_cast<size_t>(begin); block < static_cast<size_t>(end); ++block)
     {
       vtkPointSplatBlocks::Box box = boxes[block];

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatShadowCache.h"
 
-#include "vtkSMPTools.h"
+#include "vtkPointSplatThreads.h"
 
 #include <cmath>
 
@@ -54,7 +54,7 @@ bool vtkPointSplatShadowCache::Compute()
     const unsigned int shift = 8 * static_cast<unsigned int>(light);
     for (size_t i = 0; i < clouds.size(); ++i)
     {
-      vtkSMPTools::For(
+      vtkPointSplatThreads::For(
         0, static_cast<vtkIdType>(factors[i].size()), [&](vtkIdType first, vtkIdType last) {
           for (size_t k = static_cast<size_t>(first); k < static_cast<size_t>(last); ++k)
           {

@@ -34,7 +34,7 @@ set(public_headers)
 set(internals "Internals\\.h$")
 # Names that are made when the project is configured, or that all may use.
 set(everywhere
-  "^vtkPointSplat(SetMacros|tingABI|tingConfigure|tingFeatures)\\.h$")
+  "^vtkPointSplat(SetMacros|Threads|tingABI|tingConfigure|tingFeatures)\\.h$")
 set(opengl "^(vtk_gl|vtkgl|vtk_glew|vtk_glad|vtkOpenGL.*|GL/.*|GLES.*|EGL/.*|glm/.*)")
 
 set(folders GL Cloud Project Select Reconstruct Shade Shadow Choice Frame)
