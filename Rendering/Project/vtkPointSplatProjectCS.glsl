@@ -4,12 +4,13 @@
 //
 // Projects each splat once: its record and its box, for the tiles; and its colour, factors of
 // lights, texture coordinates, tangent, id or clip lines, beside them.
-// Variants: CLIPPING, CLIP_LINES, COLOURS, FACTORS, COORDINATES, TANGENTS, IDS.
+// Variants: CLIPPING, CLIP_LINES, COLOURS, FACTORS, COORDINATES, TANGENTS, IDS, PIXEL_BOXES.
 // Reads: Splats, ClipLineTexels, Colours, Factors, Coordinates, Tangents, Ids. Writes: Records,
 // Boxes, RecordClipLines, RecordColours, RecordFactors, RecordCoordinates, RecordTangents, RecordIds.
 
 #include "vtkPointSplatProjection"
 #include "vtkPointSplatRecord"
+#include "vtkPointSplatBoxes"
 #include "vtkPointSplatBlockList"
 #ifdef CLIP_LINES
 #include "vtkPointSplatClipLines"
@@ -21,7 +22,6 @@ layout(local_size_x = 64) in;
 // invocations at once, and GPUs do not mind.
 uniform usamplerBuffer Splats; // RGBA32UI, two or four a splat: see vtkPointSplatCloud.h
 layout(std430, binding = 0) writeonly buffer Records { uvec4 records[]; };
-layout(std430, binding = 1) writeonly buffer Boxes { uvec2 boxes[]; };
 #ifdef COLOURS
 uniform usamplerBuffer Colours; // R32UI, where HasColours
 uniform bool HasColours;
@@ -138,6 +138,11 @@ void main()
   float growth = nearer < 0.9 ? 1.0 / (1.0 - nearer) : 1e9;
   float margin = KernelSupport * PrefilterRadius;
   vec2 beside = leans ? margin * abs(minor) : vec2(0.0);
+  // Where the disk is: widened, and seen by samples' rays that are taken for parallel.
+  vec2 diskExtent = DiskReach / KernelSupport * extent;
+  float diskMargin = DiskReach * CoverageRadius + SampleReach + 2.0 * StillPixels;
+  vec2 diskLow = q.centre - max(growth * (diskExtent - min(rise, fall)), vec2(0.0)) - diskMargin;
+  vec2 diskHigh = q.centre + max(growth * (diskExtent + max(rise, fall)), vec2(0.0)) + diskMargin;
   vec2 low = max(growth * (extent - min(rise, fall)), vec2(margin));
   vec2 high = max(growth * (extent + max(rise, fall)), vec2(margin));
   low = q.centre - sqrt(low * low + beside * beside);
@@ -193,9 +198,7 @@ void main()
   uint bucket = uint(clamp((q.depth - deep - BucketScale.x) * BucketScale.y, 0.0,
     float(DepthBuckets - 1u)));
   uint to = invocation - FirstInvocation;
-  uvec2 box = uvec2(uint(first.x) | uint(first.y) << 12 | (bucket & 127u) << 25,
-    uint(last.x) | uint(last.y) << 12 | (bucket >> 7) << 25 | kind << 28);
-  boxes[to] = seen ? box : uvec2(0u);
+  writeBox(to, ivec4(first, last), bucket, kind, vec4(ceil(diskLow - 0.5), floor(diskHigh - 0.5)));
 
   uint head = q.tag | (belongsToBothSides(q) ? BothSides : 0u) |
     encodeLayer(q.layer / max(q.facing, LeastFacing), isEdgeOn(q.facing)) << 16;

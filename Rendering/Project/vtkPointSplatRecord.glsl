@@ -34,7 +34,8 @@
 // ray, 16 bits of a float, negative where the splat is seen edge-on.
 //
 // Box: first tile x 12 bits, y 13, bucket of the nearest depth 7 lower bits; last tile x and y,
-// bucket 3 upper bits, kind.
+// bucket 3 upper bits, kind. With PIXEL_BOXES two words more, of the pixels of which the disk or the
+// triangle may hide a sample: first pixel x and y, 16 bits each; last x and y.
 
 const int RecordTexels = 5;
 

@@ -13,7 +13,6 @@
 namespace
 {
 // As in vtkPointSplatRecord.glsl.
-constexpr uint32_t RecordBits = 22;
 constexpr uint32_t Flat = 1;
 constexpr uint32_t Bent = 2;
 constexpr uint32_t Wide = 4;
@@ -86,7 +85,7 @@ void vtkPointSplatTileLists::ForParts(const Function& function) const
 
 //------------------------------------------------------------------------------
 void vtkPointSplatTileLists::Count(
-  const uint32_t* boxes, size_t splats, const vtkPointSplatTileGrid& grid)
+  const uint32_t* boxes, size_t boxWords, size_t splats, const vtkPointSplatTileGrid& grid)
 {
   this->Grid = grid;
   this->Blocks = (grid.Tiles + (1 << BlockShift) - 1) >> BlockShift;
@@ -94,8 +93,9 @@ void vtkPointSplatTileLists::Count(
   const size_t parts = static_cast<size_t>(this->Parts);
 
   // By kind and bucket, each part of the splats after the ones before.
-  auto keyOf = [boxes](size_t i) {
-    return KindOf(boxes[2 * i + 1]) * Buckets + BucketOf(boxes[2 * i], boxes[2 * i + 1]);
+  auto keyOf = [boxes, boxWords](size_t i) {
+    const uint32_t* box = boxes + boxWords * i;
+    return KindOf(box[1]) * Buckets + BucketOf(box[0], box[1]);
   };
   constexpr size_t Keys = (Triangle + 1) * Buckets;
   std::vector<std::array<uint32_t, Keys>> places(parts);
@@ -132,7 +132,7 @@ void vtkPointSplatTileLists::Count(
       {
         this->Sorted[places[part][key]++] = { static_cast<uint32_t>(i) |
             static_cast<uint32_t>(key % Buckets) << RecordBits,
-          boxes[2 * i], boxes[2 * i + 1] };
+          boxes[boxWords * i], boxes[boxWords * i + 1] };
       }
     }
   });
@@ -281,14 +281,21 @@ bool vtkPointSplatTileLists::IsCurved(uint32_t tile) const
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatTileLists::WriteRow(uint32_t tile, uint32_t* row) const
+vtkPointSplatTileLists::Span vtkPointSplatTileLists::GetSpan(uint32_t tile) const
 {
   const uint32_t start = this->Starts[tile];
+  const uint32_t curveds = start + this->Flats[tile] + this->Bents[tile];
+  const uint32_t end = this->Starts[tile + 1];
   const size_t wide = this->BlockOf(tile);
-  const uint32_t words[TableWords] = { start, start + this->Flats[tile],
-    start + this->Flats[tile] + this->Bents[tile], tile, this->Starts[tile + 1],
-    this->Starts[wide], this->Starts[wide + 1],
-    this->Starts[tile + 1] - this->Triangles[tile] + 1 };
+  return { start, start + this->Flats[tile], curveds, end - this->Triangles[tile], end,
+    this->Starts[wide], this->Starts[wide + 1], tile };
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatTileLists::WriteRow(const Span& span, uint32_t* row)
+{
+  const uint32_t words[TableWords] = { span.Flats, span.Bents, span.Curveds, span.Tile, span.End,
+    span.Wides, span.WideEnd, span.Triangles + 1 };
   std::copy_n(words, TableWords, row);
 }
 
@@ -326,7 +333,7 @@ void vtkPointSplatTileLists::Deal(
       size_t row = to;
       for (size_t i = group * groupSize; i < std::min((group + 1) * groupSize, tiles.size()); ++i)
       {
-        this->WriteRow(tiles[i], table.data() + row);
+        WriteRow(this->GetSpan(tiles[i]), table.data() + row);
         row += TableWords;
       }
       to += TableWords * groupSize;

@@ -43,9 +43,10 @@ public:
   static constexpr size_t TableWords = 8;
 
   /**
-   * Sorts and counts; boxes: two words a splat.
+   * Sorts and counts; boxes: so many words a splat, of which the first two are of tiles.
    */
-  void Count(const uint32_t* boxes, size_t splats, const vtkPointSplatTileGrid& grid);
+  void Count(
+    const uint32_t* boxes, size_t boxWords, size_t splats, const vtkPointSplatTileGrid& grid);
   /// Entries of all lists, after Count().
   size_t GetNumberOfEntries() const { return this->Entries; }
   /// Whether there are triangles, or splats that are no flat or bent ones.
@@ -56,8 +57,28 @@ public:
   /// Writes the lists: GetNumberOfEntries() words.
   void Fill(uint32_t* lists);
 
-  /// A tile, and where its splats are in the lists: TableWords words.
-  void WriteRow(uint32_t tile, uint32_t* row) const;
+  /// Where each kind of splat of a tile begins in the lists, and where the last ones end.
+  struct Span
+  {
+    uint32_t Flats;
+    uint32_t Bents;
+    uint32_t Curveds;
+    uint32_t Triangles;
+    uint32_t End;
+    uint32_t Wides;
+    uint32_t WideEnd;
+    uint32_t Tile;
+  };
+  Span GetSpan(uint32_t tile) const;
+  /// As the table has it: TableWords words.
+  static void WriteRow(const Span& span, uint32_t* row);
+  /// Of an entry of a list.
+  static uint32_t RecordOf(uint32_t entry) { return entry & ((1u << RecordBits) - 1u); }
+  /// Of a pixel.
+  uint32_t GetTile(const glm::ivec2& pixel) const
+  {
+    return this->TileAt(pixel.x >> this->Grid.Shift.x, pixel.y >> this->Grid.Shift.y);
+  }
 
   /**
    * The tiles of the grid's window in some rows of it that have splats, and where these are in the lists: first
@@ -79,6 +100,7 @@ public:
   ///@}
 
 private:
+  static constexpr uint32_t RecordBits = 22; // as in vtkPointSplatRecord.glsl
   struct Listed
   {
     uint32_t Entry; // of lists: bucket, and splat

@@ -14,12 +14,13 @@
 // The side that is seen is that of the corners' normals, as splats' is, whichever way the corners go
 // around. Triangles belong to layers that show their own side. Where they meet splats, their least layer
 // distance is that of splats; else they are as sharp as depths are.
-// Variants: FACETS (some items are flat), COLOURS, FACTORS, IDS, CLIPPING, CLIP_LINES, as in vtkPointSplatProjectCS.
+// Variants: FACETS (some items are flat), COLOURS, FACTORS, IDS, CLIPPING, CLIP_LINES, PIXEL_BOXES, as in vtkPointSplatProjectCS.
 // Reads: Splats, Corners, Listed, Colours, Factors, Ids. Writes: Records, Boxes, RecordColours,
 // RecordFactors, RecordIds.
 
 #include "vtkPointSplatProjection"
 #include "vtkPointSplatRecord"
+#include "vtkPointSplatBoxes"
 
 layout(local_size_x = 64) in;
 
@@ -28,7 +29,6 @@ uniform usamplerBuffer Corners; // RGBA32UI, a triangle: three splats, cell
 // Triangles to draw; bit 31: splats may lie beside.
 layout(std430, binding = 7) readonly buffer Listed { uint listed[]; };
 layout(std430, binding = 0) writeonly buffer Records { uvec4 records[]; };
-layout(std430, binding = 1) writeonly buffer Boxes { uvec2 boxes[]; };
 #ifdef COLOURS
 uniform usamplerBuffer Colours;
 uniform bool HasColours;
@@ -57,8 +57,6 @@ const uint BesideSplats = 0x80000000u;
 const float SharpShare = 1.0 / 16.0;
 // Of the farthest corner's w: corners that are nearer to the eye's plane than that have no image.
 const float LeastW = 1e-4;
-// Pixels from a pixel's middle to its samples, along x or y: offsetOf() in vtkPointSplatTilePixels.
-const float SampleReach = 3.0 / 8.0;
 
 uvec4 fetchSplat(uint splat, int texel)
 {
@@ -126,8 +124,7 @@ void main()
   ivec2 first = max(ivec2(ceil(low)), Window.xy);
   ivec2 last = min(ivec2(floor(high)), Window.zw);
   seen = seen && all(lessThanEqual(first, last));
-  first >>= TileShift;
-  last >>= TileShift;
+  ivec4 tiles = ivec4(first >> TileShift, last >> TileShift);
 
   uvec3 normals = uvec3(fetchSplat(corners.x, 1).y, fetchSplat(corners.y, 1).y,
     fetchSplat(corners.z, 1).y);
@@ -161,9 +158,7 @@ void main()
   uint bucket = uint(clamp((nearest - BucketScale.x) * BucketScale.y, 0.0,
     float(DepthBuckets - 1u)));
   uint to = invocation - FirstInvocation;
-  uvec2 box = uvec2(uint(first.x) | uint(first.y) << 12 | (bucket & 127u) << 25,
-    uint(last.x) | uint(last.y) << 12 | (bucket >> 7) << 25 | Triangle << 28);
-  boxes[to] = seen ? box : uvec2(0u);
+  writeBox(to, tiles, bucket, seen ? Triangle : NotSeen, vec4(first, last));
   uvec4 beside = uvec4(0xffffffffu);
 #ifdef COLOURS
   recordColours[to] = HasColours ? texelFetch(Colours, int(corners.x)).r : 0xffffffffu;

@@ -30,6 +30,12 @@ std::string SizeDefines(const glm::ivec2& size, int lanes)
     std::to_string(size.x) + "\n#define TILE_HEIGHT " + std::to_string(size.y) + "\n";
 }
 
+/// To be read; null: they cannot be.
+const uint32_t* MapWords(vtkPointSplatBuffer& buffer, size_t words)
+{
+  return static_cast<const uint32_t*>(
+    buffer.Map(4 * static_cast<GLsizeiptr>(words), GL_MAP_READ_BIT));
+}
 }
 
 //------------------------------------------------------------------------------
@@ -91,6 +97,8 @@ vtkPointSplatTiles::Variant vtkPointSplatTiles::VariantOf(
                                                                      : glm::ivec2(4, 4);
     v.Lanes = 1;
     v.Tile += request.Outlines ? "#define SUMMARIES\n" : "";
+    v.Project += request.Outlines ? "#define PIXEL_BOXES\n" : "";
+    v.BoxWords = request.Outlines ? vtkPointSplatPixelLists::BoxWords : v.BoxWords;
   }
   v.Tile += SizeDefines(v.TileSize, v.Lanes);
   return v;
@@ -130,13 +138,13 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::Bin(const Variant& variant)
     this->Curved = this->CurvedSplats = true;
     return Made;
   }
-  const void* boxes = this->Boxes.Map(BoxBytes * this->Splats, GL_MAP_READ_BIT);
+  const uint32_t* boxes = MapWords(this->Boxes, variant.BoxWords * splats);
   if (!boxes)
   {
     this->Error = "the splats' boxes cannot be read: out of memory?";
     return Failed;
   }
-  this->HostLists.Count(static_cast<const uint32_t*>(boxes), splats, this->Grid);
+  this->HostLists.Count(boxes, variant.BoxWords, splats, this->Grid);
   this->Boxes.Unmap();
   if (this->HostLists.GetNumberOfEntries() > MostEntries)
   {
@@ -354,6 +362,35 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::DrawLayers(const vtkPointSplatReq
 }
 
 //------------------------------------------------------------------------------
+bool vtkPointSplatTiles::ListOutlines(
+  const std::vector<uint32_t>& pixels, const Variant& variant, int width)
+{
+  const uint32_t* boxes =
+    MapWords(this->Boxes, variant.BoxWords * static_cast<size_t>(this->Splats));
+  const uint32_t* lists = MapWords(this->Lists, this->HostLists.GetNumberOfEntries());
+  if (boxes && lists)
+  {
+    this->HostOutlineLists.Make(
+      { this->HostLists, lists, boxes, static_cast<uint32_t>(width) }, pixels);
+  }
+  else
+  {
+    this->Error = "the splats' lists cannot be read: out of memory?";
+  }
+  if (boxes)
+  {
+    this->Boxes.Unmap();
+  }
+  if (lists)
+  {
+    this->Lists.Unmap();
+  }
+  this->OutlineLists.Upload(this->HostOutlineLists.GetEntries());
+  this->Table.Upload(this->HostOutlineLists.GetTable());
+  return boxes && lists;
+}
+
+//------------------------------------------------------------------------------
 vtkPointSplatTiles::Result vtkPointSplatTiles::SampleOutlines(const vtkPointSplatRequest& request,
   const vtkPointSplatPart& part, const Variant& variant, const vtkPointSplatLayers& layers,
   vtkPointSplatOutlines& outlines)
@@ -372,19 +409,9 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::SampleOutlines(const vtkPointSpla
   {
     return Made;
   }
-  if (!device)
+  if (!device && !this->ListOutlines(outlines.DownloadPixels(first), variant, request.View.Size.x))
   {
-    constexpr size_t words = vtkPointSplatTileLists::TableWords;
-    const std::vector<uint32_t> pixels = outlines.DownloadPixels(first);
-    std::vector<uint32_t> table(words * pixels.size());
-    const uint32_t width = static_cast<uint32_t>(request.View.Size.x);
-    for (size_t i = 0; i < pixels.size(); ++i)
-    {
-      const glm::ivec2 tile = glm::ivec2(pixels[i] % width, pixels[i] / width) >> this->Grid.Shift;
-      this->HostLists.WriteRow(
-        static_cast<uint32_t>(tile.y * this->Grid.Tiles.x + tile.x), table.data() + words * i);
-    }
-    this->Table.Upload(table);
+    return Failed;
   }
   vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
   vtkPointSplatProgram* program = this->UseTiles(request, part, units,
@@ -398,6 +425,8 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::SampleOutlines(const vtkPointSpla
   }
   layers.Bind(units, *program);
   outlines.Bind(units, *program);
+  units.Bind(*program, "Lists", GL_TEXTURE_BUFFER,
+    (device ? this->Lists : this->OutlineLists).GetTexture());
   units.Bind(*program, "Tiles", GL_TEXTURE_BUFFER,
     device ? this->DeviceLists.GetStarts() : this->Table.GetTexture());
   outlines.GetChoices().BindStorage(0);
@@ -468,7 +497,8 @@ vtkIdType vtkPointSplatTiles::GetMemorySize() const
   vtkIdType bytes = this->DeviceLists.GetMemorySize();
   for (const vtkPointSplatBuffer* buffer :
     { &this->Records, &this->Boxes, &this->ClipLines, &this->Colours, &this->Factors,
-      &this->Coordinates, &this->Tangents, &this->Ids, &this->Lists, &this->Table, &this->Summaries })
+      &this->Coordinates, &this->Tangents, &this->Ids, &this->Lists, &this->OutlineLists,
+      &this->Table, &this->Summaries })
   {
     bytes += buffer->GetSize();
   }
@@ -485,7 +515,8 @@ void vtkPointSplatTiles::Release()
   this->DeviceLists.Release();
   for (vtkPointSplatBuffer* buffer : { &this->Records, &this->Boxes, &this->ClipLines,
          &this->Colours, &this->Factors, &this->Coordinates, &this->Tangents, &this->Ids,
-         &this->Blocks, &this->Lists, &this->Table, &this->Summaries, &this->Counts })
+         &this->Blocks, &this->Lists, &this->OutlineLists, &this->Table, &this->Summaries,
+         &this->Counts })
   {
     buffer->Release();
   }

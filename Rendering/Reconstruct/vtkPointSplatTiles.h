@@ -14,13 +14,14 @@
 //    operations a pixel. Tiles that the processor lists no splats for are visited by nobody: their texels are
 //    emptied, and the layers are told where there are others.
 // 4. Smooth outlines: what four samples of each pixel show that one runs through
-//    (vtkPointSplatOutlines.h).
+//    (vtkPointSplatOutlines.h). By the processor's lists only what may hide samples of the pixel is
+//    tried on them (vtkPointSplatPixelLists.h).
 //
-// Buffers: records, RGBA32UI, 5 texels a splat; boxes, RG32UI, 1; lists, R32UI; the tiles' table,
-// RGBA32UI, 2 a tile; their summaries, RGBA32UI, 1 a tile; beside the records colours, factors of
-// lights and ids, R32UI, and clip lines, RGBA32F, where there are some. A splat is a record of 80
-// bytes and 8 of its box, so that who draws bounds how many are
-// drawn at once (vtkPointSplatSelection.h).
+// Buffers: records, RGBA32UI, 5 texels a splat; boxes, RG32UI, 1, or for the processor's outlines 2;
+// lists, R32UI, of tiles and of pixels with outlines; the table of either, RGBA32UI, 2 a list; the
+// tiles' summaries, RGBA32UI, 1 a tile; beside the records colours, factors of lights and ids, R32UI,
+// and clip lines, RGBA32F, where there are some. A splat is a record of 80 bytes and 8 or 16 of its
+// box, so that who draws bounds how many are drawn at once (vtkPointSplatSelection.h).
 #ifndef vtkPointSplatTiles_h
 #define vtkPointSplatTiles_h
 
@@ -28,6 +29,7 @@
 #include "vtkPointSplatItemTable.h"
 #include "vtkPointSplatLayers.h"
 #include "vtkPointSplatOutlines.h"
+#include "vtkPointSplatPixelLists.h"
 #include "vtkPointSplatProgram.h"
 #include "vtkPointSplatRequest.h"
 #include "vtkPointSplatTileLists.h"
@@ -67,8 +69,6 @@ public:
   void Release();
 
 private:
-  static constexpr GLsizeiptr BoxBytes = 8; // a splat or triangle
-
   /// Which parts of the shaders a request needs.
   struct Variant
   {
@@ -78,6 +78,7 @@ private:
     std::string Walk;  // of it what the search for the nearest hits needs
     glm::ivec2 TileSize{ 4, 4 };
     int Lanes = 1;
+    size_t BoxWords = 2;
     bool ClipLines = false;
     bool Colours = false;
     int Factors = 0;
@@ -137,6 +138,8 @@ private:
   std::vector<Band> MakeBands(const Variant& variant, const vtkPointSplatLayers& layers);
   Result DrawLayers(const vtkPointSplatRequest& request, const vtkPointSplatPart& part,
     const Variant& variant, vtkPointSplatLayers& layers);
+  /// What of the processor's lists the samples of pixels are tried with, and the table of that.
+  bool ListOutlines(const std::vector<uint32_t>& pixels, const Variant& variant, int width);
   Result SampleOutlines(const vtkPointSplatRequest& request, const vtkPointSplatPart& part,
     const Variant& variant, const vtkPointSplatLayers& layers, vtkPointSplatOutlines& outlines);
 
@@ -154,10 +157,12 @@ private:
   vtkPointSplatBuffer Ids{ GL_R32UI };
   vtkPointSplatBuffer Blocks;
   vtkPointSplatBuffer Lists{ GL_R32UI };
+  vtkPointSplatBuffer OutlineLists{ GL_R32UI };
   vtkPointSplatBuffer Table{ GL_RGBA32UI };
   vtkPointSplatBuffer Summaries{ GL_RGBA32UI };
   vtkPointSplatBuffer Counts;
   vtkPointSplatTileLists HostLists;
+  vtkPointSplatPixelLists HostOutlineLists;
   vtkPointSplatDeviceLists DeviceLists;
   vtkPointSplatTileGrid Grid;
   vtkIdType Splats = 0; // records

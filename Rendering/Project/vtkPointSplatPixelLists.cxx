@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSplatPixelLists.h"
+
+#include "vtkPointSplatThreads.h"
+#include "vtkPointSplatTileLists.h"
+
+#include <algorithm>
+
+namespace
+{
+using Span = vtkPointSplatTileLists::Span;
+
+constexpr size_t PixelsAPart = 512;
+
+/// Some of the pixels.
+struct PixelPart
+{
+  std::vector<Span> Spans;       // of its own entries
+  std::vector<uint32_t> Entries; // of all lists, and room for more
+  uint32_t Count = 0;            // of entries
+  uint32_t First = 0;            // of them among those of all parts
+};
+
+/// Keeps of the entries from begin to end those whose boxes have a pixel. Returns where they end.
+uint32_t Keep(const vtkPointSplatPixelLists::Source& source, uint32_t begin, uint32_t end,
+  const glm::uvec2& pixel, PixelPart& part)
+{
+  const size_t most = part.Count + (end - begin);
+  if (part.Entries.size() < most)
+  {
+    part.Entries.resize(2 * most);
+  }
+  // Without a branch, which would be guessed wrong as often as not.
+  uint32_t* to = part.Entries.data() + part.Count;
+  for (uint32_t i = begin; i < end; ++i)
+  {
+    const uint32_t entry = source.Lists[i];
+    const uint32_t* box = source.Boxes + 2 +
+      vtkPointSplatPixelLists::BoxWords * vtkPointSplatTileLists::RecordOf(entry);
+    *to = entry;
+    to += (pixel.x >= (box[0] & 0xffffu)) & (pixel.x <= (box[1] & 0xffffu)) &
+      (pixel.y >= box[0] >> 16) & (pixel.y <= box[1] >> 16);
+  }
+  part.Count = static_cast<uint32_t>(to - part.Entries.data());
+  return part.Count;
+}
+
+/// Appends what a pixel's tile has for it.
+void AddPixel(const vtkPointSplatPixelLists::Source& source, const glm::uvec2& pixel, PixelPart& part)
+{
+  const Span tile = source.Tiles.GetSpan(source.Tiles.GetTile(glm::ivec2(pixel)));
+  Span own = tile;
+  own.Flats = part.Count;
+  own.Bents = Keep(source, tile.Flats, tile.Bents, pixel, part);
+  own.Curveds = Keep(source, tile.Bents, tile.Curveds, pixel, part);
+  own.Triangles = Keep(source, tile.Curveds, tile.Triangles, pixel, part);
+  own.End = Keep(source, tile.Triangles, tile.End, pixel, part);
+  own.Wides = own.End;
+  own.WideEnd = Keep(source, tile.Wides, tile.WideEnd, pixel, part);
+  part.Spans.push_back(own);
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatPixelLists::Make(const Source& source, const std::vector<uint32_t>& pixels)
+{
+  const size_t count = pixels.size();
+  std::vector<PixelPart> parts((count + PixelsAPart - 1) / PixelsAPart);
+  const auto forParts = [&parts](auto&& function) {
+    vtkPointSplatThreads::For(
+      0, static_cast<vtkIdType>(parts.size()), 1, [&](vtkIdType begin, vtkIdType end) {
+        for (size_t part = static_cast<size_t>(begin); part < static_cast<size_t>(end); ++part)
+        {
+          function(parts[part], PixelsAPart * part);
+        }
+      });
+  };
+  forParts([&](PixelPart& part, size_t first) {
+    for (size_t i = first; i < std::min(first + PixelsAPart, count); ++i)
+    {
+      AddPixel(source, { pixels[i] % source.Width, pixels[i] / source.Width }, part);
+    }
+  });
+  uint32_t entries = 0;
+  for (PixelPart& part : parts)
+  {
+    part.First = entries;
+    entries += part.Count;
+  }
+  this->Entries.resize(entries);
+  this->Table.resize(vtkPointSplatTileLists::TableWords * count);
+  forParts([&](PixelPart& part, size_t first) {
+    std::copy_n(part.Entries.begin(), part.Count, this->Entries.begin() + part.First);
+    uint32_t* row = this->Table.data() + vtkPointSplatTileLists::TableWords * first;
+    for (Span& span : part.Spans)
+    {
+      for (uint32_t* place : { &span.Flats, &span.Bents, &span.Curveds, &span.Triangles, &span.End,
+             &span.Wides, &span.WideEnd })
+      {
+        *place += part.First;
+      }
+      vtkPointSplatTileLists::WriteRow(span, row);
+      row += vtkPointSplatTileLists::TableWords;
+    }
+  });
+}
