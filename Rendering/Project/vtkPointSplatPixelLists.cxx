@@ -63,23 +63,33 @@ void AddPixel(const vtkPointSplatPixelLists::Source& source, const glm::uvec2& p
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSplatPixelLists::Make(const Source& source, const std::vector<uint32_t>& pixels)
+size_t vtkPointSplatPixelLists::Make(
+  const Source& source, const std::vector<uint32_t>& pixels, size_t first)
 {
-  const size_t count = pixels.size();
+  const auto placeOf = [&](size_t i) {
+    return glm::uvec2(pixels[i] % source.Width, pixels[i] / source.Width);
+  };
+  size_t end = first;
+  for (size_t listed = 0; end < pixels.size() && (end == first || listed < Most); ++end)
+  {
+    const Span tile = source.Tiles.GetSpan(source.Tiles.GetTile(glm::ivec2(placeOf(end))));
+    listed += tile.End - tile.Flats + tile.WideEnd - tile.Wides;
+  }
+  const size_t count = end - first;
   std::vector<PixelPart> parts((count + PixelsAPart - 1) / PixelsAPart);
   const auto forParts = [&parts](auto&& function) {
     vtkPointSplatThreads::For(
-      0, static_cast<vtkIdType>(parts.size()), 1, [&](vtkIdType begin, vtkIdType end) {
-        for (size_t part = static_cast<size_t>(begin); part < static_cast<size_t>(end); ++part)
+      0, static_cast<vtkIdType>(parts.size()), 1, [&](vtkIdType from, vtkIdType to) {
+        for (size_t part = static_cast<size_t>(from); part < static_cast<size_t>(to); ++part)
         {
           function(parts[part], PixelsAPart * part);
         }
       });
   };
-  forParts([&](PixelPart& part, size_t first) {
-    for (size_t i = first; i < std::min(first + PixelsAPart, count); ++i)
+  forParts([&](PixelPart& part, size_t begin) {
+    for (size_t i = begin; i < std::min(begin + PixelsAPart, count); ++i)
     {
-      AddPixel(source, { pixels[i] % source.Width, pixels[i] / source.Width }, part);
+      AddPixel(source, placeOf(first + i), part);
     }
   });
   uint32_t entries = 0;
@@ -90,9 +100,9 @@ void vtkPointSplatPixelLists::Make(const Source& source, const std::vector<uint3
   }
   this->Entries.resize(entries);
   this->Table.resize(vtkPointSplatTileLists::TableWords * count);
-  forParts([&](PixelPart& part, size_t first) {
+  forParts([&](PixelPart& part, size_t begin) {
     std::copy_n(part.Entries.begin(), part.Count, this->Entries.begin() + part.First);
-    uint32_t* row = this->Table.data() + vtkPointSplatTileLists::TableWords * first;
+    uint32_t* row = this->Table.data() + vtkPointSplatTileLists::TableWords * begin;
     for (Span& span : part.Spans)
     {
       for (uint32_t* place : { &span.Flats, &span.Bents, &span.Curveds, &span.Triangles, &span.End,
@@ -104,4 +114,5 @@ void vtkPointSplatPixelLists::Make(const Source& source, const std::vector<uint3
       row += vtkPointSplatTileLists::TableWords;
     }
   });
+  return end;
 }

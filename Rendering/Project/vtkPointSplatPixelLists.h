@@ -25,8 +25,12 @@ public:
   /// Words a box that tells pixels, too.
   static constexpr size_t BoxWords = 4;
 
-  /// pixels: y times the image's width plus x.
-  void Make(const Source& source, const std::vector<uint32_t>& pixels);
+  /**
+   * Of pixels (y times the image's width plus x) from the first one on, as many as it takes until
+   * their tiles have Most entries together. Returns where they end.
+   */
+  size_t Make(const Source& source, const std::vector<uint32_t>& pixels, size_t first);
+  static constexpr size_t Most = size_t(1) << 24;
 
   /// A row a pixel, as vtkPointSplatTileLists::WriteRow() writes it of a tile.
   const std::vector<uint32_t>& GetTable() const { return this->Table; }

@@ -362,16 +362,17 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::DrawLayers(const vtkPointSplatReq
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointSplatTiles::ListOutlines(
-  const std::vector<uint32_t>& pixels, const Variant& variant, int width)
+size_t vtkPointSplatTiles::ListOutlines(
+  const std::vector<uint32_t>& pixels, size_t first, const Variant& variant, int width)
 {
+  size_t end = first;
   const uint32_t* boxes =
     MapWords(this->Boxes, variant.BoxWords * static_cast<size_t>(this->Splats));
   const uint32_t* lists = MapWords(this->Lists, this->HostLists.GetNumberOfEntries());
   if (boxes && lists)
   {
-    this->HostOutlineLists.Make(
-      { this->HostLists, lists, boxes, static_cast<uint32_t>(width) }, pixels);
+    end = this->HostOutlineLists.Make(
+      { this->HostLists, lists, boxes, static_cast<uint32_t>(width) }, pixels, first);
   }
   else
   {
@@ -387,7 +388,7 @@ bool vtkPointSplatTiles::ListOutlines(
   }
   this->OutlineLists.Upload(this->HostOutlineLists.GetEntries());
   this->Table.Upload(this->HostOutlineLists.GetTable());
-  return boxes && lists;
+  return end;
 }
 
 //------------------------------------------------------------------------------
@@ -409,10 +410,6 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::SampleOutlines(const vtkPointSpla
   {
     return Made;
   }
-  if (!device && !this->ListOutlines(outlines.DownloadPixels(first), variant, request.View.Size.x))
-  {
-    return Failed;
-  }
   vtkPointSplatUnits units(vtkPointSplatContext::Entered().GetWindow());
   vtkPointSplatProgram* program = this->UseTiles(request, part, units,
     { "vtkPointSplatOutlineSamplesCS",
@@ -425,15 +422,26 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::SampleOutlines(const vtkPointSpla
   }
   layers.Bind(units, *program);
   outlines.Bind(units, *program);
-  units.Bind(*program, "Lists", GL_TEXTURE_BUFFER,
-    (device ? this->Lists : this->OutlineLists).GetTexture());
-  units.Bind(*program, "Tiles", GL_TEXTURE_BUFFER,
-    device ? this->DeviceLists.GetStarts() : this->Table.GetTexture());
   outlines.GetChoices().BindStorage(0);
-  program->Set("FirstOutline", first);
-  program->Set("OutlineCount", count);
   program->Set("TileShift", this->Grid.Shift);
-  vtkPointSplatProgram::Dispatch((device ? 4 : 1) * static_cast<vtkIdType>(count));
+  const size_t pixels = static_cast<size_t>(count);
+  const std::vector<uint32_t> listed =
+    device ? std::vector<uint32_t>() : outlines.DownloadPixels(first);
+  for (size_t begin = 0, end = pixels; begin < pixels; begin = end)
+  {
+    end = device ? pixels : this->ListOutlines(listed, begin, variant, request.View.Size.x);
+    if (end == begin)
+    {
+      return Failed;
+    }
+    units.Bind(*program, "Lists", GL_TEXTURE_BUFFER,
+      (device ? this->Lists : this->OutlineLists).GetTexture());
+    units.Bind(*program, "Tiles", GL_TEXTURE_BUFFER,
+      device ? this->DeviceLists.GetStarts() : this->Table.GetTexture());
+    program->Set("FirstOutline", first + static_cast<int>(begin));
+    program->Set("OutlineCount", static_cast<int>(end - begin));
+    vtkPointSplatProgram::Dispatch((device ? 4 : 1) * static_cast<vtkIdType>(end - begin));
+  }
   return Made;
 }
 

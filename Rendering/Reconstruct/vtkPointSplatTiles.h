@@ -138,8 +138,10 @@ private:
   std::vector<Band> MakeBands(const Variant& variant, const vtkPointSplatLayers& layers);
   Result DrawLayers(const vtkPointSplatRequest& request, const vtkPointSplatPart& part,
     const Variant& variant, vtkPointSplatLayers& layers);
-  /// What of the processor's lists the samples of pixels are tried with, and the table of that.
-  bool ListOutlines(const std::vector<uint32_t>& pixels, const Variant& variant, int width);
+  /// Of pixels from the first one on, what of the processor's lists their samples are tried with, and
+  /// the table of that. Returns where these pixels end; the first one: failed.
+  size_t ListOutlines(
+    const std::vector<uint32_t>& pixels, size_t first, const Variant& variant, int width);
   Result SampleOutlines(const vtkPointSplatRequest& request, const vtkPointSplatPart& part,
     const Variant& variant, const vtkPointSplatLayers& layers, vtkPointSplatOutlines& outlines);
 
