@@ -70,7 +70,7 @@ size_t vtkPointSplatPixelLists::Make(
     return glm::uvec2(pixels[i] % source.Width, pixels[i] / source.Width);
   };
   size_t end = first;
-  for (size_t listed = 0; end < pixels.size() && (end == first || listed < Most); ++end)
+  for (size_t listed = 0; end < pixels.size() && (end == first || listed < MostEntries); ++end)
   {
     const Span tile = source.Tiles.GetSpan(source.Tiles.GetTile(glm::ivec2(placeOf(end))));
     listed += tile.End - tile.Flats + tile.WideEnd - tile.Wides;

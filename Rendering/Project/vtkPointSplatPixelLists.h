@@ -27,10 +27,10 @@ public:
 
   /**
    * Of pixels (y times the image's width plus x) from the first one on, as many as it takes until
-   * their tiles have Most entries together. Returns where they end.
+   * their tiles have MostEntries together. Returns where they end.
    */
   size_t Make(const Source& source, const std::vector<uint32_t>& pixels, size_t first);
-  static constexpr size_t Most = size_t(1) << 24;
+  static constexpr size_t MostEntries = size_t(1) << 24;
 
   /// A row a pixel, as vtkPointSplatTileLists::WriteRow() writes it of a tile.
   const std::vector<uint32_t>& GetTable() const { return this->Table; }
