@@ -18,7 +18,7 @@ VTK_ABI_NAMESPACE_BEGIN
 /**
  * vtkSMPTools::For, which runs work(begin, end) on parts of [first, last), of `grain` or more at a
  * time where one is given. No template, since VTK compiles a loop once for each way to run threads:
- * a fifth of the time in which these modules, with a hundred loops, would be compiled.
+ * a quarter of the time in which these modules, with a hundred loops, would be compiled.
  */
 namespace vtkPointSplatThreads
 {
