@@ -16,7 +16,6 @@
 #include "vtkPointSplatOrdered.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cstring>
