@@ -13,10 +13,9 @@ using Span = vtkPointSplatTileLists::Span;
 
 constexpr size_t PixelsAPart = 512;
 
-/// Some of the pixels.
+/// Of some of the pixels.
 struct PixelPart
 {
-  std::vector<Span> Spans;       // of its own entries
   std::vector<uint32_t> Entries; // of all lists, and room for more
   uint32_t Count = 0;            // of entries
   uint32_t First = 0;            // of them among those of all parts
@@ -46,19 +45,18 @@ uint32_t Keep(const vtkPointSplatPixelLists::Source& source, uint32_t begin, uin
   return part.Count;
 }
 
-/// Appends what a pixel's tile has for it.
-void AddPixel(const vtkPointSplatPixelLists::Source& source, const glm::uvec2& pixel, PixelPart& part)
+/// Appends what a pixel's tile has for it. span: of the tile, then of what was appended.
+void AddPixel(const vtkPointSplatPixelLists::Source& source, const glm::uvec2& pixel,
+  PixelPart& part, Span& span)
 {
-  const Span tile = source.Tiles.GetSpan(source.Tiles.GetTile(glm::ivec2(pixel)));
-  Span own = tile;
-  own.Flats = part.Count;
-  own.Bents = Keep(source, tile.Flats, tile.Bents, pixel, part);
-  own.Curveds = Keep(source, tile.Bents, tile.Curveds, pixel, part);
-  own.Triangles = Keep(source, tile.Curveds, tile.Triangles, pixel, part);
-  own.End = Keep(source, tile.Triangles, tile.End, pixel, part);
-  own.Wides = own.End;
-  own.WideEnd = Keep(source, tile.Wides, tile.WideEnd, pixel, part);
-  part.Spans.push_back(own);
+  const Span tile = span;
+  span.Flats = part.Count;
+  span.Bents = Keep(source, tile.Flats, tile.Bents, pixel, part);
+  span.Curveds = Keep(source, tile.Bents, tile.Curveds, pixel, part);
+  span.Triangles = Keep(source, tile.Curveds, tile.Triangles, pixel, part);
+  span.End = Keep(source, tile.Triangles, tile.End, pixel, part);
+  span.Wides = span.End;
+  span.WideEnd = Keep(source, tile.Wides, tile.WideEnd, pixel, part);
 }
 }
 
@@ -69,27 +67,28 @@ size_t vtkPointSplatPixelLists::Make(
   const auto placeOf = [&](size_t i) {
     return glm::uvec2(pixels[i] % source.Width, pixels[i] / source.Width);
   };
-  size_t end = first;
-  for (size_t listed = 0; end < pixels.size() && (end == first || listed < MostEntries); ++end)
+  std::vector<Span> spans; // of tiles, then of pixels
+  for (size_t i = first, listed = 0; i < pixels.size() && (i == first || listed < MostEntries); ++i)
   {
-    const Span tile = source.Tiles.GetSpan(source.Tiles.GetTile(glm::ivec2(placeOf(end))));
+    const Span& tile =
+      spans.emplace_back(source.Tiles.GetSpan(source.Tiles.GetTile(glm::ivec2(placeOf(i)))));
     listed += tile.End - tile.Flats + tile.WideEnd - tile.Wides;
   }
-  const size_t count = end - first;
+  const size_t count = spans.size();
   std::vector<PixelPart> parts((count + PixelsAPart - 1) / PixelsAPart);
-  const auto forParts = [&parts](auto&& function) {
+  const auto forParts = [&parts, count](auto&& function) {
     vtkPointSplatThreads::For(
       0, static_cast<vtkIdType>(parts.size()), 1, [&](vtkIdType from, vtkIdType to) {
         for (size_t part = static_cast<size_t>(from); part < static_cast<size_t>(to); ++part)
         {
-          function(parts[part], PixelsAPart * part);
+          function(parts[part], PixelsAPart * part, std::min(PixelsAPart * (part + 1), count));
         }
       });
   };
-  forParts([&](PixelPart& part, size_t begin) {
-    for (size_t i = begin; i < std::min(begin + PixelsAPart, count); ++i)
+  forParts([&](PixelPart& part, size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i)
     {
-      AddPixel(source, placeOf(first + i), part);
+      AddPixel(source, placeOf(first + i), part, spans[i]);
     }
   });
   uint32_t entries = 0;
@@ -100,19 +99,19 @@ size_t vtkPointSplatPixelLists::Make(
   }
   this->Entries.resize(entries);
   this->Table.resize(vtkPointSplatTileLists::TableWords * count);
-  forParts([&](PixelPart& part, size_t begin) {
+  forParts([&](PixelPart& part, size_t begin, size_t end) {
     std::copy_n(part.Entries.begin(), part.Count, this->Entries.begin() + part.First);
-    uint32_t* row = this->Table.data() + vtkPointSplatTileLists::TableWords * begin;
-    for (Span& span : part.Spans)
+    for (size_t i = begin; i < end; ++i)
     {
+      Span& span = spans[i];
       for (uint32_t* place : { &span.Flats, &span.Bents, &span.Curveds, &span.Triangles, &span.End,
              &span.Wides, &span.WideEnd })
       {
         *place += part.First;
       }
-      vtkPointSplatTileLists::WriteRow(span, row);
-      row += vtkPointSplatTileLists::TableWords;
+      vtkPointSplatTileLists::WriteRow(
+        span, this->Table.data() + vtkPointSplatTileLists::TableWords * i);
     }
   });
-  return end;
+  return first + count;
 }

@@ -92,7 +92,8 @@ std::vector<vtkPointSplatTiles::Share> vtkPointSplatTiles::SharesOf(const Varian
 {
   // Where there are ids there are no tangents.
   const Share all[] = { { true, &this->Records, 0, RecordBytes },
-    { true, &this->Boxes, 1, 4 * static_cast<GLsizeiptr>(variant.BoxWords) }, { variant.Colours, &this->Colours, 2, 4 },
+    { true, &this->Boxes, 1, 4 * static_cast<GLsizeiptr>(variant.BoxWords) },
+    { variant.Colours, &this->Colours, 2, 4 },
     { variant.Factors > 0, &this->Factors, 3, 4 }, { variant.Ids, &this->Ids, 4, 4 },
     { variant.Tangents, &this->Tangents, 4, 4 },
     { variant.ClipLines, &this->ClipLines, 5, LineBytes },
