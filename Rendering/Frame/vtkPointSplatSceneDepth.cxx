@@ -5,51 +5,11 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 
-namespace
-{
-/**
- * The internal format of the depth that is bound for reading, 0 for none: blits between
- * depth buffers ask for equal formats.
- */
-GLenum FormatOfReadDepth()
-{
-  GLint framebuffer = 0;
-  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &framebuffer);
-  const GLenum depth = framebuffer ? GL_DEPTH_ATTACHMENT : GL_DEPTH;
-  const GLenum stencil = framebuffer ? GL_STENCIL_ATTACHMENT : GL_STENCIL;
-  GLint type = GL_NONE;
-  glGetFramebufferAttachmentParameteriv(
-    GL_READ_FRAMEBUFFER, depth, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
-  if (type == GL_NONE)
-  {
-    return 0;
-  }
-  GLint bits = 0;
-  GLint component = 0;
-  glGetFramebufferAttachmentParameteriv(
-    GL_READ_FRAMEBUFFER, depth, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE, &bits);
-  glGetFramebufferAttachmentParameteriv(
-    GL_READ_FRAMEBUFFER, depth, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &component);
-  GLint stencilType = GL_NONE;
-  glGetFramebufferAttachmentParameteriv(
-    GL_READ_FRAMEBUFFER, stencil, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &stencilType);
-  const bool both = stencilType != GL_NONE;
-  if (component == GL_FLOAT)
-  {
-    return both ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F;
-  }
-  return both        ? GL_DEPTH24_STENCIL8
-    : bits <= 16     ? GL_DEPTH_COMPONENT16
-    : bits <= 24     ? GL_DEPTH_COMPONENT24
-                     : GL_DEPTH_COMPONENT32;
-}
-}
-
 //------------------------------------------------------------------------------
 bool vtkPointSplatSceneDepth::Capture(
   vtkOpenGLRenderWindow* window, const glm::ivec2& origin, const glm::ivec2& size)
 {
-  const GLenum format = FormatOfReadDepth();
+  const GLenum format = vtkPointSplatFramebuffer::GetReadDepthFormat();
   if (format == 0)
   {
     return false;

@@ -78,3 +78,37 @@ void vtkPointSplatFramebuffer::BindColours(
   this->Count = count;
   this->Attached = count;
 }
+
+//------------------------------------------------------------------------------
+GLenum vtkPointSplatFramebuffer::GetReadDepthFormat()
+{
+  GLint framebuffer = 0;
+  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &framebuffer);
+  const GLenum depth = framebuffer ? GL_DEPTH_ATTACHMENT : GL_DEPTH;
+  const GLenum stencil = framebuffer ? GL_STENCIL_ATTACHMENT : GL_STENCIL;
+  GLint type = GL_NONE;
+  glGetFramebufferAttachmentParameteriv(
+    GL_READ_FRAMEBUFFER, depth, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
+  if (type == GL_NONE)
+  {
+    return 0;
+  }
+  GLint bits = 0;
+  GLint component = 0;
+  glGetFramebufferAttachmentParameteriv(
+    GL_READ_FRAMEBUFFER, depth, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE, &bits);
+  glGetFramebufferAttachmentParameteriv(
+    GL_READ_FRAMEBUFFER, depth, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &component);
+  GLint stencilType = GL_NONE;
+  glGetFramebufferAttachmentParameteriv(
+    GL_READ_FRAMEBUFFER, stencil, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &stencilType);
+  const bool both = stencilType != GL_NONE;
+  if (component == GL_FLOAT)
+  {
+    return both ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F;
+  }
+  return both        ? GL_DEPTH24_STENCIL8
+    : bits <= 16     ? GL_DEPTH_COMPONENT16
+    : bits <= 24     ? GL_DEPTH_COMPONENT24
+                     : GL_DEPTH_COMPONENT32;
+}

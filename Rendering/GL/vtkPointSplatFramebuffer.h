@@ -38,6 +38,11 @@ public:
   void Bind(vtkOpenGLState* state, const std::vector<Target>& colours, const Target& depth,
     GLenum attachment = GL_DEPTH_ATTACHMENT);
   GLuint Get() const { return this->Name.Get(); }
+  /**
+   * The internal format of the depth that is bound for reading, 0 for none: blits between
+   * depth buffers ask for equal formats.
+   */
+  static GLenum GetReadDepthFormat();
   void Release() { this->Name.Release(); }
 
 private:

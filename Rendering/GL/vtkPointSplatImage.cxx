@@ -6,6 +6,8 @@
 #include "vtkOpenGLState.h"
 #include "vtkTextureUnitManager.h"
 
+#include <algorithm>
+
 namespace
 {
 struct Format
@@ -38,6 +40,13 @@ const Format& Find(GLenum internal)
     }
   }
   return Formats[0];
+}
+
+/// Drivers for processors compile a program for each combination of its textures whose sizes are powers of two, and of
+/// others: no image has such a size.
+int LikeMost(int size)
+{
+  return (size & (size - 1)) == 0 ? std::max(size + 1, 3) : size;
 }
 }
 
@@ -73,14 +82,15 @@ bool vtkPointSplatImage::Allocate(const glm::ivec2& size, int layers)
   const GLenum target = this->GetTarget();
   const GLint internal = static_cast<GLint>(this->Internal);
   glBindTexture(target, this->Name.Get());
+  const glm::ivec2 room(LikeMost(size.x), LikeMost(size.y));
   if (layers > 0)
   {
     glTexImage3D(
-      target, 0, internal, size.x, size.y, layers, 0, format.External, format.Type, nullptr);
+      target, 0, internal, room.x, room.y, layers, 0, format.External, format.Type, nullptr);
   }
   else
   {
-    glTexImage2D(target, 0, internal, size.x, size.y, 0, format.External, format.Type, nullptr);
+    glTexImage2D(target, 0, internal, room.x, room.y, 0, format.External, format.Type, nullptr);
   }
   glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);

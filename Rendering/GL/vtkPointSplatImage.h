@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A texture of one level that is read texel by texel: two-dimensional, or an array of such.
+// A texture of one level that is read texel by texel: two-dimensional, or an array of such. It may be a texel wider and
+// higher than it is said to be.
 #ifndef vtkPointSplatImage_h
 #define vtkPointSplatImage_h
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatProgram.h"
 
+#include "vtkPointSplatSamplers.h"
 #include "vtkPointSplatShaders.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -159,6 +160,7 @@ void vtkPointSplatProgram::Dispatch(vtkIdType invocations, vtkIdType groupSize)
   const GLuint groups = static_cast<GLuint>((invocations + groupSize - 1) / groupSize);
   if (groups > 0)
   {
+    vtkPointSplatSamplers::Prepare();
     glDispatchCompute(std::min(groups, mostGroups), (groups + mostGroups - 1) / mostGroups, 1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
       GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -246,6 +248,14 @@ void vtkPointSplatProgram::Set(const char* name, const glm::mat3& value)
 void vtkPointSplatProgram::Set(const char* name, const glm::mat4& value)
 {
   glUniformMatrix4fv(this->Location(name), 1, GL_FALSE, glm::value_ptr(value));
+}
+
+void vtkPointSplatProgram::Set(const char* name, const std::vector<int>& value)
+{
+  if (!value.empty())
+  {
+    glUniform1iv(this->Location(name), static_cast<GLsizei>(value.size()), value.data());
+  }
 }
 
 void vtkPointSplatProgram::Set(const char* name, const std::vector<float>& value)

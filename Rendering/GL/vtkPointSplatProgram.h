@@ -89,6 +89,7 @@ public:
   void Set(const char* name, const glm::mat4& value);
   void Set(const char* name, const std::vector<glm::vec4>& value);
   void Set(const char* name, const std::vector<float>& value);
+  void Set(const char* name, const std::vector<int>& value);
   ///@}
 
 private:

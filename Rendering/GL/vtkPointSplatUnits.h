@@ -9,6 +9,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPointSplatProgram.h"
+#include "vtkPointSplatSamplers.h"
 #include "vtkTextureUnitManager.h"
 
 #include <string>
@@ -30,15 +31,19 @@ public:
       glBindTexture(use.Target, 0);
       this->Window->GetTextureUnitManager()->Free(use.Unit);
     }
+    if (this->HasSamplers)
+    {
+      vtkPointSplatSamplers::Forget();
+    }
   }
   vtkPointSplatUnits(const vtkPointSplatUnits&) = delete;
   void operator=(const vtkPointSplatUnits&) = delete;
 
   /**
    * Binds a texture, or none (0), for a sampler of the program in use; the sampler keeps its
-   * unit when it is bound again. Samplers of different kinds never share a unit.
+   * unit, which is returned, when it is bound again. Samplers of different kinds never share a unit.
    */
-  void Bind(vtkPointSplatProgram& program, const char* sampler, GLenum target, GLuint texture)
+  int Bind(vtkPointSplatProgram& program, const char* sampler, GLenum target, GLuint texture)
   {
     const Use* found = nullptr;
     for (const Use& use : this->Uses)
@@ -53,6 +58,8 @@ public:
     this->Activate(found->Unit);
     glBindTexture(target, texture);
     program.Set(sampler, found->Unit);
+    this->HasSamplers = this->HasSamplers || target != GL_TEXTURE_BUFFER;
+    return found->Unit;
   }
 
 private:
@@ -70,6 +77,7 @@ private:
   vtkOpenGLRenderWindow* Window;
   vtkOpenGLState::ScopedglActiveTexture Active;
   std::vector<Use> Uses;
+  bool HasSamplers = false;
 };
 
 #endif

@@ -21,6 +21,7 @@
 uniform usampler2DArray Texels;
 uniform sampler2DArray GroupDepths;
 uniform int GroupCount;
+uniform ivec2 LastPixel; // of Texels
 
 layout(location = 0) out uvec4 texel;
 #ifdef FACTORS
@@ -64,7 +65,7 @@ void main()
       ivec2 other = pixel + around[i];
       uint disk;
       uint unused;
-      if (other == clamp(other, ivec2(0), textureSize(Texels, 0).xy - 1))
+      if (other == clamp(other, ivec2(0), LastPixel))
       {
         nearestDepths(other, disk, unused);
         disks += disk != NoDepth ? 1 : 0;

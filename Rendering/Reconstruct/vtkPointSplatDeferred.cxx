@@ -139,6 +139,7 @@ bool vtkPointSplatDeferred::Reconstruct(
   }
   compositing.Set("DepthUnit", static_cast<float>(request.GetDepthUnit()));
   compositing.Set("GroupCount", groups);
+  compositing.Set("LastPixel", size - 1);
   compositing.Set("TagMask", request.GetTagMask());
   this->Screen.Draw();
   return true;

@@ -5,6 +5,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkPointSplatFramebuffer.h"
 #include "vtkPointSplatReach.h"
 #include "vtkPointSplatUnits.h"
 
@@ -187,6 +188,20 @@ vtkPointSplatTiles::Result vtkPointSplatTiles::Prepare(
 }
 
 //------------------------------------------------------------------------------
+GLuint vtkPointSplatTiles::GetSceneDepth(const vtkPointSplatRequest& request)
+{
+  const GLenum format = request.SceneDepth == 0 && request.IsPeeled()
+    ? vtkPointSplatFramebuffer::GetReadDepthFormat()
+    : 0;
+  if (format == 0)
+  {
+    return request.SceneDepth;
+  }
+  this->NoDepth.Allocate(format, glm::ivec2(1));
+  return this->NoDepth.Get();
+}
+
+//------------------------------------------------------------------------------
 vtkPointSplatProgram* vtkPointSplatTiles::UseTiles(const vtkPointSplatRequest& request,
   const vtkPointSplatPart& part, vtkPointSplatUnits& units, const Shader& shader)
 {
@@ -210,7 +225,7 @@ vtkPointSplatProgram* vtkPointSplatTiles::UseTiles(const vtkPointSplatRequest& r
   units.Bind(*program, "Lists", GL_TEXTURE_BUFFER, this->Lists.GetTexture());
   units.Bind(*program, "ItemTable", GL_TEXTURE_BUFFER, this->Items.GetTexture());
   units.Bind(*program, "ValueTables", GL_TEXTURE_BUFFER, this->Items.GetValueTables());
-  units.Bind(*program, "SceneDepth", GL_TEXTURE_2D, request.SceneDepth);
+  units.Bind(*program, "SceneDepth", GL_TEXTURE_2D, this->GetSceneDepth(request));
   program->Set("HasSceneDepth", request.SceneDepth != 0);
   program->Set("BucketScale", this->BucketScale);
   program->Set("DepthReach", this->DepthReach);
@@ -521,6 +536,7 @@ void vtkPointSplatTiles::Release()
   this->TilePrograms.clear();
   this->Items.Release();
   this->DeviceLists.Release();
+  this->NoDepth.Release();
   for (vtkPointSplatBuffer* buffer : { &this->Records, &this->Boxes, &this->ClipLines,
          &this->Colours, &this->Factors, &this->Coordinates, &this->Tangents, &this->Ids,
          &this->Blocks, &this->Lists, &this->OutlineLists, &this->Table, &this->Summaries,

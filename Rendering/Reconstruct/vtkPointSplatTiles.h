@@ -117,6 +117,9 @@ private:
     std::string Lines; // defines, where splats that are not flat or bent end at clip lines
     bool Curved; // whether tiles may have triangles, and other splats than flat and bent ones
   };
+  /// The opaque scene's depth; where that is not asked for, of layers, a texture of the same kind: drivers for processors
+  /// compile a program for each kind.
+  GLuint GetSceneDepth(const vtkPointSplatRequest& request);
   /// One that walks over the lists.
   vtkPointSplatProgram* UseTiles(const vtkPointSplatRequest& request,
     const vtkPointSplatPart& part, vtkPointSplatUnits& units, const Shader& shader);
@@ -163,6 +166,7 @@ private:
   vtkPointSplatBuffer Table{ GL_RGBA32UI };
   vtkPointSplatBuffer Summaries{ GL_RGBA32UI };
   vtkPointSplatBuffer Counts;
+  vtkPointSplatImage NoDepth{ GL_DEPTH_COMPONENT24 };
   vtkPointSplatTileLists HostLists;
   vtkPointSplatPixelLists HostOutlineLists;
   vtkPointSplatDeviceLists DeviceLists;

@@ -9,6 +9,7 @@
 #include "vtkOpenGLTexture.h"
 #include "vtkPointData.h"
 #include "vtkPointSplatProgram.h"
+#include "vtkPointSplatSamplers.h"
 #include "vtkRenderer.h"
 #include "vtkTextureObject.h"
 
@@ -132,4 +133,5 @@ void vtkPointSplatEnvironment::Unbind() const
 {
   glBindSampler(static_cast<GLuint>(this->Texture->GetTextureUnit()), 0);
   this->Texture->Deactivate();
+  vtkPointSplatSamplers::Forget();
 }
