@@ -25,6 +25,7 @@ vtk_module_wrap_python(
 foreach (_module IN LISTS _modules)
   string(REPLACE "VTK::" "vtk" _wrapping "${_module}Python")
   target_compile_options(${_wrapping} PRIVATE "$<$<CONFIG:Release>:-O1>")
+  pointsplatting_unite(${_wrapping} 12)
 endforeach ()
 set(_package_folder "${CMAKE_BINARY_DIR}/${_site}/${_package}")
 configure_file(Module/__init__.py.in "${_package_folder}/__init__.py" @ONLY)
