@@ -44,7 +44,7 @@ const Format& Find(GLenum internal)
 
 /// Drivers for processors compile a program for each combination of its textures whose sizes are powers of two, and of
 /// others: no image has such a size.
-int LikeMost(int size)
+int NoPowerOfTwo(int size)
 {
   return (size & (size - 1)) == 0 ? std::max(size + 1, 3) : size;
 }
@@ -82,7 +82,7 @@ bool vtkPointSplatImage::Allocate(const glm::ivec2& size, int layers)
   const GLenum target = this->GetTarget();
   const GLint internal = static_cast<GLint>(this->Internal);
   glBindTexture(target, this->Name.Get());
-  const glm::ivec2 room(LikeMost(size.x), LikeMost(size.y));
+  const glm::ivec2 room(NoPowerOfTwo(size.x), NoPowerOfTwo(size.y));
   if (layers > 0)
   {
     glTexImage3D(

@@ -26,6 +26,7 @@
 #define vtkPointSplatTiles_h
 
 #include "vtkPointSplatDeviceLists.h"
+#include "vtkPointSplatImage.h"
 #include "vtkPointSplatItemTable.h"
 #include "vtkPointSplatLayers.h"
 #include "vtkPointSplatOutlines.h"

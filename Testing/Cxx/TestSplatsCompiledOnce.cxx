@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Drivers for processors take seconds to compile a program, and do so anew for another kind of texture, or for samplers
 // that others left behind. So what a frame has drawn once is drawn at once from then on: beside opaque things, in
-// windows of whatever size, after translucent and textured splats. No cache of the driver's may help here
+// windows of whatever size, before and after translucent splats. No cache of the driver's may help here
 // (CMakeLists.txt).
 #include "SplatScene.h"
 
