@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatProgram.h"
 
-#include "vtkPointSplatSamplers.h"
+#include "vtkOpenGLState.h"
 #include "vtkPointSplatShaders.h"
+#include "vtkTextureUnitManager.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -20,6 +21,16 @@ struct BuiltProgram
   std::string From; // defines, and names of the stages and of what is fed back
   GLuint Name;
 };
+
+// Textures that a compute program may have; none has more.
+constexpr int Places = 16;
+
+/// The context whose places have all the same sampler.
+vtkPointSplatContext& Prepared()
+{
+  static thread_local vtkPointSplatContext context;
+  return context;
+}
 
 void Expand(const std::string& name, std::set<std::string>& done, std::ostream& out)
 {
@@ -154,13 +165,53 @@ bool vtkPointSplatProgram::Build(
 }
 
 //------------------------------------------------------------------------------
+/// Gives all places of the entered context the same sampler, if it draws on the processor and they have it no longer.
+/// The program in use stays so.
+void vtkPointSplatProgram::PrepareSamplers()
+{
+  const vtkPointSplatContext& entered = vtkPointSplatContext::Entered();
+  if (Prepared() == entered)
+  {
+    return;
+  }
+  Prepared() = entered;
+  vtkPointSplatProgram program;
+  if (!vtkPointSplatContext::IsSoftware() ||
+    !program.Build({ { GL_COMPUTE_SHADER, "vtkPointSplatSamplersCS" } },
+      "#define PLACES " + std::to_string(Places) + "\n"))
+  {
+    return;
+  }
+  GLint before = 0;
+  glGetIntegerv(GL_CURRENT_PROGRAM, &before);
+  program.Use();
+  // No texture, at all places by the same unit, has the driver's own in its place.
+  vtkOpenGLRenderWindow* window = entered.GetWindow();
+  const vtkOpenGLState::ScopedglActiveTexture active(window->GetState());
+  const int unit = window->GetTextureUnitManager()->Allocate();
+  window->GetState()->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(unit));
+  glBindTexture(GL_TEXTURE_2D, 0);
+  const std::vector<GLint> units(Places, unit);
+  glUniform1iv(program.Location("Textures"), Places, units.data());
+  glDispatchCompute(1, 1, 1);
+  window->GetTextureUnitManager()->Free(unit);
+  glUseProgram(static_cast<GLuint>(before));
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSplatProgram::ForgetSamplers()
+{
+  Prepared() = vtkPointSplatContext();
+}
+
+//------------------------------------------------------------------------------
 void vtkPointSplatProgram::Dispatch(vtkIdType invocations, vtkIdType groupSize)
 {
   constexpr GLuint mostGroups = 32768; // in one dimension; OpenGL promises 65535
   const GLuint groups = static_cast<GLuint>((invocations + groupSize - 1) / groupSize);
   if (groups > 0)
   {
-    vtkPointSplatSamplers::Prepare();
+    PrepareSamplers();
     glDispatchCompute(std::min(groups, mostGroups), (groups + mostGroups - 1) / mostGroups, 1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
       GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -248,14 +299,6 @@ void vtkPointSplatProgram::Set(const char* name, const glm::mat3& value)
 void vtkPointSplatProgram::Set(const char* name, const glm::mat4& value)
 {
   glUniformMatrix4fv(this->Location(name), 1, GL_FALSE, glm::value_ptr(value));
-}
-
-void vtkPointSplatProgram::Set(const char* name, const std::vector<int>& value)
-{
-  if (!value.empty())
-  {
-    glUniform1iv(this->Location(name), static_cast<GLsizei>(value.size()), value.data());
-  }
 }
 
 void vtkPointSplatProgram::Set(const char* name, const std::vector<float>& value)

@@ -62,8 +62,15 @@ public:
   /**
    * Of a compute program in use: as many work groups as so many invocations need, over two
    * dimensions where they are too many for one; then waits for what they wrote to be seen.
+   *
+   * Mesa compiles a program for processors once for each combination of its textures' samplers, which takes it a second
+   * or two; and a texture that is a buffer, which has none, leaves at its place that of whatever program was there
+   * before. So that programs are compiled once, all places have the same one before a program runs.
    */
   static void Dispatch(vtkIdType invocations, vtkIdType groupSize = GroupSize);
+
+  /// Says that compute programs may have run with a texture that is no buffer, whose sampler is there still.
+  static void ForgetSamplers();
 
   const std::string& GetLog() const { return this->Log; }
   void Use() const { glUseProgram(this->Name); }
@@ -89,10 +96,10 @@ public:
   void Set(const char* name, const glm::mat4& value);
   void Set(const char* name, const std::vector<glm::vec4>& value);
   void Set(const char* name, const std::vector<float>& value);
-  void Set(const char* name, const std::vector<int>& value);
   ///@}
 
 private:
+  static void PrepareSamplers();
   GLint Location(const char* name);
   GLuint Make(const std::vector<Stage>& stages, const std::string& defines, const char* feedback);
 

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Reads a texel of a texture at each place that compute programs have, so that the driver binds a
-// sampler there: see vtkPointSplatSamplers.h. The sum is 0 and is written nowhere, which the driver
+// sampler there: see Dispatch() in vtkPointSplatProgram.h. The sum is 0 and is written nowhere, which the driver
 // cannot know.
 
 layout(local_size_x = 1) in;

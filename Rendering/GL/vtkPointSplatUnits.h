@@ -9,7 +9,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPointSplatProgram.h"
-#include "vtkPointSplatSamplers.h"
 #include "vtkTextureUnitManager.h"
 
 #include <string>
@@ -33,7 +32,7 @@ public:
     }
     if (this->HasSamplers)
     {
-      vtkPointSplatSamplers::Forget();
+      vtkPointSplatProgram::ForgetSamplers();
     }
   }
   vtkPointSplatUnits(const vtkPointSplatUnits&) = delete;
@@ -41,9 +40,9 @@ public:
 
   /**
    * Binds a texture, or none (0), for a sampler of the program in use; the sampler keeps its
-   * unit, which is returned, when it is bound again. Samplers of different kinds never share a unit.
+   * unit when it is bound again. Samplers of different kinds never share a unit.
    */
-  int Bind(vtkPointSplatProgram& program, const char* sampler, GLenum target, GLuint texture)
+  void Bind(vtkPointSplatProgram& program, const char* sampler, GLenum target, GLuint texture)
   {
     const Use* found = nullptr;
     for (const Use& use : this->Uses)
@@ -59,7 +58,6 @@ public:
     glBindTexture(target, texture);
     program.Set(sampler, found->Unit);
     this->HasSamplers = this->HasSamplers || target != GL_TEXTURE_BUFFER;
-    return found->Unit;
   }
 
 private:

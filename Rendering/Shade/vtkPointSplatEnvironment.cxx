@@ -9,7 +9,6 @@
 #include "vtkOpenGLTexture.h"
 #include "vtkPointData.h"
 #include "vtkPointSplatProgram.h"
-#include "vtkPointSplatSamplers.h"
 #include "vtkRenderer.h"
 #include "vtkTextureObject.h"
 
@@ -133,5 +132,5 @@ void vtkPointSplatEnvironment::Unbind() const
 {
   glBindSampler(static_cast<GLuint>(this->Texture->GetTextureUnit()), 0);
   this->Texture->Deactivate();
-  vtkPointSplatSamplers::Forget();
+  vtkPointSplatProgram::ForgetSamplers();
 }

@@ -33,14 +33,8 @@ double Seconds(Window& window)
 int TestSplatsCompiledOnce(int, char*[])
 {
   Checks checks;
-  const auto cloud = RandomCloud(20000, [](double u, double v, double* p, double* n) {
-    const double z = 2.0 * u - 1.0, across = std::sqrt(1.0 - z * z);
-    n[0] = p[0] = across * std::cos(2.0 * M_PI * v);
-    n[1] = p[1] = across * std::sin(2.0 * M_PI * v);
-    n[2] = p[2] = z;
-  });
   vtkNew<vtkPointSplatMapper> mapper;
-  mapper->SetInputData(cloud);
+  mapper->SetInputData(RandomSphere(20000));
   Window window(200);
   window.SmoothOutlines = true;
   vtkActor* actor = window.Add(mapper);
