@@ -5,6 +5,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkMath.h"
+#include "vtkPointSplatCholesky.h"
 #include "vtkPointSplatInput.h"
 #include "vtkPointSplatThreads.h"
 
@@ -88,51 +89,6 @@ int CountWithin(const Neighborhood& around, float limit)
   return static_cast<int>(
     std::upper_bound(around.SquaredDistance, around.SquaredDistance + around.Count, limit) -
     around.SquaredDistance);
-}
-
-/// Solves a symmetric positive definite system in place by Cholesky's method; the lower triangle
-/// of the matrix is read. False if it is not definite.
-template <int N>
-bool Solve(double (&a)[N][N], double (&b)[N])
-{
-  for (int j = 0; j < N; ++j)
-  {
-    double pivot = a[j][j];
-    for (int k = 0; k < j; ++k)
-    {
-      pivot -= a[j][k] * a[j][k];
-    }
-    if (!(pivot > 0))
-    {
-      return false;
-    }
-    a[j][j] = std::sqrt(pivot);
-    for (int i = j + 1; i < N; ++i)
-    {
-      for (int k = 0; k < j; ++k)
-      {
-        a[i][j] -= a[i][k] * a[j][k];
-      }
-      a[i][j] /= a[j][j];
-    }
-  }
-  for (int i = 0; i < N; ++i)
-  {
-    for (int k = 0; k < i; ++k)
-    {
-      b[i] -= a[i][k] * b[k];
-    }
-    b[i] /= a[i][i];
-  }
-  for (int i = N - 1; i >= 0; --i)
-  {
-    for (int k = i + 1; k < N; ++k)
-    {
-      b[i] -= a[k][i] * b[k];
-    }
-    b[i] /= a[i][i];
-  }
-  return true;
 }
 
 struct ReadWorker
@@ -405,10 +361,12 @@ void vtkIsosurfaceScatterField::MakeFit(
   {
     matrix[r][r] += sum * (r < 4 ? LinearPenalty : QuadraticPenalty);
   }
-  if (!Solve(matrix, right))
+  if (!vtkPointSplatCholesky::Factor(matrix))
   {
     return;
   }
+  vtkPointSplatCholesky::SolveForward(matrix, right);
+  vtkPointSplatCholesky::SolveBackward(matrix, right);
   node.Usable = true;
   for (int r = 0; r < Terms; ++r)
   {

@@ -43,8 +43,8 @@ void vtkPointSplatBodies::Look(const Neighborhood& around, const float* normals)
 {
   const Slot s = around.Center;
   this->Guessed[s] = 1;
-  float variances[3];
-  vtkPointSplatRows::GetVariances(around, around.Count, variances);
+  const vtkPointSplatPrincipal principal(around);
+  const float* variances = principal.Variances;
   this->OnCurve[s] = vtkPointSplatRows::IsCurve(around, around.Count, variances);
   this->InRow[s] = vtkPointSplatRows::IsRow(around);
   const float* n = normals + std::size_t(3) * s;
@@ -71,9 +71,8 @@ void vtkPointSplatBodies::Look(const Neighborhood& around, const float* normals)
 void vtkPointSplatBodies::LookAtRow(const Neighborhood& around, int nearest)
 {
   const int count = std::min(nearest, around.Count);
-  float variances[3];
-  vtkPointSplatRows::GetVariances(around, count, variances);
-  this->OnCurve[around.Center] = vtkPointSplatRows::IsCurve(around, count, variances);
+  const vtkPointSplatPrincipal principal(around, count);
+  this->OnCurve[around.Center] = vtkPointSplatRows::IsCurve(around, count, principal.Variances);
   this->InRow[around.Center] = vtkPointSplatRows::IsRow(around);
 }
 

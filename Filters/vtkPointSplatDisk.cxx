@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatDisk.h"
 
-#include "vtkPointSplatNormals.h"
+#include "vtkPointSplatPrincipal.h"
 
 #include <algorithm>
 #include <cmath>
@@ -76,7 +76,7 @@ void vtkPointSplatDisk::ChoosePlane(
   vtkPointSplatNeighbors::Neighborhood near = around;
   near.Count = countNear;
   float fitted[3];
-  vtkPointSplatNormals::FitPlane(near, fitted);
+  vtkPointSplatPrincipal(near).GetNormal(fitted);
   const float side = n[0] * fitted[0] + n[1] * fitted[1] + n[2] * fitted[2] < 0 ? -1.0f : 1.0f;
   for (float& f : fitted)
   {

@@ -110,7 +110,9 @@ bool vtkPointSplatEstimates::FindNormals()
     {
       vtkErrorWithObjectMacro(this->Self, << error);
     }
-    if (!fitted.Fit(this->Self, 0.1, 0.4, this->Self->GetNumberOfNeighbors(), consistent))
+    const int k = this->Self->GetNumberOfNeighbors();
+    if (!fitted.Fit(
+          this->Self, 0.1, 0.4, { k, k * fitted.GetTimes(this->Self, k), true }, consistent))
     {
       return false;
     }

@@ -43,14 +43,15 @@
  *    once. Of points at the same position one takes part, and the others share its result.
  * 2. *Normals*, where the input has none: of triangles' corners the mean of their triangles' normals, on the side that
  *    the order of their corners tells, or at edges of more than 30 degrees of a mesh in which these end flat faces the mean of one face's
- *    (vtkPointSplatMeshNormals.h); of others the axis of least variance of the neighbours. Where these lie in a row, of scan
+ *    (vtkPointSplatMeshNormals.h); of others that of a surface of second order through the neighbours (vtkPointSplatQuadric.h), which are
+ *    two or three times as many where these are off it by noise. Where they lie in a row, of scan
  *    lines as of a solver's grid, that is any; there farther neighbours tell, if rows side by side lie in a surface, and
  *    where noise takes points off their row, four times as many (vtkPointSplatRows.h).
  * 3. *Orientation* of the normals from stage 2, either towards the Viewpoint, or consistently:
  *    along a minimum spanning tree over the neighbours (Hoppe et al. 1992, Surface
  *    Reconstruction from Unorganized Points, section 3.3), in which the normal is carried on
  *    as if along a circle's arc, and edges that leave the tangent planes cost more, so that
- *    it does not jump to another sheet. Given normals start the tree; a piece of surface
+ *    it does not jump to another sheet; so do those to the tip of a wedge, which seems to be a sheet in the middle of its faces. Given normals start the tree; a piece of surface
  *    without any is turned outward at its extreme point. Where the input says where the sensor
  *    stood that saw a point, the normal faces it, and starts the tree for points of sensors that
  *    nobody knows (not finite): a point array `SensorPosition` (3 components, world units), or

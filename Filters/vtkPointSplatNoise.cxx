@@ -27,6 +27,10 @@ constexpr double LeastFlatness = 0.07;
 /// it, too, where the surface turns within these. Of coarse meshes' vertices up to 0.65 are, of noise of 0.3 spacings 0.9.
 constexpr double LeastGuessedNoise = 0.7; // Testing/Cxx/TestSplatsNoise.cxx
 
+/// Or from which share of points with others above or below: of noise of 0.2 spacings 0.2 are, on thin tubes 0.12, and of a plate
+/// that is one to one and a half spacings thick 0.37 and more.
+constexpr double LeastGuessedContradiction = 0.25; // ribbed_plate, Testing/Accuracy/TestStandIns.py
+
 /// Of the neighbours of a point of a surface, its noise and all, about none face the other way.
 constexpr double MostAway = 0.25; // Testing/Cxx/TestSplatApart.cxx
 
@@ -217,7 +221,8 @@ vtkPointSplatNoise::Shares vtkPointSplatNoise::Measure(
   const double all = static_cast<double>(std::max<vtkIdType>(sum.All, 1));
   const bool isosurface = !guessed && sum.OnLattice.HasIsosurface(all);
   const Shares found{ sum.Noisy / all, isosurface ? 0.0 : sum.Contradicted / all };
-  return guessed && found.Noisy <= LeastGuessedNoise ? Shares{} : found;
+  const bool told = !guessed || found.Noisy > LeastGuessedNoise || found.Contradicted > LeastGuessedContradiction;
+  return told ? found : Shares{};
 }
 
 VTK_ABI_NAMESPACE_END

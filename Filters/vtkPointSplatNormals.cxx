@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatNormals.h"
 
+#include "vtkMath.h"
+#include "vtkPointSplatPrincipal.h"
+#include "vtkPointSplatQuadric.h"
 #include "vtkPointSplatRows.h"
 #include "vtkPointSplatThreads.h"
 #include "vtkSMPThreadLocal.h"
@@ -14,81 +17,37 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-/// The unit eigenvector of the least eigenvalue of a symmetric matrix (xx, xy, xz, yy, yz, zz).
-void GetLeastAxis(const double m[6], float axis[3])
+/// Leaves of the search tree that are asked whether points are noisy.
+constexpr vtkPointSplatNeighbors::Slot NoiseLeaves = 256;
+/// Noise takes no more than so many times the neighbours.
+constexpr int MostTimes = 3;
+/// For so many times the neighbours half of the points are off their surface by more than this share of their distance, ...
+constexpr float LeastResidual[MostTimes + 1] = { 0, 0, 0.02f, 0.06f };
+/// ... and not much more of the larger surface. Where it is the surface's own relief, twice the neighbours are off by 1.5 times as much.
+constexpr float MostGrowth = 1.2f;
+/// What a link costs more for a point whose neighbours are off its surface, and that is at their border.
+constexpr float CostOfTips = 4.0f;
+/// Links that cost more than that, of which up to 1 is what normals say, are not told apart.
+constexpr float MostCost = 1.8f;
+
+/// What two normals say of a surface that goes on from one point to another, by e.
+struct Link
 {
-  axis[0] = axis[1] = 0;
-  axis[2] = 1;
-  const double scale =
-    std::max({ std::abs(m[0]), std::abs(m[3]), std::abs(m[5]), std::abs(m[1]), std::abs(m[2]),
-      std::abs(m[4]) });
-  if (!(scale > 0) || !std::isfinite(scale))
+  float Sign; // by which the second normal goes on with the first
+  float Cost; // of relying on it, from 0 to 1
+
+  Link(const float e[3], const float n[3], const float m[3])
   {
-    return;
+    const float squared = vtkMath::Dot(e, e);
+    const float en = vtkMath::Dot(e, n), em = vtkMath::Dot(e, m), nm = vtkMath::Dot(n, m);
+    // The first normal mirrored in the plane half way between the points is, on a circle's arc, the second.
+    const float cosine = squared > 0 ? nm - 2 * en * em / squared : nm;
+    const float length = std::sqrt(squared);
+    const float elevation = length > 0 ? 0.5f * (std::abs(en) + std::abs(em)) / length : 0.0f;
+    this->Sign = cosine < 0 ? -1.0f : 1.0f;
+    this->Cost = 0.5f * (1 - std::abs(cosine) + elevation);
   }
-  double a[6];
-  for (int i = 0; i < 6; ++i)
-  {
-    a[i] = m[i] / scale;
-  }
-  // Eigenvalues by the trigonometric solution of the characteristic polynomial.
-  const double mean = (a[0] + a[3] + a[5]) / 3;
-  const double xx = a[0] - mean, yy = a[3] - mean, zz = a[5] - mean;
-  const double off = a[1] * a[1] + a[2] * a[2] + a[4] * a[4];
-  const double p = std::sqrt((xx * xx + yy * yy + zz * zz + 2 * off) / 6);
-  if (!(p > 1e-12))
-  {
-    return; // a ball: any direction is as good
-  }
-  const double det = xx * (yy * zz - a[4] * a[4]) - a[1] * (a[1] * zz - a[4] * a[2]) +
-    a[2] * (a[1] * a[4] - yy * a[2]);
-  const double angle = std::acos(std::clamp(det / (2 * p * p * p), -1.0, 1.0)) / 3;
-  const double least = mean + 2 * p * std::cos(angle + 2 * 3.14159265358979323846 / 3);
-  // The rows of A - lambda I span the plane across the eigenvector.
-  const double r[3][3] = { { a[0] - least, a[1], a[2] }, { a[1], a[3] - least, a[4] },
-    { a[2], a[4], a[5] - least } };
-  double best[3] = { 0, 0, 0 }, longest = 0;
-  for (int i = 0; i < 3; ++i)
-  {
-    const double* u = r[i];
-    const double* v = r[(i + 1) % 3];
-    const double c[3] = { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-      u[0] * v[1] - u[1] * v[0] };
-    const double length = c[0] * c[0] + c[1] * c[1] + c[2] * c[2];
-    if (length > longest)
-    {
-      longest = length;
-      std::copy(c, c + 3, best);
-    }
-  }
-  if (longest < 1e-20)
-  {
-    // Points in a row: something across the longest row, which is their direction.
-    int row = 0;
-    for (int i = 1; i < 3; ++i)
-    {
-      row = std::abs(r[i][i]) > std::abs(r[row][row]) ? i : row;
-    }
-    const double* u = r[row];
-    const int smallest = std::abs(u[0]) < std::abs(u[1])
-      ? (std::abs(u[0]) < std::abs(u[2]) ? 0 : 2)
-      : (std::abs(u[1]) < std::abs(u[2]) ? 1 : 2);
-    const int one = (smallest + 1) % 3, two = (smallest + 2) % 3;
-    best[smallest] = 0;
-    best[one] = u[two];
-    best[two] = -u[one];
-    longest = best[one] * best[one] + best[two] * best[two];
-    if (!(longest > 0))
-    {
-      return;
-    }
-  }
-  const double inverse = 1 / std::sqrt(longest);
-  for (int i = 0; i < 3; ++i)
-  {
-    axis[i] = static_cast<float>(best[i] * inverse);
-  }
-}
+};
 }
 
 vtkPointSplatNormals::vtkPointSplatNormals(const vtkPointSplatNeighbors& neighbors,
@@ -99,41 +58,70 @@ vtkPointSplatNormals::vtkPointSplatNormals(const vtkPointSplatNeighbors& neighbo
 {
 }
 
-void vtkPointSplatNormals::FitPlane(
-  const vtkPointSplatNeighbors::Neighborhood& around, float normal[3])
+int vtkPointSplatNormals::GetTimes(vtkAlgorithm* self, int k) const
 {
-  // The centre, the origin of the offsets, is one of the points.
-  double sum[3] = { 0, 0, 0 }, m[6] = { 0, 0, 0, 0, 0, 0 };
-  for (int i = 0; i < around.Count; ++i)
+  using Neighborhood = vtkPointSplatNeighbors::Neighborhood;
+  constexpr Slot leafSize = vtkPointSplatNeighbors::LeafSize;
+  const Slot leaves = (this->Neighbors.GetNumberOfSlots() + leafSize - 1) / leafSize;
+  const Slot stride = std::max<Slot>(1, leaves / NoiseLeaves);
+  struct Found
   {
-    const double x = around.X[i], y = around.Y[i], z = around.Z[i];
-    sum[0] += x;
-    sum[1] += y;
-    sum[2] += z;
-    m[0] += x * x;
-    m[1] += x * y;
-    m[2] += x * z;
-    m[3] += y * y;
-    m[4] += y * z;
-    m[5] += z * z;
+    float Residual, Growth[MostTimes + 1]; // of the residual of k neighbours, with so many times k
+  };
+  vtkSMPThreadLocal<std::vector<Found>> locals;
+  const auto look = [&](const Neighborhood& around, int) {
+    Found found;
+    float plane[3];
+    for (int times = 1; times <= MostTimes; ++times)
+    {
+      Neighborhood near = around;
+      near.Count = std::min(around.Count, times * k);
+      if (times == 1)
+      {
+        vtkPointSplatPrincipal(near).GetNormal(plane);
+      }
+      vtkPointSplatQuadric surface;
+      if (!surface.Fit(near, plane))
+      {
+        return true;
+      }
+      found.Residual = times == 1 ? surface.Residual : found.Residual;
+      found.Growth[times] = found.Residual > 0 ? surface.Residual / found.Residual : 1.0f;
+    }
+    locals.Local().push_back(found);
+    return true;
+  };
+  const double progress = self->GetProgress();
+  this->Neighbors.Visit(self, progress, progress, MostTimes * k, look,
+    [this, stride](Slot s) { return !this->Known[s] && s / leafSize % stride == 0; });
+  std::vector<Found> all;
+  for (const std::vector<Found>& local : locals)
+  {
+    all.insert(all.end(), local.begin(), local.end());
   }
-  const double n = around.Count + 1;
-  m[0] -= sum[0] * sum[0] / n;
-  m[1] -= sum[0] * sum[1] / n;
-  m[2] -= sum[0] * sum[2] / n;
-  m[3] -= sum[1] * sum[1] / n;
-  m[4] -= sum[1] * sum[2] / n;
-  m[5] -= sum[2] * sum[2] / n;
-  GetLeastAxis(m, normal);
+  const auto isNoisy = [&all](int times) {
+    const auto noisy = std::count_if(all.begin(), all.end(), [times](const Found& found) {
+      return found.Residual > LeastResidual[times] && found.Growth[times] < MostGrowth;
+    });
+    return 2 * static_cast<std::size_t>(noisy) > all.size();
+  };
+  int times = MostTimes;
+  while (times > 1 && !isNoisy(times))
+  {
+    --times;
+  }
+  return times;
 }
 
-bool vtkPointSplatNormals::Fit(vtkAlgorithm* self, double from, double to, int k, bool keepGraph)
+bool vtkPointSplatNormals::Fit(
+  vtkAlgorithm* self, double from, double to, const Samples& samples, bool keepGraph)
 {
   using Neighborhood = vtkPointSplatNeighbors::Neighborhood;
   const Slot slots = this->Neighbors.GetNumberOfSlots();
   if (keepGraph)
   {
     this->Graph.assign(std::size_t(NumberOfEdges) * slots, vtkPointSplatNeighbors::None);
+    this->Planes.assign(slots, Plane());
   }
   std::vector<unsigned char> inRow(slots, 0);
   vtkSMPThreadLocal<std::vector<vtkPointSplatRows::Plane>> found;
@@ -158,18 +146,32 @@ bool vtkPointSplatNormals::Fit(vtkAlgorithm* self, double from, double to, int k
       }
       return true;
     }
-    float variances[3];
-    vtkPointSplatRows::GetVariances(around, around.Count, variances);
-    inRow[s] = inRow[s] || vtkPointSplatRows::IsCurve(around, around.Count, variances);
+    // However many there are, the nearest tell whether they lie in a row.
+    Neighborhood near = around;
+    near.Count = round == 0 ? std::min(around.Count, samples.InRow) : around.Count;
+    const vtkPointSplatPrincipal principal(near);
+    inRow[s] = inRow[s] || vtkPointSplatRows::IsCurve(near, near.Count, principal.Variances);
     if (round == 0)
     {
-      vtkPointSplatNormals::FitPlane(around, normal);
-      return !inRow[s] && !vtkPointSplatRows::IsLong(variances);
+      principal.GetNormal(normal);
+      vtkPointSplatQuadric surface;
+      if (samples.Curved && !inRow[s] && surface.Fit(around, normal))
+      {
+        if (keepGraph)
+        {
+          this->Planes[s] = { { normal[0], normal[1], normal[2] }, surface.Residual * surface.Aside };
+        }
+        std::copy_n(surface.Normal, 3, normal);
+      }
+      return !inRow[s] && !vtkPointSplatRows::IsLong(principal.Variances);
     }
-    vtkPointSplatRows::FitThick(around, variances, normal);
+    if (vtkPointSplatRows::FitThick(principal, normal) && keepGraph)
+    {
+      this->Planes[s] = Plane();
+    }
     return !inRow[s];
   };
-  if (!this->Neighbors.VisitWidely(self, from, to, k, fit, [](Slot) { return true; }))
+  if (!this->Neighbors.VisitWidely(self, from, to, samples.OnSurface, fit, [](Slot) { return true; }))
   {
     return false;
   }
@@ -234,25 +236,34 @@ void vtkPointSplatNormals::Symmetrize()
   this->Graph = std::vector<Slot>();
 }
 
+void vtkPointSplatNormals::GetPlane(Slot slot, float plane[3]) const
+{
+  const float* n = this->Normals + std::size_t(3) * slot;
+  const float* fitted = this->Planes[slot].Normal;
+  const float side = vtkMath::Dot(n, fitted);
+  for (int c = 0; c < 3; ++c)
+  {
+    plane[c] = side > 0 ? fitted[c] : side < 0 ? -fitted[c] : n[c];
+  }
+}
+
 float vtkPointSplatNormals::GetSign(Slot i, Slot j, int& cost) const
 {
   double p[3], q[3];
   this->Neighbors.GetPosition(i, p);
   this->Neighbors.GetPosition(j, q);
-  const float* n = this->Normals + std::size_t(3) * i;
-  const float* m = this->Normals + std::size_t(3) * j;
   const float e[3] = { float(q[0] - p[0]), float(q[1] - p[1]), float(q[2] - p[2]) };
-  const float squared = e[0] * e[0] + e[1] * e[1] + e[2] * e[2];
-  const float en = e[0] * n[0] + e[1] * n[1] + e[2] * n[2];
-  const float em = e[0] * m[0] + e[1] * m[1] + e[2] * m[2];
-  const float nm = n[0] * m[0] + n[1] * m[1] + n[2] * m[2];
-  // i's normal mirrored in the plane half way between the points is, on a circle's arc, j's.
-  const float cosine = squared > 0 ? nm - 2 * en * em / squared : nm;
-  const float length = std::sqrt(squared);
-  const float elevation = length > 0 ? 0.5f * (std::abs(en) + std::abs(em)) / length : 0.0f;
-  const float part = 0.5f * (1 - std::abs(cosine) + elevation);
-  cost = std::clamp(static_cast<int>(part * NumberOfCosts), 0, NumberOfCosts - 1);
-  return cosine < 0 ? -1.0f : 1.0f;
+  float n[3], m[3];
+  this->GetPlane(i, n);
+  this->GetPlane(j, m);
+  const Link surfaces(
+    e, this->Normals + std::size_t(3) * i, this->Normals + std::size_t(3) * j);
+  const Link planes(e, n, m);
+  const Link& link = planes.Cost < surfaces.Cost ? planes : surfaces;
+  const float tip = std::max(this->Planes[i].Tip, this->Planes[j].Tip);
+  const float share = (link.Cost + CostOfTips * tip) / MostCost;
+  cost = std::clamp(static_cast<int>(share * NumberOfCosts), 0, NumberOfCosts - 1);
+  return link.Sign;
 }
 
 void vtkPointSplatNormals::Enqueue(Slot slot)
@@ -262,8 +273,8 @@ void vtkPointSplatNormals::Enqueue(Slot slot)
     if (!this->Done[this->Edges[e]])
     {
       int cost;
-      this->GetSign(slot, this->Edges[e], cost);
-      this->Queue[cost].push_back({ slot, this->Edges[e] });
+      const bool turned = this->GetSign(slot, this->Edges[e], cost) < 0;
+      this->Queue[cost].push_back({ this->Edges[e], turned });
     }
   }
 }
@@ -284,8 +295,7 @@ void vtkPointSplatNormals::Propagate(std::vector<Slot>& surface)
     {
       continue;
     }
-    int unused;
-    if (this->GetSign(next.From, next.To, unused) < 0)
+    if (next.Turned)
     {
       float* n = this->Normals + std::size_t(3) * next.To;
       n[0] = -n[0];

@@ -21,17 +21,25 @@ public:
   vtkPointSplatNormals(const vtkPointSplatNeighbors& neighbors, float* normals,
     const std::vector<unsigned char>& known);
 
-  /**
-   * The normal of the plane that fits the centre and its neighbours best.
-   */
-  static void FitPlane(const vtkPointSplatNeighbors::Neighborhood& around, float normal[3]);
+  /// The neighbours of a slot that tell its normal.
+  struct Samples
+  {
+    int InRow;     // whether so many of the nearest lie in a row is asked
+    int OnSurface; // through so many of them the surface goes
+    bool Curved;   // whether it is of second order (vtkPointSplatQuadric.h), or a plane
+  };
 
   /**
-   * Fits planes to the k nearest neighbours of each slot without normal, and keeps the
+   * How many times k neighbours, up to three, tell a normal where points are noise: there a surface of second order is no
+   * farther from these, the more there are. Else 1. Looks at some of the slots without normal.
+   */
+  int GetTimes(vtkAlgorithm* self, int k) const;
+  /**
+   * Fits surfaces to the nearest neighbours of each slot without normal, and keeps the
    * graph of the neighbours if it is to be oriented. Where these lie in a row, a surface of rows side by side tells the
    * normal, if there is one (vtkPointSplatRows.h). Returns false if aborted.
    */
-  bool Fit(vtkAlgorithm* self, double from, double to, int k, bool keepGraph);
+  bool Fit(vtkAlgorithm* self, double from, double to, const Samples& samples, bool keepGraph);
   /// Marks the slots whose normals were fitted to rows side by side.
   void MarkRows(std::vector<unsigned char>& marks) const;
 
@@ -55,12 +63,23 @@ private:
   void Propagate(std::vector<Slot>& surface);
   void TurnOutward(const std::vector<Slot>& surface);
   void Enqueue(Slot slot);
-  /// The sign by which j's normal goes on with i's, and what it costs to rely on it.
+  /// The normal of the slot's plane, on the side of its normal, which it is where there is no plane.
+  void GetPlane(Slot slot, float plane[3]) const;
+  /// The sign by which j's normal goes on with i's, and what it costs to rely on it. Across an edge planes tell more clearly,
+  /// since those of points near to it turn on the way, and elsewhere surfaces. The tip of a wedge has the plane of a sheet that
+  /// goes on in its middle, where both faces seem to be one: to go round another edge costs less.
   float GetSign(Slot i, Slot j, int& cost) const;
 
   const vtkPointSplatNeighbors& Neighbors;
   float* Normals;
   const std::vector<unsigned char>& Known;
+  /// What was fitted before the surface of second order, where the normal is that one's; else 0.
+  struct Plane
+  {
+    float Normal[3] = { 0, 0, 0 };
+    float Tip = 0; // how far neighbours are off the surface, in spacings, times how far the point is off their centre
+  };
+  std::vector<Plane> Planes;         // for each slot
   std::vector<Slot> InRows;          // whose normals were fitted to rows
   std::vector<Slot> Graph;           // NumberOfEdges for each slot, then None
   std::vector<vtkIdType> Offsets;    // into Edges, for each slot, both directions
@@ -69,7 +88,8 @@ private:
   std::vector<unsigned char> Done;
   struct Candidate
   {
-    Slot From, To;
+    Slot To;
+    bool Turned; // whether its normal, which is as it was until it is done, goes on the other way
   };
   static constexpr int NumberOfCosts = 256;
   std::vector<std::vector<Candidate>> Queue; // by cost

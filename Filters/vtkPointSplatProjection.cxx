@@ -174,7 +174,9 @@ bool vtkPointSplatProjection::Run::Begin(vtkDataArray* given)
     return true;
   }
   vtkPointSplatNormals fitted(this->Neighbors, this->Normals.data(), known);
-  if (!fitted.Fit(this->Self, 0.1, 0.3, this->Self->NumberOfNeighbors, true))
+  // Noise has no second order; stages 2 and 3 take what is wrong with planes away.
+  const int k = this->Self->NumberOfNeighbors;
+  if (!fitted.Fit(this->Self, 0.1, 0.3, { k, k, fitted.GetTimes(this->Self, k) == 1 }, true))
   {
     return false;
   }

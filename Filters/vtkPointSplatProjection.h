@@ -31,7 +31,7 @@
  *    by the local spacing s, 3 s for 24 neighbours of an even sampling; the paper advises 1.4 s
  *    to 4 s.
  * 2. *Normals*, where the input has none: as in vtkPointSplatEstimation, stages 2 and 3, by k
- *    neighbours.
+ *    neighbours; where these are off a surface of second order by noise, the normals of planes.
  * 3. *Normals that are wrong*, as those of scans at grazing angles are, or averages over a
  *    crease. Where less than a quarter of the neighbours have a normal within 60 degrees of the
  *    point's, it takes that of a neighbour which most of them agree with; so, too, where less

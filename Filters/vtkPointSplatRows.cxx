@@ -3,7 +3,6 @@
 #include "vtkPointSplatRows.h"
 
 #include "vtkMath.h"
-#include "vtkPointSplatNormals.h"
 #include "vtkPointSplatThreads.h"
 
 #include <algorithm>
@@ -86,43 +85,6 @@ float GetAlong(const Neighborhood& around, int i, const Axis& along)
 }
 }
 
-void vtkPointSplatRows::GetVariances(
-  const Neighborhood& around, int count, float variances[3])
-{
-  double sum[3] = { 0, 0, 0 }, m[6] = { 0, 0, 0, 0, 0, 0 };
-  for (int i = 0; i < count; ++i)
-  {
-    const double d[3] = { around.X[i], around.Y[i], around.Z[i] };
-    for (int c = 0; c < 3; ++c)
-    {
-      sum[c] += d[c];
-      m[c] += d[c] * d[c];
-      m[3 + c] += d[c] * d[(c + 1) % 3];
-    }
-  }
-  const double n = count + 1; // the centre is one of them
-  for (int c = 0; c < 3; ++c)
-  {
-    m[c] = (m[c] - sum[c] * sum[c] / n) / n;
-    m[3 + c] = (m[3 + c] - sum[c] * sum[(c + 1) % 3] / n) / n;
-  }
-  // Eigenvalues by the trigonometric solution of the characteristic polynomial.
-  const double mean = (m[0] + m[1] + m[2]) / 3;
-  const double x = m[0] - mean, y = m[1] - mean, z = m[2] - mean;
-  const double off = m[3] * m[3] + m[4] * m[4] + m[5] * m[5];
-  const double p = std::sqrt((x * x + y * y + z * z + 2 * off) / 6);
-  const double det = x * (y * z - m[4] * m[4]) - m[3] * (m[3] * z - m[4] * m[5]) +
-    m[5] * (m[3] * m[4] - y * m[5]);
-  const double cosine = p > 0 ? std::clamp(det / (2 * p * p * p), -1.0, 1.0) : 1.0;
-  const double angle = std::acos(cosine) / 3, third = 2 * 3.14159265358979323846 / 3;
-  for (int k = 0; k < 3; ++k)
-  {
-    // The angle is at most a sixth of a turn: so the next is the least, and the last between.
-    const double turned = angle + (k == 0 ? 0 : k == 1 ? 2 * third : third);
-    variances[k] = static_cast<float>(std::max(mean + 2 * p * std::cos(turned), 0.0));
-  }
-}
-
 bool vtkPointSplatRows::IsCurve(const Neighborhood& around, int count, const float variances[3])
 {
   if (count < 2)
@@ -149,9 +111,8 @@ bool vtkPointSplatRows::IsLong(const float variances[3])
 
 bool vtkPointSplatRows::IsRow(const Neighborhood& around)
 {
-  float variances[3];
-  GetVariances(around, std::min(FewNeighbors, around.Count), variances);
-  return variances[1] < FewVariance * variances[0];
+  const vtkPointSplatPrincipal principal(around, std::min(FewNeighbors, around.Count));
+  return principal.Variances[1] < FewVariance * principal.Variances[0];
 }
 
 namespace
@@ -217,19 +178,21 @@ float GetExtent(const Neighborhood& around, int count, const Axis& off, const Ax
 }
 }
 
-void vtkPointSplatRows::FitThick(
-  const Neighborhood& around, const float variances[3], float normal[3])
+bool vtkPointSplatRows::FitThick(const vtkPointSplatPrincipal& principal, float normal[3])
 {
+  const float* variances = principal.Variances;
   if (!(variances[2] < FlatVariance * (variances[0] + variances[1] + variances[2])))
   {
-    return;
+    return false;
   }
   float plane[3];
-  vtkPointSplatNormals::FitPlane(around, plane);
+  principal.GetNormal(plane);
   if (std::abs(vtkMath::Dot(plane, normal)) < ThickCosine)
   {
     std::copy_n(plane, 3, normal);
+    return true;
   }
+  return false;
 }
 
 bool vtkPointSplatRows::Fit(const Neighborhood& around, Plane& plane)
@@ -243,7 +206,7 @@ bool vtkPointSplatRows::Fit(const Neighborhood& around, Plane& plane)
   const float apart2 = around.SquaredDistance[beside[0]];
   Neighborhood near = around;
   near.Count = Count(around, PlaneReach * PlaneReach * apart2);
-  vtkPointSplatNormals::FitPlane(near, plane.Normal);
+  vtkPointSplatPrincipal(near).GetNormal(plane.Normal);
   const Axis off{ { plane.Normal[0], plane.Normal[1], plane.Normal[2] } };
   Axis across;
   vtkMath::Cross(off.X, along.X, across.X);

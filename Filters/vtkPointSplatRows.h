@@ -21,6 +21,7 @@
 #define vtkPointSplatRows_h
 
 #include "vtkPointSplatNeighbors.h"
+#include "vtkPointSplatPrincipal.h"
 
 #include <cstddef>
 #include <vector>
@@ -31,8 +32,6 @@ namespace vtkPointSplatRows
 {
 using Neighborhood = vtkPointSplatNeighbors::Neighborhood;
 
-/// The variances along the principal axes, the greatest first, of the centre and so many neighbours.
-void GetVariances(const Neighborhood& around, int count, float variances[3]);
 /// Whether so many nearest neighbours, which have these variances, lie on a curve.
 bool IsCurve(const Neighborhood& around, int count, const float variances[3]);
 /// Whether they may lie on a curve, and noise hides it: more of them will tell.
@@ -42,9 +41,9 @@ bool IsRow(const Neighborhood& around);
 
 /**
  * Takes the plane of more neighbours for the normal that the nearest ones gave, if these lie in the plane of a row and the
- * noise of its points, and more, which are of the rows beside, too, in the surface's. variances: of all that are given.
+ * noise of its points, and more, which are of the rows beside, too, in the surface's. principal: the axes of all. Returns whether it does.
  */
-void FitThick(const Neighborhood& around, const float variances[3], float normal[3]);
+bool FitThick(const vtkPointSplatPrincipal& principal, float normal[3]);
 
 /// How many points, the nearest, tell whether it is a row, ...
 constexpr std::size_t NumberOfAlong = 4;

@@ -353,6 +353,15 @@ class TestStandIns(unittest.TestCase):
             self.assertEqual(found["holes"], 0, standin.name)
             self.assertLess(found["spill"], 0.001, standin.name)
 
+    def test_points_alone(self):
+        # 20 dB and holes where normals were those of planes; 30 where a wedge's faces looked to the same side; 16, holes and
+        # 0.005 beside it where a plate's sides, which are one spacing apart, were not taken for one surface.
+        for name, psnr in (("graded_disc", 28), ("machined_part", 31), ("ribbed_plate", 25)):
+            found = likeness.compare(standins.without_normals(getattr(standins, name)()), 384, 3)
+            self.assertGreater(min(found["psnr"]), psnr, name)
+            self.assertLess(found["holes"], 40, name)
+            self.assertLess(found["spill"], 0.001, name)
+
     def test_spray(self):
         # 9 spacings, and a third of the area off, where disks reached from drop to drop.
         self.check("spray", 4, 0.1, 0)
