@@ -39,7 +39,8 @@ bool vtkPointSplatBodies::IsPartOfCurve(Slot slot, const vtkPointSplatDisks& dis
     disks.AgreeWitnesses(slot, this->OnCurve);
 }
 
-void vtkPointSplatBodies::Look(const Neighborhood& around, const float* normals)
+void vtkPointSplatBodies::Look(const Neighborhood& around, const float* normals,
+  const std::vector<unsigned char>& onSurface)
 {
   const Slot s = around.Center;
   this->Guessed[s] = 1;
@@ -49,14 +50,16 @@ void vtkPointSplatBodies::Look(const Neighborhood& around, const float* normals)
   this->InRow[s] = vtkPointSplatRows::IsRow(around);
   const float* n = normals + std::size_t(3) * s;
   float cosine2 = 0;
+  int surface = 0;
   for (int i = 0; i < around.Count; ++i)
   {
+    surface += onSurface[around.Slots[i]];
     const float* m = normals + std::size_t(3) * around.Slots[i];
     const float cosine = n[0] * m[0] + n[1] * m[1] + n[2] * m[2];
     cosine2 += cosine * cosine;
   }
   if (variances[2] > VolumeVariance * (variances[0] + variances[1] + variances[2]) &&
-    cosine2 < VolumeCosine2 * around.Count)
+    cosine2 < VolumeCosine2 * around.Count && !(onSurface[s] && 2 * surface > around.Count))
   {
     this->Scattered[s] = 1;
     this->AnyScattered.store(true, std::memory_order_relaxed);

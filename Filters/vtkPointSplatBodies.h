@@ -44,8 +44,9 @@ public:
 
   explicit vtkPointSplatBodies(Slot slots);
 
-  /// Looks at a point without given normal. normals: 3 floats a slot, the estimated ones.
-  void Look(const Neighborhood& around, const float* normals);
+  /// Looks at a point without given normal. normals: 3 floats a slot, the estimated ones; onSurface: of each slot whether its
+  /// neighbours are on a surface (vtkPointSplatNormals.h): where most are, on tubes as well, they fill no volume.
+  void Look(const Neighborhood& around, const float* normals, const std::vector<unsigned char>& onSurface);
 
   /// Looks at the nearest, so many, of a point whose neighbours lie in a row.
   void LookAtRow(const Neighborhood& around, int nearest);

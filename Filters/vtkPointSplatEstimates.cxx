@@ -117,6 +117,7 @@ bool vtkPointSplatEstimates::FindNormals()
       return false;
     }
     fitted.MarkRows(this->Trusted);
+    this->OnSurface = fitted.TakeOnSurface();
     if (consistent && !sensors.IsEmpty())
     {
       fitted.OrientToSensors(sensors);
@@ -136,6 +137,7 @@ bool vtkPointSplatEstimates::FindNormals()
     const vtkPointSplatNoise::Shares found = vtkPointSplatNoise::Measure(
       this->Self, this->Neighbors, this->SlotNormals.data(), this->Guessed);
     this->Noise = found.Noisy;
+    this->Clean = found.Clean;
     this->Contradiction = this->OfLattice ? 0.0 : found.Contradicted;
   }
   return true;
@@ -190,7 +192,7 @@ bool vtkPointSplatEstimates::Measure(const Neighborhood& around, int round)
         around, this->SlotNormals.data(), this->GetSlotNormal(s), disk.Sheet.Spacing));
   if (round == 0 && !this->Trusted[s])
   {
-    this->Bodies->Look(around, this->SlotNormals.data());
+    this->Bodies->Look(around, this->SlotNormals.data(), this->OnSurface);
   }
   // In the second look farther neighbours of what is hemmed in are asked for, and nothing about rows.
   const bool again = directions != this->SlotNormals.data();

@@ -120,9 +120,9 @@ private:
 
   bool IsRough() const { return vtkPointSplatEstimation::IsRough(this->Noise); }
   bool IsNoisy() const { return this->Self->IsNoisy(this->Noise, this->Contradiction); }
-  /// Whether given normals tell where the surface bends. What is rough at regular points, as of an isosurface of a noisy
+  /// Whether normals tell where the surface bends. What is rough at regular points, as of an isosurface of a noisy
   /// volume, is the surface's own.
-  bool MayBend() const { return !this->Guessed && (!this->IsNoisy() || this->Disks->Regular); }
+  bool MayBend() const { return (!this->Guessed || this->Clean) && (!this->IsNoisy() || this->Disks->Regular); }
   bool IsDrawn(vtkIdType id) const;
   float GetScaled(float length) const;
   const vtkPointSplatFans::Disk& GetCorner(vtkIdType id) const { return this->Corners[this->Fans.GetSame(id)]; }
@@ -134,7 +134,8 @@ private:
   const vtkIdType NumberOfPoints;
   const bool Elliptical;
   bool Given = false;   // whether there are normals
-  bool Guessed = false; // whether most of them are estimated, and do not tell of the surface's bends and noise
+  bool Guessed = false; // whether most of them are estimated, and do not tell of the surface's noise
+  bool Clean = true;    // whether there is so little of it that they tell of the surface's bends
   const unsigned char* Ghosts = nullptr;
   std::vector<unsigned char> Used;
 
@@ -152,6 +153,7 @@ private:
   vtkPointSplatLargeArray<float> SlotNormals;
   std::vector<unsigned char> Known; // slots with given normals
   std::vector<unsigned char> Trusted; // the same, or with those of a surface in rows: whose sheet they tell
+  std::vector<unsigned char> OnSurface; // if normals are missing: slots whose neighbours are (vtkPointSplatNormals.h)
   std::vector<std::atomic<bool>> Searched; // slots with a point that is no triangle's corner
   float Median = 0; // spacing
   float Usual = 0; // the same, where it tells what is sparse

@@ -120,8 +120,8 @@
  *    outermost of them clips all splats that reach over it. Where IsNoisy(), borders are not looked for.
  *    On tubes whose rings of points are farther apart than the tube is wide two lines clip disks beside the axis, which else would leave it.
  * 6. *Fill*, if FillGaps is on, Shape is Circular and the point is on no crease. Where points are much denser on one
- *    side than on the other, as of meshes whose triangles are few where faces are flat, where given normals turn by
- *    more than 34 degrees from one point to the next, as on tubes, rims and small bodies, and where the surface bends and
+ *    side than on the other, as of meshes whose triangles are few where faces are flat, where normals, given ones or those of
+ *    points without noise, turn by more than 34 degrees from one point to the next, as on tubes, rims and small bodies, and where the surface bends and
  *    the disk would be 1.4 times as large as distances to the neighbours ask for, as it would between triangles that are long
  *    or of a face that is one triangle wide, no round disk covers
  *    what is around a point and does not stand off the surface. There disks are as small as the densest part and
@@ -136,7 +136,7 @@
  * 7. *Bound.* No disk is larger than two and a half times those of its neighbours, which keeps
  *    outliers small. A point with no neighbour of its own sheet is a body alone, and so are points
  *    that no surface goes through (vtkPointSplatBodies.h): along a curve with nothing beside it;
- *    and, without given normals, where points fill a volume, and far from all others. Half of the
+ *    and, without given normals, where points fill a volume (those of tubes are on surfaces of second order), and far from all others. Half of the
  *    distance to what is nearest is a body's radius, and at most the cloud's median radius. It has
  *    no plane, and is seen from all sides, since what draws it turns it to who looks. Its
  *    curvature is a ball's, or 0 where the point's normal is given, which it then shades with.

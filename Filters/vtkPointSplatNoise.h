@@ -33,6 +33,8 @@ struct Shares
   /// their heights. Vertices of an isosurface with given normals, of parts of one as well, count as none, as a noisy
   /// volume's surface has this relief itself.
   double Contradicted = 0;
+  /// Whether so few are noisy, of estimated normals as well, that these tell where the surface bends.
+  bool Clean = true;
 };
 
 /**

@@ -25,6 +25,10 @@ constexpr int MostTimes = 3;
 constexpr float LeastResidual[MostTimes + 1] = { 0, 0, 0.02f, 0.06f };
 /// ... and not much more of the larger surface. Where it is the surface's own relief, twice the neighbours are off by 1.5 times as much.
 constexpr float MostGrowth = 1.2f;
+/// Neighbours are on a surface if they are off it by less than this share of their distance. Those in a volume are off by a third and more.
+constexpr float OnSurfaceResidual = 0.3f;
+/// And if they are all around the point: on a border Aside is 0.3, and at a curve's end more.
+constexpr float OnSurfaceAside = 0.2f;
 /// What a link costs more for a point whose neighbours are off its surface, and that is at their border.
 constexpr float CostOfTips = 4.0f;
 /// Links that cost more than that, of which up to 1 is what normals say, are not told apart.
@@ -124,6 +128,7 @@ bool vtkPointSplatNormals::Fit(
     this->Planes.assign(slots, Plane());
   }
   std::vector<unsigned char> inRow(slots, 0);
+  this->OnSurface.assign(slots, 0);
   vtkSMPThreadLocal<std::vector<vtkPointSplatRows::Plane>> found;
   const auto fit = [&](const Neighborhood& around, int round) {
     const Slot s = around.Center;
@@ -153,6 +158,7 @@ bool vtkPointSplatNormals::Fit(
     inRow[s] = inRow[s] || vtkPointSplatRows::IsCurve(near, near.Count, principal.Variances);
     if (round == 0)
     {
+      const bool isLong = vtkPointSplatRows::IsLong(principal.Variances);
       principal.GetNormal(normal);
       vtkPointSplatQuadric surface;
       if (samples.Curved && !inRow[s] && surface.Fit(around, normal))
@@ -162,8 +168,9 @@ bool vtkPointSplatNormals::Fit(
           this->Planes[s] = { { normal[0], normal[1], normal[2] }, surface.Residual * surface.Aside };
         }
         std::copy_n(surface.Normal, 3, normal);
+        this->OnSurface[s] = surface.Residual < OnSurfaceResidual && surface.Aside < OnSurfaceAside && !isLong;
       }
-      return !inRow[s] && !vtkPointSplatRows::IsLong(principal.Variances);
+      return !inRow[s] && !isLong;
     }
     if (vtkPointSplatRows::FitThick(principal, normal) && keepGraph)
     {

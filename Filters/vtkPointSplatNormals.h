@@ -12,6 +12,9 @@
 #include "vtkPointSplatNeighbors.h"
 #include "vtkPointSplatSensors.h"
 
+#include <utility>
+#include <vector>
+
 VTK_ABI_NAMESPACE_BEGIN
 
 class vtkPointSplatNormals
@@ -42,6 +45,8 @@ public:
   bool Fit(vtkAlgorithm* self, double from, double to, const Samples& samples, bool keepGraph);
   /// Marks the slots whose normals were fitted to rows side by side.
   void MarkRows(std::vector<unsigned char>& marks) const;
+  /// Tells of each slot whether its normal was fitted to neighbours on all sides that are on the surface but for noise.
+  std::vector<unsigned char> TakeOnSurface() { return std::move(this->OnSurface); }
 
   /// Turns what was fitted the same way within a surface; given normals decide first.
   void OrientConsistently();
@@ -81,6 +86,7 @@ private:
   };
   std::vector<Plane> Planes;         // for each slot
   std::vector<Slot> InRows;          // whose normals were fitted to rows
+  std::vector<unsigned char> OnSurface; // for each slot
   std::vector<Slot> Graph;           // NumberOfEdges for each slot, then None
   std::vector<vtkIdType> Offsets;    // into Edges, for each slot, both directions
   std::vector<Slot> Edges;
