@@ -11,6 +11,7 @@
 #define vtkPointSplatCholesky_h
 
 #include "vtkPointSplattingABI.h"
+#include "vtkType.h"
 
 #include <cmath>
 

@@ -51,7 +51,8 @@
  *    along a minimum spanning tree over the neighbours (Hoppe et al. 1992, Surface
  *    Reconstruction from Unorganized Points, section 3.3), in which the normal is carried on
  *    as if along a circle's arc, and edges that leave the tangent planes cost more, so that
- *    it does not jump to another sheet; so do those to the tip of a wedge, which seems to be a sheet in the middle of its faces. Given normals start the tree; a piece of surface
+ *    it does not jump to another sheet; so do those to the tip of a wedge, which seems to be a sheet
+ *    in the middle of its faces. Given normals start the tree; a piece of surface
  *    without any is turned outward at its extreme point. Where the input says where the sensor
  *    stood that saw a point, the normal faces it, and starts the tree for points of sensors that
  *    nobody knows (not finite): a point array `SensorPosition` (3 components, world units), or

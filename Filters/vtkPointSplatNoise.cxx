@@ -24,7 +24,7 @@ constexpr float Bandwidth = 0.5f;
 constexpr double LeastFlatness = 0.07;
 
 /// From which share of points off their neighbours' surface on estimated normals tell noise: those of 12 neighbours are off
-/// it, too, where the surface turns within these. Of coarse meshes' vertices up to 0.65 are, of noise of 0.3 spacings 0.9.
+/// it, too, where the surface turns within these. Of meshes' vertices up to 0.7 are if these are 300 of a scan, of noise of 0.3 spacings 0.9.
 constexpr double LeastGuessedNoise = 0.7; // Testing/Cxx/TestSplatsNoise.cxx
 
 /// Or from which share of points with others above or below: of noise of 0.2 spacings 0.2 are, on thin tubes 0.12, and of a plate
