@@ -34,6 +34,25 @@ def plotter():
 SETUP = 'import sys; sys.modules["trame.widgets.vtklocal"] = None'
 BACKENDS = ("static", "server", "trame", "client", "html")
 
+# Draws a widget as notebooks do: by the module that comes with it (anywidget's front-end), of which models are asked.
+RENDER = """
+async ([shown, states]) => {
+  const models = new Map();
+  const manager = { get_model: async id => find(id) };
+  const find = id => {
+    if (!models.has(id)) {
+      const nothing = () => {};
+      models.set(id, { get: name => states[id][name], set: nothing, save_changes: nothing, on: nothing, off: nothing,
+                       once: nothing, widget_manager: manager });
+    }
+    return models.get(id);
+  };
+  const code = new Blob([states[shown]._esm], { type: "text/javascript" });
+  const module = await import(URL.createObjectURL(code));
+  await module.default.render({ model: find(shown), el: document.body });
+}
+"""
+
 
 def autumn(picture):
     """Which pixels have a colour of the map from red to yellow, lit."""
@@ -65,14 +84,14 @@ class TestNotebook(unittest.TestCase):
     def outputs(self, backend):
         return self.notebook.cells[2 + BACKENDS.index(backend)].outputs
 
-    def frame(self, backend):
-        """The frame inside the widget that a cell displayed, as HTML."""
+    def widget(self, backend):
+        """What a cell displayed: the id of the widget's model, and the states of this and of those that it refers to."""
         shown = [output.data for output in self.outputs(backend) if "data" in output]
         self.assertEqual(len(shown), 1, self.outputs(backend))
         model = shown[0]["application/vnd.jupyter.widget-view+json"]["model_id"]
-        value = self.widgets[model]["value"]
-        self.assertTrue(value.startswith("<iframe "), value[:200])
-        return value
+        ids = [model] + [value.removeprefix("IPY_MODEL_") for value in self.widgets[model].values()
+                         if isinstance(value, str) and value.startswith("IPY_MODEL_")]
+        return model, {one: self.widgets[one] for one in ids}
 
     def page_of(self, backend):
         """A page that holds the frame, as a notebook's does; troubles end the test."""
@@ -84,7 +103,9 @@ class TestNotebook(unittest.TestCase):
                 if said.type == "error" and "/paraview" not in said.location["url"] else None)
         page.on("pageerror", lambda error: troubles.append(str(error)))
         self.addCleanup(lambda: self.assertEqual(troubles, []))
-        page.set_content(f"<html><body>{self.frame(backend)}</body></html>")
+        page.set_content("<html><body></body></html>")
+        page.evaluate(RENDER, self.widget(backend))
+        self.assertEqual(page.locator("iframe").count(), 1)
         return page
 
     def picture(self, page, condition):
