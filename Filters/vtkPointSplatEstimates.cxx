@@ -146,9 +146,6 @@ bool vtkPointSplatEstimates::FindNormals()
 /// The spacing of most points: the median of points all over the cloud.
 float vtkPointSplatEstimates::GetUsualSpacing() const
 {
-  constexpr Slot leafSize = vtkPointSplatNeighbors::LeafSize;
-  const Slot slots = this->Neighbors.GetNumberOfSlots();
-  const Slot stride = std::max<Slot>(1, (slots + leafSize - 1) / leafSize / UsualLeaves);
   vtkSMPThreadLocal<std::vector<float>> found;
   this->Neighbors.Visit(this->Self, 0.05, 0.1, vtkPointSplatSheet::SpacingRank,
     [&](const Neighborhood& around, int) {
@@ -160,7 +157,7 @@ float vtkPointSplatEstimates::GetUsualSpacing() const
       }
       return true;
     },
-    [&](Slot s) { return s / leafSize % stride == 0; });
+    this->Neighbors.WantSome(UsualLeaves));
   std::vector<float> spacings;
   for (const std::vector<float>& local : found)
   {

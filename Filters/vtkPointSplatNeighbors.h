@@ -106,6 +106,13 @@ public:
     return this->VisitRounds<true>(self, from, to, k, visit, wanted);
   }
 
+  /// What to give to Visit() as what is wanted: the slots of about so many leaves, all over the cloud.
+  auto WantSome(Slot leaves) const
+  {
+    const Slot all = (this->GetNumberOfSlots() + LeafSize - 1) / LeafSize;
+    return [stride = std::max<Slot>(1, all / leaves)](Slot slot) { return slot / LeafSize % stride == 0; };
+  }
+
   /**
    * Calls visit(other) for each leaf, among them itself, whose box is within `distance` of a
    * leaf's box, until it returns false. Slots slot / LeafSize are in the same leaf.

@@ -4,6 +4,7 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkMath.h"
+#include "vtkPointSplatPrincipal.h"
 #include "vtkPointSplatRobustSurface.h"
 
 #include <algorithm>
@@ -48,41 +49,8 @@ constexpr double LeastAlongSecond = 0.05;
 /// geometry gave, as of waves on a flat sea, contradict it on purpose.
 bool IsRough(const vtkPointSplatNeighbors::Neighborhood& around)
 {
-  double mean[3] = { 0, 0, 0 };
-  double rows[3][3] = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } };
-  const double scale = around.Count > 0 ? around.SquaredDistance[around.Count - 1] : 0;
-  if (!(scale > 0))
-  {
-    return false;
-  }
-  const double inverse = 1 / std::sqrt(scale);
-  for (int i = 0; i < around.Count; ++i)
-  {
-    const double p[3] = { inverse * around.X[i], inverse * around.Y[i], inverse * around.Z[i] };
-    for (int r = 0; r < 3; ++r)
-    {
-      mean[r] += p[r] / around.Count;
-      for (int c = 0; c < 3; ++c)
-      {
-        rows[r][c] += p[r] * p[c] / around.Count;
-      }
-    }
-  }
-  double vectors[3][3];
-  double values[3];
-  double* a[3];
-  double* v[3];
-  for (int r = 0; r < 3; ++r)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      rows[r][c] -= mean[r] * mean[c];
-    }
-    a[r] = rows[r];
-    v[r] = vectors[r];
-  }
-  return vtkMath::Jacobi(a, values, v) &&
-    values[2] > LeastFlatness * LeastFlatness * values[1]; // the greatest first
+  const vtkPointSplatPrincipal principal(around, around.Count, false);
+  return principal.Variances[2] > LeastFlatness * LeastFlatness * principal.Variances[1];
 }
 
 /// Which points lie on the edges of a volume's lattice, as the vertices of isosurfaces do: two coordinates of each are those of

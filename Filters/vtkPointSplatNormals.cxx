@@ -37,7 +37,7 @@ constexpr float MostCost = 1.8f;
 /// What two normals say of a surface that goes on from one point to another, by e.
 struct Link
 {
-  float Sign; // by which the second normal goes on with the first
+  bool Turned; // whether the second normal goes on with the first the other way
   float Cost; // of relying on it, from 0 to 1
 
   Link(const float e[3], const float n[3], const float m[3])
@@ -48,7 +48,7 @@ struct Link
     const float cosine = squared > 0 ? nm - 2 * en * em / squared : nm;
     const float length = std::sqrt(squared);
     const float elevation = length > 0 ? 0.5f * (std::abs(en) + std::abs(em)) / length : 0.0f;
-    this->Sign = cosine < 0 ? -1.0f : 1.0f;
+    this->Turned = cosine < 0;
     this->Cost = 0.5f * (1 - std::abs(cosine) + elevation);
   }
 };
@@ -65,47 +65,41 @@ vtkPointSplatNormals::vtkPointSplatNormals(const vtkPointSplatNeighbors& neighbo
 int vtkPointSplatNormals::GetTimes(vtkAlgorithm* self, int k) const
 {
   using Neighborhood = vtkPointSplatNeighbors::Neighborhood;
-  constexpr Slot leafSize = vtkPointSplatNeighbors::LeafSize;
-  const Slot leaves = (this->Neighbors.GetNumberOfSlots() + leafSize - 1) / leafSize;
-  const Slot stride = std::max<Slot>(1, leaves / NoiseLeaves);
-  struct Found
+  struct Residuals
   {
-    float Residual, Growth[MostTimes + 1]; // of the residual of k neighbours, with so many times k
+    float Of[MostTimes + 1]; // of so many times k neighbours
   };
-  vtkSMPThreadLocal<std::vector<Found>> locals;
+  vtkSMPThreadLocal<std::vector<Residuals>> found;
   const auto look = [&](const Neighborhood& around, int) {
-    Found found;
     float plane[3];
+    vtkPointSplatPrincipal(around, std::min(around.Count, k)).GetNormal(plane);
+    Residuals residuals;
     for (int times = 1; times <= MostTimes; ++times)
     {
       Neighborhood near = around;
       near.Count = std::min(around.Count, times * k);
-      if (times == 1)
-      {
-        vtkPointSplatPrincipal(near).GetNormal(plane);
-      }
       vtkPointSplatQuadric surface;
       if (!surface.Fit(near, plane))
       {
         return true;
       }
-      found.Residual = times == 1 ? surface.Residual : found.Residual;
-      found.Growth[times] = found.Residual > 0 ? surface.Residual / found.Residual : 1.0f;
+      residuals.Of[times] = surface.Residual;
     }
-    locals.Local().push_back(found);
+    found.Local().push_back(residuals);
     return true;
   };
   const double progress = self->GetProgress();
+  const auto some = this->Neighbors.WantSome(NoiseLeaves);
   this->Neighbors.Visit(self, progress, progress, MostTimes * k, look,
-    [this, stride](Slot s) { return !this->Known[s] && s / leafSize % stride == 0; });
-  std::vector<Found> all;
-  for (const std::vector<Found>& local : locals)
+    [&](Slot s) { return !this->Known[s] && some(s); });
+  std::vector<Residuals> all;
+  for (const std::vector<Residuals>& local : found)
   {
     all.insert(all.end(), local.begin(), local.end());
   }
   const auto isNoisy = [&all](int times) {
-    const auto noisy = std::count_if(all.begin(), all.end(), [times](const Found& found) {
-      return found.Residual > LeastResidual[times] && found.Growth[times] < MostGrowth;
+    const auto noisy = std::count_if(all.begin(), all.end(), [times](const Residuals& residuals) {
+      return residuals.Of[1] > LeastResidual[times] && residuals.Of[times] < MostGrowth * residuals.Of[1];
     });
     return 2 * static_cast<std::size_t>(noisy) > all.size();
   };
@@ -152,10 +146,9 @@ bool vtkPointSplatNormals::Fit(
       return true;
     }
     // However many there are, the nearest tell whether they lie in a row.
-    Neighborhood near = around;
-    near.Count = round == 0 ? std::min(around.Count, samples.InRow) : around.Count;
-    const vtkPointSplatPrincipal principal(near);
-    inRow[s] = inRow[s] || vtkPointSplatRows::IsCurve(near, near.Count, principal.Variances);
+    const int nearest = round == 0 ? std::min(around.Count, samples.Nearest) : around.Count;
+    const vtkPointSplatPrincipal principal(around, nearest);
+    inRow[s] = inRow[s] || vtkPointSplatRows::IsCurve(around, nearest, principal.Variances);
     if (round == 0)
     {
       const bool isLong = vtkPointSplatRows::IsLong(principal.Variances);
@@ -178,7 +171,7 @@ bool vtkPointSplatNormals::Fit(
     }
     return !inRow[s];
   };
-  if (!this->Neighbors.VisitWidely(self, from, to, samples.OnSurface, fit, [](Slot) { return true; }))
+  if (!this->Neighbors.VisitWidely(self, from, to, samples.All, fit, [](Slot) { return true; }))
   {
     return false;
   }
@@ -254,7 +247,7 @@ void vtkPointSplatNormals::GetPlane(Slot slot, float plane[3]) const
   }
 }
 
-float vtkPointSplatNormals::GetSign(Slot i, Slot j, int& cost) const
+bool vtkPointSplatNormals::IsTurned(Slot i, Slot j, int& cost) const
 {
   double p[3], q[3];
   this->Neighbors.GetPosition(i, p);
@@ -270,7 +263,7 @@ float vtkPointSplatNormals::GetSign(Slot i, Slot j, int& cost) const
   const float tip = std::max(this->Planes[i].Tip, this->Planes[j].Tip);
   const float share = (link.Cost + CostOfTips * tip) / MostCost;
   cost = std::clamp(static_cast<int>(share * NumberOfCosts), 0, NumberOfCosts - 1);
-  return link.Sign;
+  return link.Turned;
 }
 
 void vtkPointSplatNormals::Enqueue(Slot slot)
@@ -280,7 +273,7 @@ void vtkPointSplatNormals::Enqueue(Slot slot)
     if (!this->Done[this->Edges[e]])
     {
       int cost;
-      const bool turned = this->GetSign(slot, this->Edges[e], cost) < 0;
+      const bool turned = this->IsTurned(slot, this->Edges[e], cost);
       this->Queue[cost].push_back({ this->Edges[e], turned });
     }
   }

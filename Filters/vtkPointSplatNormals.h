@@ -27,9 +27,9 @@ public:
   /// The neighbours of a slot that tell its normal.
   struct Samples
   {
-    int InRow;     // whether so many of the nearest lie in a row is asked
-    int OnSurface; // through so many of them the surface goes
-    bool Curved;   // whether it is of second order (vtkPointSplatQuadric.h), or a plane
+    int Nearest; // whether so many lie in a row is asked
+    int All;     // through so many of them the surface goes
+    bool Curved; // whether it is of second order (vtkPointSplatQuadric.h), or a plane
   };
 
   /**
@@ -70,10 +70,10 @@ private:
   void Enqueue(Slot slot);
   /// The normal of the slot's plane, on the side of its normal, which it is where there is no plane.
   void GetPlane(Slot slot, float plane[3]) const;
-  /// The sign by which j's normal goes on with i's, and what it costs to rely on it. Across an edge planes tell more clearly,
+  /// Whether j's normal goes on with i's the other way, and what it costs to rely on that. Across an edge planes tell more clearly,
   /// since those of points near to it turn on the way, and elsewhere surfaces. The tip of a wedge has the plane of a sheet that
   /// goes on in its middle, where both faces seem to be one: to go round another edge costs less.
-  float GetSign(Slot i, Slot j, int& cost) const;
+  bool IsTurned(Slot i, Slot j, int& cost) const;
 
   const vtkPointSplatNeighbors& Neighbors;
   float* Normals;

@@ -15,7 +15,8 @@ constexpr double LeastSpread = 1e-12;
 constexpr double LeastProduct = 1e-20;
 }
 
-vtkPointSplatPrincipal::vtkPointSplatPrincipal(const Neighborhood& around, int count)
+vtkPointSplatPrincipal::vtkPointSplatPrincipal(
+  const Neighborhood& around, int count, bool withCentre)
 {
   double sum[3] = { 0, 0, 0 }, m[6] = { 0, 0, 0, 0, 0, 0 };
   for (int i = 0; i < count; ++i)
@@ -31,8 +32,8 @@ vtkPointSplatPrincipal::vtkPointSplatPrincipal(const Neighborhood& around, int c
     m[4] += y * z;
     m[5] += z * z;
   }
-  // The centre, the origin of the offsets, is one of the points.
-  const double n = count + 1;
+  // The centre is the origin of the offsets.
+  const double n = std::max(count + (withCentre ? 1 : 0), 1);
   m[0] -= sum[0] * sum[0] / n;
   m[1] -= sum[0] * sum[1] / n;
   m[2] -= sum[0] * sum[2] / n;

@@ -20,8 +20,8 @@ class vtkPointSplatPrincipal
 public:
   using Neighborhood = vtkPointSplatNeighbors::Neighborhood;
 
-  /// Of the centre and so many of its neighbours, the nearest.
-  vtkPointSplatPrincipal(const Neighborhood& around, int count);
+  /// Of the centre, if it is to count, and so many of its neighbours, the nearest.
+  vtkPointSplatPrincipal(const Neighborhood& around, int count, bool withCentre = true);
   explicit vtkPointSplatPrincipal(const Neighborhood& around)
     : vtkPointSplatPrincipal(around, around.Count)
   {
