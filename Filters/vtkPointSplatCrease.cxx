@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -26,10 +27,13 @@ constexpr float LargestFaceBend = 0.7f;
 constexpr float TurnedCosine = 0.974f;
 /// ... and of those that have, unit vectors, the mean is at least that long where they agree.
 constexpr float Agreement = 0.85f;
+/// Faces are flat where normals deviate by less than this sine (2 degrees).
+constexpr float FlatSine = 0.03f;
+/// The fewest neighbours that have turned alike beside a flat face: thin walls have many neighbours on their other side.
+constexpr int FewestAlike = 2;
 /// The fewest neighbours whose normals have not turned.
 constexpr int FewestLevel = 2;
-/// Votes for the same line: their directions' cosine (15 degrees) and, in spacings, distances.
-constexpr float SameDirection = 0.966f;
+/// Votes for the same line: their distances, in spacings.
 constexpr float SameDistance = 0.25f;
 /// Votes against a line have directions of at least this cosine (45 degrees).
 constexpr float AgainstDirection = 0.7f;
@@ -38,8 +42,6 @@ constexpr int VotesPerAgainst = 3;
 /// Points at the same position whose normals part by more than this cosine (15 degrees) are of two
 /// faces.
 constexpr float SplitCosine = 0.966f;
-/// Nearer than this, in spacings, a point is on the line itself.
-constexpr float OnLine = 0.15f;
 /// What is farther may be off the line by this part of its distance: an edge of a radius of 20
 /// spacings is that far off its tangent at the farthest neighbours.
 constexpr float EdgeBend = 0.1f;
@@ -51,9 +53,6 @@ constexpr float FaceSlope = 0.3f;
 constexpr float FaceShare = 0.5f;
 constexpr float BesideSlope = 0.1f;
 constexpr float MostBeyond = 0.34f;
-/// Averages of normals are no farther than this cosine (37 degrees) from the mean of the faces' own, of which one may have
-/// more weight; the normal of a strip between the two sides of a plate is across theirs (Testing/Accuracy/fit_constants.py).
-constexpr float BetweenCosine = 0.8f;
 /// Of these the nearest are kept.
 constexpr int MaximumNumberOfFound = 4;
 /// How far, in spacings, a line may begin past the foot of a point where the face goes on behind
@@ -62,29 +61,34 @@ constexpr float FootReach = 0.3f;
 /// Keeps weights of neighbours on the line finite, in spacings.
 constexpr float LineSoftening = 0.3f;
 
-bool IsSame(
-  const vtkPointSplatCrease::Line& a, const vtkPointSplatCrease::Line& b, float spacing)
+}
+
+const float* vtkPointSplatFaces::GetFace(Slot s, float tensor[6]) const
+{
+  const Slot number = this->Numbers[s];
+  const float* normal = this->Normals + std::size_t(3) * s;
+  std::fill_n(tensor, 6, 0.0f);
+  if (number == vtkPointSplatNeighbors::None)
+  {
+    if (this->Tensors)
+    {
+      std::copy_n(this->Tensors + std::size_t(6) * s, 6, tensor);
+    }
+    return normal;
+  }
+  if (this->Sound[number])
+  {
+    std::copy_n(this->Fitted.data() + std::size_t(6) * number, 6, tensor);
+    return normal;
+  }
+  const float* strip = this->Strips.data() + std::size_t(3) * number;
+  return vtkMath::Dot(strip, strip) > 0 ? strip : nullptr;
+}
+
+bool vtkPointSplatCrease::IsSame(const Line& a, const Line& b, float spacing)
 {
   return vtkMath::Dot(a.Direction, b.Direction) >= SameDirection &&
     std::abs(a.Distance - b.Distance) <= SameDistance * spacing;
-}
-}
-
-void vtkPointSplatFaces::GetTensor(Slot s, float tensor[6]) const
-{
-  const Slot number = this->Numbers[s];
-  if (number != vtkPointSplatNeighbors::None)
-  {
-    std::copy_n(this->Fitted.data() + std::size_t(6) * number, 6, tensor);
-  }
-  else if (this->Tensors)
-  {
-    std::copy_n(this->Tensors + std::size_t(6) * s, 6, tensor);
-  }
-  else
-  {
-    std::fill_n(tensor, 6, 0.0f);
-  }
 }
 
 bool vtkPointSplatCrease::IsOn(const Line& line, const float x[3], float spacing)
@@ -122,15 +126,46 @@ bool vtkPointSplatCrease::IsLikely(const vtkPointSplatNeighbors::Neighborhood& a
       mean[c] += side * m[c];
     }
   }
-  if (level < FewestLevel || turned < FewestVotes)
+  if (level < FewestLevel || turned < FewestAlike)
   {
     return false;
   }
   const float length2 = vtkMath::Dot(mean, mean), part = vtkMath::Dot(mean, n);
   const float deviation = std::sqrt(std::max(residual, 0.0f) / level);
   const float least = std::sqrt(1 - TurnedCosine * TurnedCosine) + AnglePerDeviation * deviation;
-  return length2 >= Agreement * Agreement * turned * turned &&
-    length2 - part * part >= least * least * length2;
+  if (turned >= FewestVotes && length2 >= Agreement * Agreement * turned * turned)
+  {
+    return length2 - part * part >= least * least * length2;
+  }
+  // Flat and narrow faces have others at both of their edges: then those are asked that have the nearest one's normal.
+  int alike = 0;
+  const float* nearest = nullptr;
+  for (int i = 0; i < count && deviation < FlatSine; ++i)
+  {
+    const float* m = normals + std::size_t(3) * around.Slots[i];
+    if (std::abs(vtkMath::Dot(n, m)) < TurnedCosine)
+    {
+      nearest = nearest ? nearest : m;
+      alike += std::abs(vtkMath::Dot(nearest, m)) >= TurnedCosine ? 1 : 0;
+    }
+  }
+  return alike >= FewestAlike;
+}
+
+/// Whether the face's points are behind a line through the centre. The nearest ones tell, which beside a reflex corner are
+/// where the face goes on, and not those along the line.
+bool vtkPointSplatCrease::IsBehind(const Line& line, const vtkPointSplatFace& face) const
+{
+  float side = 0;
+  for (int k = 0; k < face.Members.Count; ++k)
+  {
+    const int i = face.Members.Members[k];
+    const float x[3] = { this->Around->X[i], this->Around->Y[i], this->Around->Z[i] };
+    const float across = vtkMath::Dot(line.Direction, x) - line.Distance;
+    const float squared = this->Around->SquaredDistance[i];
+    side += across * std::abs(across) / (squared * squared);
+  }
+  return side > 0;
 }
 
 /// What a neighbour at q says; false if nothing.
@@ -212,7 +247,7 @@ bool vtkPointSplatCrease::GetVote(const float q[3], const float m[3], const floa
   vote.At.Distance = vtkMath::Dot(vote.At.Direction, x);
   // Away from the centre, or if that is on the line, from its face's points.
   const bool on = std::abs(vote.At.Distance) < OnLine * spacing;
-  if (on ? vtkMath::Dot(vote.At.Direction, this->Side) > vote.At.Distance : vote.At.Distance < 0)
+  if (on ? this->IsBehind(vote.At, face) : vote.At.Distance < 0)
   {
     for (float& component : vote.At.Direction)
     {
@@ -225,6 +260,7 @@ bool vtkPointSplatCrease::GetVote(const float q[3], const float m[3], const floa
   for (int c = 0; c < 3; ++c)
   {
     vote.Along[c] = q[c];
+    vote.Normal[c] = m[c];
   }
   return true;
 }
@@ -315,14 +351,7 @@ void vtkPointSplatCrease::Find(const vtkPointSplatNeighbors::Neighborhood& aroun
   const float spacing = this->Spacing = face.Members.Spacing;
   this->Count = this->NumberOfVotes = this->NumberOfUnsound = 0;
   const float reach = LargestReach * spacing;
-  std::fill_n(this->Side, 3, 0.0f);
-  for (int k = 0; k < face.Members.Count; ++k)
-  {
-    const int i = face.Members.Members[k];
-    this->Side[0] += around.X[i] / face.Members.Count;
-    this->Side[1] += around.Y[i] / face.Members.Count;
-    this->Side[2] += around.Z[i] / face.Members.Count;
-  }
+  this->Around = &around;
   int member = 0;
   int others = 0;
   for (int i = 0; i < around.Count && around.SquaredDistance[i] <= reach * reach; ++i)
@@ -333,17 +362,16 @@ void vtkPointSplatCrease::Find(const vtkPointSplatNeighbors::Neighborhood& aroun
       continue;
     }
     const vtkPointSplatFaces::Slot j = around.Slots[i];
-    if (!faces.IsSound(j))
+    float C[6];
+    const float* m = faces.GetFace(j, C);
+    if (!m)
     {
       this->Unsound[this->NumberOfUnsound++] = i;
       continue;
     }
     ++others;
     const float q[3] = { around.X[i], around.Y[i], around.Z[i] };
-    float C[6];
-    faces.GetTensor(j, C);
-    this->NumberOfVotes += this->GetVote(
-      q, faces.Normals + std::size_t(3) * j, C, n, face, this->Votes[this->NumberOfVotes]);
+    this->NumberOfVotes += this->GetVote(q, m, C, n, face, this->Votes[this->NumberOfVotes]);
   }
   this->Hides = others < FewestVotes && this->NumberOfUnsound > 0;
   Candidate candidates[MaximumNumberOfFound];
@@ -363,7 +391,12 @@ void vtkPointSplatCrease::Find(const vtkPointSplatNeighbors::Neighborhood& aroun
   {
     const int i = this->Unsound[k];
     const float q[3] = { around.X[i], around.Y[i], around.Z[i] };
-    unsound += std::none_of(candidates, candidates + said,
+    // Or it is on the other edge of a narrow face that ends at one of them.
+    const bool behind = std::any_of(this->Votes, this->Votes + this->NumberOfVotes, [&](const Vote& vote) {
+      const float d[3] = { q[0] - vote.Along[0], q[1] - vote.Along[1], q[2] - vote.Along[2] };
+      return vote.For && std::abs(vtkMath::Dot(vote.Normal, d)) <= OnLine * spacing;
+    });
+    unsound += !behind && std::none_of(candidates, candidates + said,
       [&q, spacing](const Candidate& candidate) { return IsOn(candidate.At, q, spacing); });
   }
   Line found[MaximumNumberOfFound];
@@ -448,106 +481,6 @@ int vtkPointSplatCrease::GetBest() const
     }
   }
   return best;
-}
-
-/// Whether n is about the mean of the normals of faces that meet.
-bool vtkPointSplatCrease::IsBetween(const float n[3]) const
-{
-  float sum[3] = { 0, 0, 0 };
-  for (int f = 0; f < this->NumberOfMeeting; ++f)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      sum[c] += this->Meeting[f][c];
-    }
-  }
-  return vtkMath::Normalize(sum) > 0 && vtkMath::Dot(sum, n) > BetweenCosine;
-}
-
-bool vtkPointSplatCrease::GoesOn(
-  int meeting, const float n[3], const float direction[3]) const
-{
-  // What turns n to the face's normal turns the direction to the one in which the face goes on.
-  const float* m = this->Meeting[meeting];
-  const float cosine = vtkMath::Dot(m, n), sine = vtkMath::Dot(m, direction);
-  const float* way = this->Ways[meeting];
-  return cosine * vtkMath::Dot(way, direction) > sine * vtkMath::Dot(way, n);
-}
-
-bool vtkPointSplatCrease::FindMeeting(const vtkPointSplatNeighbors::Neighborhood& around,
-  const float n[3], float spacing, const vtkPointSplatFaces& faces)
-{
-  const float reach = LargestReach * spacing;
-  int members[MaximumNumberOfMeeting];
-  float sums[MaximumNumberOfMeeting][3], ways[MaximumNumberOfMeeting][3];
-  this->NumberOfMeeting = 0;
-  bool others = false;
-  for (int i = 0; i < around.Count && around.SquaredDistance[i] <= reach * reach; ++i)
-  {
-    const vtkPointSplatFaces::Slot j = around.Slots[i];
-    if (!faces.IsSound(j))
-    {
-      continue;
-    }
-    const float* m = faces.Normals + std::size_t(3) * j;
-    const float q[3] = { around.X[i], around.Y[i], around.Z[i] };
-    float C[6], turned[3], normal[3];
-    faces.GetTensor(j, C);
-    vtkPointSplatFace::Multiply(C, q, turned);
-    const float height = 0.5f * vtkMath::Dot(q, turned) - vtkMath::Dot(m, q);
-    if (std::abs(height) > OnLine * spacing)
-    {
-      others = true;
-      continue;
-    }
-    // The centre is on the face: the height that is left says by how much more that bends on the way there.
-    for (int c = 0; c < 3; ++c)
-    {
-      normal[c] = m[c] - turned[c] + 2 * height / around.SquaredDistance[i] * q[c];
-    }
-    const float length =
-      std::sqrt(vtkMath::Dot(normal, normal)) * (vtkMath::Dot(normal, n) < 0 ? -1 : 1);
-    int f = 0;
-    for (float& component : normal)
-    {
-      component /= length;
-    }
-    while (f < this->NumberOfMeeting && vtkMath::Dot(normal, this->Meeting[f]) < SameDirection)
-    {
-      ++f;
-    }
-    if (f == MaximumNumberOfMeeting)
-    {
-      continue;
-    }
-    if (f == this->NumberOfMeeting)
-    {
-      std::copy(normal, normal + 3, this->Meeting[f]);
-      std::fill_n(sums[f], 3, 0.0f);
-      std::fill_n(ways[f], 3, 0.0f);
-      members[this->NumberOfMeeting++] = 0;
-    }
-    ++members[f];
-    for (int c = 0; c < 3; ++c)
-    {
-      sums[f][c] += normal[c];
-      ways[f][c] += q[c];
-    }
-  }
-  int count = 0;
-  for (int f = 0; f < this->NumberOfMeeting; ++f)
-  {
-    if (members[f] >= FewestVotes)
-    {
-      // A single neighbour's normal may be an average of faces', too.
-      vtkMath::Normalize(sums[f]);
-      std::copy_n(sums[f], 3, this->Meeting[count]);
-      std::copy_n(ways[f], 3, this->Ways[count++]);
-    }
-  }
-  this->NumberOfMeeting = count;
-  this->Hides = !others && count == 1;
-  return count > 1 && this->IsBetween(n);
 }
 
 VTK_ABI_NAMESPACE_END

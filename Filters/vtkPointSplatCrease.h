@@ -27,7 +27,8 @@
  * A point with an average of faces' normals has no face of its own that is spread. It lies on those
  * of its neighbours' faces whose surfaces pass by it; these are told apart by their normals there, and its own is about
  * their mean. Where it is not, or no two such faces are there, and others have its normal, it lies on a strip that is narrower
- * than points are apart, as on the rim of a plate: then that is its face.
+ * than points are apart, as on the rim of a plate: then that is its face. A strip all of whose points lie on its edges,
+ * with averages of its normal and its sides', is the plane through both edges (FindStrip()).
  * Where such a surface leaves a height at the point, the face bends by so much more on the way there that it ends at
  * the point: its normal turns by twice the height over the distance. A face's normal is the mean of what its points
  * say: the nearest one's own may be an average, too.
@@ -55,12 +56,14 @@ struct vtkPointSplatFaces
   std::vector<Slot> Numbers; // a slot; None for others
   std::vector<float> Fitted; // 6 a number
   std::vector<unsigned char> Sound; // a number
+  std::vector<float> Strips; // 3 a number: the normal of the strip that ends at it, or 0 (vtkPointSplatCrease::FindStrip)
 
   bool IsSound(Slot s) const
   {
     return this->Numbers[s] == vtkPointSplatNeighbors::None || this->Sound[this->Numbers[s]];
   }
-  void GetTensor(Slot s, float tensor[6]) const;
+  /// A slot's face: its normal and its second fundamental form; null of one without.
+  const float* GetFace(Slot s, float tensor[6]) const;
 };
 
 class vtkPointSplatCrease
@@ -127,19 +130,36 @@ public:
   /// are. It does not where it turns by more than a right angle from n, which is no average then: on a sharp edge a
   /// point of one face with few of its neighbours looks like one with an average.
   bool GoesOn(int meeting, const float n[3], const float direction[3]) const;
+  /**
+   * After FindMeeting() met just one face: finds the plane of a strip through the points along that face's edge and those of
+   * another edge beside it, and how many neighbours tell it; 0 if there is none. On a strip that is one spacing wide, as
+   * on the top of a rib, all points are on its edges, and have averages of its normal and their sides'. n must be between
+   * the face's normal and the strip's.
+   */
+  int FindStrip(const vtkPointSplatNeighbors::Neighborhood& around, const float n[3], float spacing,
+    const vtkPointSplatFaces& faces, float strip[3]);
   ///@}
 
 private:
+  /// Nearer than this, in spacings, a point is on a line, or on a face, itself.
+  static constexpr float OnLine = 0.15f;
+  /// The cosine (15 degrees) of directions of one line, and of normals of one face.
+  static constexpr float SameDirection = 0.966f;
+
+  static bool IsSame(const Line& a, const Line& b, float spacing);
+
   struct Vote
   {
     Line At;
     float Weight;
     float Along[3]; // to the neighbour
+    float Normal[3]; // its own
     bool For;
     bool Open; // of no line yet
   };
   bool GetVote(const float q[3], const float m[3], const float C[6], const float n[3],
     const vtkPointSplatFace& face, Vote& vote) const;
+  bool IsBehind(const Line& line, const vtkPointSplatFace& face) const;
   int GetBest() const;
   /// A line that several votes say.
   struct Candidate
@@ -154,7 +174,7 @@ private:
 
   bool Hides = false;
   float Spacing = 0;
-  float Side[3]; // the mean offset of the face's members
+  const vtkPointSplatNeighbors::Neighborhood* Around = nullptr; // that Find() looks at
   Vote Votes[vtkPointSplatNeighbors::MaximumNumberOfNeighbors];
   int NumberOfVotes = 0;
   int Unsound[vtkPointSplatNeighbors::MaximumNumberOfNeighbors];

@@ -11,8 +11,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
 #include <cstdint>
+#include <limits>
+#include <numeric>
 #include <tuple>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -22,12 +23,12 @@ namespace
 using Slot = vtkPointSplatNeighbors::Slot;
 using Neighborhood = vtkPointSplatNeighbors::Neighborhood;
 
-/// Twice as far as the neighbours that disks are made of reach, and some.
-constexpr int NumberOfNeighbors = 32;
+/// How far, in neighbourhoods, a crease goes on from where it is sure (Testing/Accuracy/fit_constants.py).
+constexpr int MostSpread = 8;
 /// How many points with lines a point with lines must be among these neighbours of, or have among
 /// its own: of the dozen or more of them that a strip along a crease has ...
 constexpr int LeastCompany = 10;
-/// ... and how many it, or one among its own neighbours, must have. A fold of a scan that is sharp
+/// ... and how many it must have, or one from which the crease goes on to it. A fold of a scan that is sharp
 /// over a few points has at most 15: too short to gain from, where each line makes all frames
 /// dearer. Both are from Testing/Accuracy/fit_constants.py.
 constexpr int LeastSureCompany = 16;
@@ -40,22 +41,12 @@ constexpr int NextAlongSplit = 2;
 constexpr float SplatReach = 2.5f;
 /// The cosine (20 degrees) between a line and the direction of the face behind it.
 constexpr float AcrossCosine = 0.94f;
-/// Faces whose normals agree so well (10 degrees) are one: others part by 20 at least.
-constexpr float OwnCosine = 0.985f;
 /// The next row's points are off the plane by no more than this part of their distance, ...
 constexpr float NextRowSlope = 0.17f;
 /// ... and their directions' cosine to the row is no more than this (45 degrees).
 constexpr float AlongRow = 0.7f;
 /// How far neighbours must reach, of that row's distance, to have enough of it.
 constexpr float NextRowReach = 1.4f;
-
-/// Of the points here; where more neighbours are looked at, such a spacing that all of them are in reach.
-float GetSpacing(const Neighborhood& around, int round)
-{
-  return round == 0
-    ? vtkPointSplatSheet::GetSpacing(around)
-    : std::sqrt(around.SquaredDistance[around.Count - 1]) / vtkPointSplatCrease::LargestReach;
-}
 
 /// Whether a splat ends at two lines, one on either side of it.
 bool IsStrip(const vtkPointSplatCreases::Splat& splat)
@@ -74,7 +65,7 @@ float GetNextRow(
     const float* m = normals + std::size_t(3) * around.Slots[i];
     const float height = vtkMath::Dot(n, x), part = vtkMath::Dot(along, x);
     const float squared = around.SquaredDistance[i];
-    if (std::abs(vtkMath::Dot(n, m)) > OwnCosine &&
+    if (std::abs(vtkMath::Dot(n, m)) > vtkPointSplatCreases::OwnCosine &&
       height * height < NextRowSlope * NextRowSlope * squared && part * part < AlongRow * AlongRow * squared)
     {
       return std::sqrt(squared);
@@ -95,65 +86,6 @@ vtkPointSplatCreases::vtkPointSplatCreases(const vtkPointSplatNeighbors& neighbo
   this->Faces.Spacings = spacings;
 }
 
-/// Fits the faces of slots that are wanted and have none yet; those that do not end are not wanted. A row of points is
-/// a strip where it is no edge of others' faces.
-bool vtkPointSplatCreases::FitFaces(
-  vtkAlgorithm* self, double from, double to, std::vector<unsigned char>& wanted)
-{
-  Slot number = static_cast<Slot>(this->Faces.Sound.size());
-  const Slot first = number;
-  for (Slot s = 0; s < wanted.size(); ++s)
-  {
-    if (wanted[s] && this->Faces.Numbers[s] == vtkPointSplatNeighbors::None)
-    {
-      this->Faces.Numbers[s] = number++;
-    }
-  }
-  this->Faces.Fitted.resize(std::size_t(6) * number, 0.0f);
-  this->Faces.Sound.resize(number, 0);
-  std::vector<unsigned char> rows(number - first, 0), strips(number - first, 0);
-  auto isNew = [&](Slot s) {
-    const Slot own = this->Faces.Numbers[s];
-    return own != vtkPointSplatNeighbors::None && own >= first;
-  };
-  auto fit = [&](const Neighborhood& around, int) {
-    const Slot own = this->Faces.Numbers[around.Center];
-    vtkPointSplatFace face;
-    face.Fit(around, this->Faces.Normals, this->Faces.Normals + std::size_t(3) * around.Center,
-      vtkPointSplatSheet::GetSpacing(around));
-    std::copy_n(face.Tensor, 6, this->Faces.Fitted.data() + std::size_t(6) * own);
-    this->Faces.Sound[own] = face.Sound;
-    rows[own - first] = face.Row;
-    if (face.Sound && face.NumberOfOthers < vtkPointSplatCrease::FewestVotes &&
-      !this->HasTwins(around.Center))
-    {
-      wanted[around.Center] = 0;
-    }
-    return true;
-  };
-  if (!this->Neighbors.Visit(self, from, to, NumberOfNeighbors, fit, isNew))
-  {
-    return false;
-  }
-  auto strip = [&](const Neighborhood& around, int round) {
-    const float* n = this->Faces.Normals + std::size_t(3) * around.Center;
-    vtkPointSplatCrease crease;
-    const bool edge = crease.FindMeeting(around, n, GetSpacing(around, round), this->Faces);
-    strips[this->Faces.Numbers[around.Center] - first] = !edge;
-    return edge || round > 0 || !crease.HidesFace();
-  };
-  if (!this->Neighbors.Visit(self, to, to, NumberOfNeighbors, strip,
-        [&](Slot s) { return isNew(s) && rows[this->Faces.Numbers[s] - first]; }))
-  {
-    return false;
-  }
-  for (Slot own = first; own < number; ++own)
-  {
-    this->Faces.Sound[own] |= strips[own - first];
-  }
-  return true;
-}
-
 bool vtkPointSplatCreases::HasFold(const Splat& splat)
 {
   return std::any_of(splat.Fold, splat.Fold + 6, [](float v) { return v != 0; });
@@ -162,6 +94,37 @@ bool vtkPointSplatCreases::HasFold(const Splat& splat)
 bool vtkPointSplatCreases::HasLine(const Splat& splat)
 {
   return std::any_of(splat.Clip, splat.Clip + 6, [](float v) { return v != 0; });
+}
+
+/// Fits the nearest of the faces whose average a row's normal is, or the next one where that has no points of its own.
+bool vtkPointSplatCreases::FitMeeting(const Neighborhood& around, const Row& row,
+  const vtkPointSplatCrease& crease, vtkPointSplatFace& face, float plane[3]) const
+{
+  const float* n = row.Normal;
+  const float spacing = face.Members.Spacing;
+  const float(*normals)[3] = crease.Meeting;
+  int order[vtkPointSplatCrease::MaximumNumberOfMeeting];
+  std::iota(order, order + crease.NumberOfMeeting, 0);
+  std::stable_sort(order, order + crease.NumberOfMeeting, [normals, n](int a, int b) {
+    return vtkMath::Dot(normals[a], n) > vtkMath::Dot(normals[b], n);
+  });
+  for (int k = 0; k < crease.NumberOfMeeting; ++k)
+  {
+    std::copy_n(normals[order[k]], 3, plane);
+    face.Fit(around, this->Faces.Normals, plane, spacing);
+    // The other faces may be denser.
+    const float next = face.Sound ? 0 : GetNextRow(around, this->Faces.Normals, plane, row.Along);
+    if (next > spacing)
+    {
+      face.Fit(around, this->Faces.Normals, plane, next);
+    }
+    // A face's own normal is no average.
+    if (face.Sound || vtkMath::Dot(plane, n) > OwnCosine)
+    {
+      break;
+    }
+  }
+  return face.Sound;
 }
 
 /// row is open where the face with its normal is a row, or has no points here; what it ends at may be hidden where
@@ -194,23 +157,7 @@ bool vtkPointSplatCreases::FindSplat(
       row.Hidden = !twin && crease.HidesFace();
       return false;
     }
-    int best = 0;
-    for (int f = 1; f < crease.NumberOfMeeting; ++f)
-    {
-      best = vtkMath::Dot(crease.Meeting[f], n) > vtkMath::Dot(crease.Meeting[best], n) ? f : best;
-    }
-    std::copy_n(crease.Meeting[best], 3, plane);
-    face.Fit(around, this->Faces.Normals, plane, spacing);
-    if (!face.Sound)
-    {
-      // The other faces may be denser.
-      const float next = GetNextRow(around, this->Faces.Normals, plane, row.Along);
-      if (next > spacing)
-      {
-        face.Fit(around, this->Faces.Normals, plane, next);
-      }
-    }
-    if (!face.Sound)
+    if (!this->FitMeeting(around, row, crease, face, plane))
     {
       return false;
     }
@@ -331,7 +278,28 @@ bool vtkPointSplatCreases::DescribeSplat(const Neighborhood& around, const float
     }
   }
   // Where no line is in reach of this disk, one may be of the disk that ends where its face does.
-  return true;
+  return lines != 1 || !this->ReachesOver(around, plane, crease.Lines[0], disk.Length1);
+}
+
+/// Whether a disk that ends at one line alone has points in it that are on its plane but of no face, as on another edge:
+/// then it should end there, too.
+bool vtkPointSplatCreases::ReachesOver(const Neighborhood& around, const float plane[3],
+  const vtkPointSplatCrease::Line& line, float radius) const
+{
+  const float spacing = vtkPointSplatSheet::GetSpacing(around);
+  for (int i = 0; i < around.Count && around.SquaredDistance[i] < radius * radius; ++i)
+  {
+    const float x[3] = { around.X[i], around.Y[i], around.Z[i] };
+    const float inside = line.Distance - vtkMath::Dot(line.Direction, x);
+    const float height = vtkMath::Dot(plane, x);
+    if (!this->Faces.IsSound(around.Slots[i]) && inside > 0 &&
+      std::abs(height) < NextRowSlope * inside &&
+      !vtkPointSplatCrease::IsOn(line, x, spacing))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 std::vector<vtkPointSplatCreases::Twin>::const_iterator vtkPointSplatCreases::FindTwin(
@@ -408,6 +376,7 @@ bool vtkPointSplatCreases::Find(vtkAlgorithm* self, double from, double to,
   this->Faces.Numbers.assign(slots, vtkPointSplatNeighbors::None);
   this->Faces.Fitted.clear();
   this->Faces.Sound.clear();
+  this->Faces.Strips.clear();
 
   vtkSMPThreadLocal<Found> found;
   bool looksWider = false;
@@ -455,8 +424,17 @@ bool vtkPointSplatCreases::Find(vtkAlgorithm* self, double from, double to,
   for (const double start : { from + step, from + 3 * step })
   {
     // 2. Faces; 3. and 4. lines, and disks
-    if (!this->FitFaces(self, start, start + step, wanted) ||
-      !this->Neighbors.VisitWidely(
+    std::vector<unsigned char> faces;
+    if (!this->AddOthers(self, start, wanted, faces) ||
+      !this->FitFaces(self, start, start + step, faces))
+    {
+      return false;
+    }
+    for (Slot s = 0; s < slots; ++s)
+    {
+      wanted[s] &= faces[s];
+    }
+    if (!this->Neighbors.VisitWidely(
         self, start + step, start + 2 * step, NumberOfNeighbors, find, isWanted))
     {
       return false;
@@ -496,10 +474,16 @@ bool vtkPointSplatCreases::Find(vtkAlgorithm* self, double from, double to,
       std::any_of(around.Slots, end, [&sure](Slot s) { return sure[s] != 0; });
     return true;
   };
-  if (!this->Neighbors.Visit(self, from + 5 * step, to, NumberOfNeighbors, confirm,
-        [&](Slot s) { return looked[s] && !sure[s]; }))
+  bool grows = true;
+  for (int round = 0; grows && round < MostSpread; ++round)
   {
-    return false;
+    if (!this->Neighbors.Visit(self, from + 5 * step, to, NumberOfNeighbors, confirm,
+          [&](Slot s) { return looked[s] && !sure[s]; }))
+    {
+      return false;
+    }
+    grows = sure != kept;
+    sure = kept;
   }
   this->Splats.erase(std::remove_if(this->Splats.begin(), this->Splats.end(),
                        [&kept](const Splat& splat) { return !kept[splat.At]; }),

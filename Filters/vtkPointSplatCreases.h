@@ -83,6 +83,9 @@ public:
     bool Hidden = false;   // whether it may end at a face that has no points among the neighbours
   };
 
+  /// Faces whose normals agree so well (10 degrees) are one: others part by 20 at least.
+  static constexpr float OwnCosine = 0.985f;
+
   /// normals: 3 floats a slot, unit length; tensors: 6, or null; spacings: one, of the nearest points, of whatever
   /// face; usual: as in vtkPointSplatSheet.
   vtkPointSplatCreases(const vtkPointSplatNeighbors& neighbors, const float* normals,
@@ -110,8 +113,15 @@ public:
 private:
   using Neighborhood = vtkPointSplatNeighbors::Neighborhood;
 
+  /// Twice as far as the neighbours that disks are made of reach, and some.
+  static constexpr int NumberOfNeighbors = 32;
+  static float GetSpacing(const Neighborhood& around, int round);
+  bool AddOthers(vtkAlgorithm* self, double progress, const std::vector<unsigned char>& wanted,
+    std::vector<unsigned char>& all) const;
   bool FitFaces(
     vtkAlgorithm* self, double from, double to, std::vector<unsigned char>& wanted);
+  bool FindStrips(
+    vtkAlgorithm* self, double progress, Slot first, const std::vector<unsigned char>& rows);
   /// Whether a mesh was split at an edge through a point: this and others near have twins. Isosurfaces through samples of their
   /// volume have some here and there.
   bool IsSplit(const Neighborhood& around) const;
@@ -124,11 +134,15 @@ private:
   };
   void FindSplats(const Neighborhood& around, Found& found) const;
   bool FindSplat(const Neighborhood& around, float spacing, Row& row, Splat& splat) const;
+  bool FitMeeting(const Neighborhood& around, const Row& row, const vtkPointSplatCrease& crease,
+    vtkPointSplatFace& face, float plane[3]) const;
   /// Finds splats of rows again, with farther neighbours, the last ones there are or not. Returns whether no
   /// row is left.
   bool FindWider(const Neighborhood& around, bool last, Found& found) const;
   bool DescribeSplat(const Neighborhood& around, const float plane[3], const vtkPointSplatFace& face,
     vtkPointSplatCrease& crease, Splat& splat) const;
+  bool ReachesOver(const Neighborhood& around, const float plane[3],
+    const vtkPointSplatCrease::Line& line, float radius) const;
   static bool HasLine(const Splat& splat);
 
   const vtkPointSplatNeighbors& Neighbors;

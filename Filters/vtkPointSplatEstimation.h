@@ -109,7 +109,9 @@
  *    of two or three faces that meet there. Its disk's plane is that of the face whose normal is
  *    nearest, ends at the lines, and `SplatFold` has the others: drawn in all of them with the
  *    point's own normal it shades as a mesh does, from face to face over a
- *    triangle's width. Without given normals, or where IsRough(), creases are not looked for:
+ *    triangle's width. Of a face that is one or two spacings wide, as the top of a rib, a row of points alone lies
+ *    between such edges, or none: then the plane through both edges is it. A disk that would reach over an edge that
+ *    was not found is left to stage 6. Without given normals, or where IsRough(), creases are not looked for:
  *    estimated normals turn over the width of their neighbourhood, as on a fillet. Points without, as
  *    degenerate triangles of an isosurface leave some, say nothing of the others while most have one.
  *    *Borders*: where the sampling is as regular as a mesh's vertices, all over or from one point to the next, the surface ends between the

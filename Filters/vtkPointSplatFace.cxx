@@ -27,6 +27,8 @@ constexpr int FewestInRow = 2;
 /// Where too few are near to say how the face bends, it must be flat: the sine (2 degrees) by which
 /// normals may deviate.
 constexpr float FlatDeviation = 0.03f;
+/// Or many must say it, as on the walls of holes of few spacings' radius (Testing/Accuracy/fit_constants.py).
+constexpr int ManyMembers = 12;
 /// Neighbours lie in a row if their squared distances across it are less than this part of those
 /// along it.
 constexpr float RowSpread = 0.04f;
@@ -123,7 +125,8 @@ void vtkPointSplatFace::Fit(const vtkPointSplatNeighbors::Neighborhood& around,
     this->Strongest = curvature.Strongest;
   }
   this->Select(around, normals, n, LastReach * spacing);
-  this->Sound = this->IsSpread(around) && (!few || this->Deviation < FlatDeviation);
+  this->Sound = this->IsSpread(around) &&
+    (!few || this->Deviation < FlatDeviation || this->Members.Count >= ManyMembers);
   this->Row =
     !this->Sound && this->Members.Count >= FewestInRow && this->Deviation < FlatDeviation;
 }

@@ -21,7 +21,7 @@ constexpr double LikeBest = 0.3; // this and the others: Testing/Cxx/TestSplatLa
 /// A plane's coordinates are the same but for rounding, of the largest one; and no plane is found where so many times that
 /// is as much as the distance to the next.
 constexpr double Rounding = 4e-7;
-constexpr double LeastDistance = 100;
+constexpr double LeastStep = 100;
 /// A coordinate that is farther from the first plane, in distances, is none.
 constexpr double MostPlanes = 1e9;
 
@@ -63,7 +63,7 @@ std::vector<double> GetSteps(std::vector<double> coordinates, double tolerance)
   std::vector<Value> steps;
   for (std::size_t i = 1; i < coordinates.size(); ++i)
   {
-    if (coordinates[i] <= LeastDistance * tolerance)
+    if (coordinates[i] <= LeastStep * tolerance)
     {
       continue;
     }

@@ -241,6 +241,14 @@ class TestStandIns(unittest.TestCase):
         self.assertEqual(found["holes"], 0)
         self.assertLess(found["spill"], 0.001)
 
+    def test_meshed_part(self):
+        # 25.8 dB, 382 openings and 0.012 beside it where ribs one and two edges wide had no edges, and small holes no rims.
+        found = likeness.compare(standins.ribbed_block(), 300, 3)
+        self.assertGreater(min(found["psnr"]), 31.5)
+        self.assertLess(found["openings"], 20)
+        self.assertEqual(found["holes"], 0)
+        self.assertLess(found["spill"], 0.002)
+
     def test_edges(self):
         self.check("part_random", 5, 0.012, 24)
 

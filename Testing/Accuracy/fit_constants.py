@@ -27,6 +27,7 @@ TOP = os.path.dirname(os.path.dirname(HERE))
 FOLDS = ("drapery", "drapery_vertices")
 PARTS = ("part_random", "part_vertices")
 PLATES = ("ribbed_plate", "ribbed_plate_2")
+MESHED = ("ribbed_block",)
 DISCS = ("rimmed_disc", "thin_disc")
 BENT = ("tubes_edges", "drapery_vertices")
 ROWS = ("grid_lines_bare", "grid_lines_20_bare", "grid_lines_noisy")
@@ -42,8 +43,14 @@ CONSTANTS = {
     "Agreement": ("vtkPointSplatCrease.cxx", (0.8, 0.85, 0.9, 0.95), FOLDS + PARTS),
     "LeastCompany": ("vtkPointSplatCreases.cxx", (6, 8, 10, 12, 16), FOLDS + PARTS),
     "LeastSureCompany": ("vtkPointSplatCreases.cxx", (10, 13, 16, 20), FOLDS + PARTS),
+    "MostSpread": ("vtkPointSplatCreases.cxx", (1, 4, 8, 16), MESHED + FOLDS + PARTS),
     "FewestInRow": ("vtkPointSplatFace.cxx", (1, 2, 3, 4), PLATES + PARTS),
-    "BetweenCosine": ("vtkPointSplatCrease.cxx", (0.7, 0.8, 0.9), PLATES + PARTS),
+    "ManyMembers": ("vtkPointSplatFace.cxx", (8, 12, 16, 32), MESHED + FOLDS),
+    "FewestAlike": ("vtkPointSplatCrease.cxx", (2, 3, 4), MESHED + PARTS),
+    "FlatSine": ("vtkPointSplatCrease.cxx", (0.0, 0.03, 0.06), MESHED + FOLDS),
+    "FewestWithoutRow": ("vtkPointSplatCreasesFaces.cxx", (3, 5, 7, 33), MESHED + PARTS),
+    "StripCosine": ("vtkPointSplatCreaseMeeting.cxx", (0.3, 0.5, 0.7, 2.0), MESHED + PARTS),
+    "BetweenCosine": ("vtkPointSplatCreaseMeeting.cxx", (0.7, 0.8, 0.9), PLATES + PARTS),
     "VoidReach": ("vtkPointSplatBorders.cxx", (1.5, 2.0, 2.5), ("holed_ball",) + FOLDS),
     "SureReach": ("vtkPointSplatBorders.cxx", (1.5, 2.0, 2.5), FOLDS + PARTS),
     "RegularReach": ("vtkPointSplatBorders.cxx", (1.25, 1.5, 1.75, 2.0),

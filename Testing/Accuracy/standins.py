@@ -16,6 +16,7 @@ from vtkmodules.vtkFiltersSources import vtkSuperquadricSource
 
 import cad
 from cad import extruded
+import elements
 from meshes import triangles_of
 from parametric import nearest, normals_of, parametric, random_of, to_parametric, to_points
 from reference.surfaces import unit
@@ -197,6 +198,12 @@ def ribbed_plate(thickness=1.0, count=50000, ribs=4):
     q, n = random_on(mesh, count, np.random.default_rng(5))
     return StandIn("ribbed plate, %g spacings" % thickness, polydata(q, n),
                    lambda p: extruded_distance(polygon, 1.0, p), spacing, mesh)
+
+
+def ribbed_block(spacing=0.025):
+    """The vertices of a part that was meshed to compute with: its narrow faces and small holes are of few of them."""
+    mesh = with_normals(elements.ribbed_block(spacing), False)
+    return StandIn("ribbed block", vertices(mesh), None, spacing, mesh)
 
 
 # Drapery -------------------------------------------------------------------------------------
@@ -496,6 +503,7 @@ def turned(standin):
 
 
 ALL = {
+    "ribbed_block": ribbed_block,
     "tubes_edges": lambda: tubes_and_specks("edges"),
     "tubes_contour": lambda: tubes_and_specks("contour"),
     "tubes_points": lambda: tubes_and_specks("points"),

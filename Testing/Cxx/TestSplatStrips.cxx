@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
+// SPDX-License-Identifier: BSD-3-Clause
+// That vertices of meshes of parts, whose normals are averages at edges, tell these edges where a face is narrow or bends: the
+// top of a rib that has one row of vertices between its edges, or none, and the rims of small holes.
+#include "Expect.h"
+#include "Gathered.h"
+#include "ScatteredFaces.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+namespace
+{
+constexpr int Length = 60;
+
+/// How many points from first to last have no line on the edge that is along a direction, no disk in the plane of a face with one
+/// of two normals, or no fold.
+int CountWrong(const Estimated& splats, vtkIdType first, vtkIdType last, const double along[3],
+  const double faces[2][3])
+{
+  int wrong = 0;
+  for (vtkIdType id = first; id < last; ++id)
+  {
+    double line[3], fold[3];
+    bool right = false;
+    for (int k = 0; k < 2; ++k)
+    {
+      const double length = splats.GetLine(id, k, line);
+      right = right ||
+        (length * 0.1 > 1 && std::abs(vtkMath::Dot(line, along)) < 0.1 * length);
+    }
+    const bool flat =
+      splats.GetPlanePart(id, faces[0]) > 0.99 || splats.GetPlanePart(id, faces[1]) > 0.99;
+    wrong += !right || !flat || !(splats.GetFold(id, 0, fold) > 0 || splats.GetFold(id, 1, fold) > 0);
+  }
+  return wrong;
+}
+
+/// A rib along y whose top is so wide, with so many rows between its edges.
+void Rib(double width, int rows)
+{
+  const double up[3] = { 0, 0, 1 };
+  const double sides[2][3] = { { -1, 0, 0 }, { 1, 0, 0 } };
+  Gathered gathered;
+  // Triangles at a vertex are more on one face or the other, and so are the weights of its normal.
+  vtkIdType first[2];
+  for (const int side : { 0, 1 })
+  {
+    first[side] = gathered.Cloud->GetNumberOfPoints();
+    for (int i = 0; i < Length; ++i)
+    {
+      const double x[3] = { side * width, i + 0.0, 0 };
+      const double part = i % 2 ? 0.7 : 1.0;
+      double n[3] = { part * sides[side][0], 0, 1 };
+      vtkMath::Normalize(n);
+      gathered.Add(x, n);
+    }
+  }
+  for (int row = 1; row <= rows; ++row)
+  {
+    for (int i = 0; i < Length; ++i)
+    {
+      const double x[3] = { row * width / (rows + 1), i + 0.5 * (row % 2), 0 };
+      gathered.Add(x, up);
+    }
+  }
+  for (int row = 1; row < 20; ++row)
+  {
+    for (int i = 0; i < Length; ++i)
+    {
+      for (const int side : { 0, 1 })
+      {
+        const double x[3] = { side * width, i + 0.5 * (row % 2), -0.9 * row };
+        gathered.Add(x, sides[side]);
+      }
+    }
+  }
+  const Estimated splats(gathered.Cloud);
+  const double along[3] = { 0, 1, 0 };
+  int wrong = 0;
+  for (const int side : { 0, 1 })
+  {
+    const double faces[2][3] = { { up[0], up[1], up[2] }, { 1, 0, 0 } };
+    wrong += CountWrong(splats, first[side] + 8, first[side] + Length - 8, along, faces);
+  }
+  AtMost(wrong, 0,
+    "a rib " + std::to_string(width) + " wide with " + std::to_string(rows) +
+      " rows on it: points on its edges without lines and folds there, in a plane of no face");
+}
+
+/// A plate's hole of so many spacings' radius. most: points on its rim that may be wrong.
+void Hole(double radius, int most)
+{
+  const double pi = std::acos(-1.0);
+  const int number = static_cast<int>(std::round(2 * pi * radius));
+  Gathered gathered;
+  auto addRing = [&](double r, double z, int count, double shift, const double slope[2]) {
+    for (int i = 0; i < count; ++i)
+    {
+      const double angle = 2 * pi * (i + shift) / count;
+      const double x[3] = { r * std::cos(angle), r * std::sin(angle), z };
+      double n[3] = { -slope[0] * std::cos(angle), -slope[0] * std::sin(angle), slope[1] };
+      vtkMath::Normalize(n);
+      gathered.Add(x, n);
+    }
+  };
+  const double edge[2] = { 1, 1 }, wall[2] = { 1, 0 }, top[2] = { 0, 1 };
+  addRing(radius, 0, number, 0, edge);
+  for (int row = 1; row < 12; ++row)
+  {
+    addRing(radius, -0.9 * row, number, 0.5 * (row % 2), wall);
+    addRing(radius + 0.9 * row, 0, static_cast<int>(std::round(2 * pi * (radius + 0.9 * row))), 0.3 * row, top);
+  }
+  const Estimated splats(gathered.Cloud);
+  int wrong = 0;
+  for (vtkIdType id = 0; id < number; ++id)
+  {
+    const double angle = 2 * pi * id / number;
+    const double along[3] = { -std::sin(angle), std::cos(angle), 0 };
+    const double faces[2][3] = { { 0, 0, 1 }, { std::cos(angle), std::sin(angle), 0 } };
+    wrong += CountWrong(splats, id, id + 1, along, faces);
+  }
+  AtMost(wrong, most,
+    "a hole of " + std::to_string(radius) +
+      " spacings: points on its rim without lines and folds there, in a plane of no face");
+}
+}
+
+int TestSplatStrips(int, char*[])
+{
+  for (const double width : { 1.2, 1.6, 2.0 })
+  {
+    Rib(width, 1);
+  }
+  for (const double width : { 0.7, 0.9, 1.1 })
+  {
+    Rib(width, 0);
+  }
+  // 25 and 31 where the walls, whose nearest points are too few to tell how they bend, were no faces.
+  Hole(4, 8);
+  Hole(5, 0);
+  Hole(8, 0);
+  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
