@@ -137,7 +137,7 @@ bool vtkPointSplatCrease::IsLikely(const vtkPointSplatNeighbors::Neighborhood& a
   {
     return length2 - part * part >= least * least * length2;
   }
-  // Flat and narrow faces have others at both of their edges: then those are asked that have the nearest one's normal.
+  // Flat and narrow faces have others at both of their edges: those count that have turned as the nearest has.
   int alike = 0;
   const float* nearest = nullptr;
   for (int i = 0; i < count && deviation < FlatSine; ++i)
@@ -163,7 +163,7 @@ bool vtkPointSplatCrease::IsBehind(const Line& line, const vtkPointSplatFace& fa
     const float x[3] = { this->Around->X[i], this->Around->Y[i], this->Around->Z[i] };
     const float across = vtkMath::Dot(line.Direction, x) - line.Distance;
     const float squared = this->Around->SquaredDistance[i];
-    side += across * std::abs(across) / (squared * squared);
+    side += std::copysign(across * across / squared, across) / squared;
   }
   return side > 0;
 }

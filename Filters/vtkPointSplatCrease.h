@@ -95,7 +95,7 @@ public:
    * all points, to look closely only around those where it is so. The normals of some neighbours
    * must be about the centre's, and those of three or more others about the same one, which has
    * turned by more than the former deviate. On a surface that bends they turn by and by; where normals
-   * contradict one another, to anywhere.
+   * contradict one another, to anywhere. Beside a flat face, which may be a narrow one, two others need to agree.
    */
   static bool IsLikely(const vtkPointSplatNeighbors::Neighborhood& around, const float* normals,
     const float n[3], float spacing);
@@ -131,13 +131,13 @@ public:
   /// point of one face with few of its neighbours looks like one with an average.
   bool GoesOn(int meeting, const float n[3], const float direction[3]) const;
   /**
-   * After FindMeeting() met just one face: finds the plane of a strip through the points along that face's edge and those of
-   * another edge beside it, and how many neighbours tell it; 0 if there is none. On a strip that is one spacing wide, as
-   * on the top of a rib, all points are on its edges, and have averages of its normal and their sides'. n must be between
-   * the face's normal and the strip's.
+   * After FindMeeting() met just one face: adds the plane of a strip through the points along that face's edge and those of
+   * another edge beside it, and returns how many neighbours tell it; 0 if there is none. On a strip that is one spacing
+   * wide, as on the top of a rib, all points are on its edges, and have averages of its normal and their sides'. n must be
+   * between the face's normal and the strip's.
    */
   int FindStrip(const vtkPointSplatNeighbors::Neighborhood& around, const float n[3], float spacing,
-    const vtkPointSplatFaces& faces, float strip[3]);
+    const vtkPointSplatFaces& faces);
   ///@}
 
 private:

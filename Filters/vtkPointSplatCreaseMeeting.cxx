@@ -121,7 +121,7 @@ bool vtkPointSplatCrease::FindMeeting(const vtkPointSplatNeighbors::Neighborhood
 }
 
 int vtkPointSplatCrease::FindStrip(const vtkPointSplatNeighbors::Neighborhood& around,
-  const float n[3], float spacing, const vtkPointSplatFaces& faces, float strip[3])
+  const float n[3], float spacing, const vtkPointSplatFaces& faces)
 {
   const float reach = LargestReach * spacing;
   // The nearest point on the face tells the edge's direction; others make planes with it, so far off it.
@@ -171,7 +171,6 @@ int vtkPointSplatCrease::FindStrip(const vtkPointSplatNeighbors::Neighborhood& a
   const float* nearest = planes[std::min_element(ways, ways + count) - ways];
   const auto votes = std::count_if(planes, planes + count,
     [nearest](const float* plane) { return vtkMath::Dot(plane, nearest) > SameDirection; });
-  std::copy_n(nearest, 3, strip);
   std::copy_n(nearest, 3, this->Meeting[this->NumberOfMeeting++]);
   return votes >= FewestVotes && this->IsBetween(n) ? static_cast<int>(votes) : 0;
 }

@@ -117,14 +117,13 @@ bool vtkPointSplatCreases::FindStrips(
       const Slot own = this->Faces.Numbers[around.Center] - first;
       const float spacing = GetSpacing(around, round);
       vtkPointSplatCrease crease;
-      float plane[3];
       bool edge = crease.FindMeeting(around, n, spacing, this->Faces);
       if (stage != Strips && !edge && crease.NumberOfMeeting == 1 &&
-        crease.FindStrip(around, n, spacing, this->Faces, plane) >=
+        crease.FindStrip(around, n, spacing, this->Faces) >=
           (stage == Edges ? vtkPointSplatCrease::FewestVotes : FewestWithoutRow))
       {
         edge = true;
-        std::copy_n(plane, 3, planes.data() + std::size_t(3) * own);
+        std::copy_n(crease.Meeting[1], 3, planes.data() + std::size_t(3) * own);
       }
       strips[own] = !edge && (stage == Edges || (stage == Strips && crease.NumberOfMeeting == 0));
       return edge || round > 0 || stage != Edges || !crease.HidesFace();
