@@ -29,8 +29,10 @@ constexpr float TurnedCosine = 0.974f;
 constexpr float Agreement = 0.85f;
 /// Faces are flat where normals deviate by less than this sine (2 degrees).
 constexpr float FlatSine = 0.03f;
-/// The fewest neighbours that have turned alike beside a flat face: thin walls have many neighbours on their other side.
+/// The fewest neighbours that have turned alike beside a flat face: thin walls have many neighbours on their other side. Alike
+/// are normals within this cosine (25 degrees): averages go by how many triangles are on which face.
 constexpr int FewestAlike = 2;
+constexpr float AlikeTurned = 0.9f;
 /// The fewest neighbours whose normals have not turned.
 constexpr int FewestLevel = 2;
 /// Votes for the same line: their distances, in spacings.
@@ -146,7 +148,7 @@ bool vtkPointSplatCrease::IsLikely(const vtkPointSplatNeighbors::Neighborhood& a
     if (std::abs(vtkMath::Dot(n, m)) < TurnedCosine)
     {
       nearest = nearest ? nearest : m;
-      alike += std::abs(vtkMath::Dot(nearest, m)) >= TurnedCosine ? 1 : 0;
+      alike += std::abs(vtkMath::Dot(nearest, m)) >= AlikeTurned ? 1 : 0;
     }
   }
   return alike >= FewestAlike;
