@@ -12,7 +12,7 @@ from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkCleanPolyData, vtkDe
 
 
 def circle(x, y, radius, spacing):
-    """A hole's loop, clockwise, with one bend all round."""
+    """A hole's loop, clockwise, as points (n, 2)."""
     number = round(2 * math.pi * radius / spacing)
     angle = -2 * np.pi * np.arange(number) / number
     return np.stack([x + radius * np.cos(angle), y + radius * np.sin(angle)], 1)
@@ -49,6 +49,7 @@ def triangulated(plane, loops=()):
 
 
 def surface(places, triangles):
+    """Triangles of indices (m, 3) as data, with one point for each place (n, 3)."""
     points = vtkPoints()
     for place in places:
         points.InsertNextPoint(place)
