@@ -27,8 +27,6 @@ constexpr float LargestFaceBend = 0.7f;
 constexpr float TurnedCosine = 0.974f;
 /// ... and of those that have, unit vectors, the mean is at least that long where they agree.
 constexpr float Agreement = 0.85f;
-/// Faces are flat where normals deviate by less than this sine (2 degrees).
-constexpr float FlatSine = 0.03f;
 /// The fewest neighbours that have turned alike beside a flat face: thin walls have many neighbours on their other side. Alike
 /// are normals within this cosine (25 degrees): averages go by how many triangles are on which face.
 constexpr int FewestAlike = 2;
@@ -142,7 +140,7 @@ bool vtkPointSplatCrease::IsLikely(const vtkPointSplatNeighbors::Neighborhood& a
   // Flat and narrow faces have others at both of their edges: those count that have turned as the nearest has.
   int alike = 0;
   const float* nearest = nullptr;
-  for (int i = 0; i < count && deviation < FlatSine; ++i)
+  for (int i = 0; i < count && deviation < vtkPointSplatFace::FlatDeviation; ++i)
   {
     const float* m = normals + std::size_t(3) * around.Slots[i];
     if (std::abs(vtkMath::Dot(n, m)) < TurnedCosine)

@@ -130,12 +130,12 @@ int vtkPointSplatCrease::FindStrip(const vtkPointSplatNeighbors::Neighborhood& a
   float along[3] = { 0, 0, 0 };
   for (int i = 0; i < around.Count && around.SquaredDistance[i] <= reach * reach; ++i)
   {
-    const float q[3] = { around.X[i], around.Y[i], around.Z[i] };
-    const float height = vtkMath::Dot(this->Meeting[0], q);
     if (faces.IsSound(around.Slots[i]))
     {
       continue;
     }
+    const float q[3] = { around.X[i], around.Y[i], around.Z[i] };
+    const float height = vtkMath::Dot(this->Meeting[0], q);
     if (height * height >= OwnSideSlope * OwnSideSlope * around.SquaredDistance[i])
     {
       others[count++] = i;

@@ -477,7 +477,7 @@ bool vtkPointSplatCreases::Find(vtkAlgorithm* self, double from, double to,
   bool grows = true;
   for (int round = 0; grows && round < MostSpread; ++round)
   {
-    if (!this->Neighbors.Visit(self, from + 5 * step, to, NumberOfNeighbors, confirm,
+    if (!this->Neighbors.Visit(self, round == 0 ? from + 5 * step : to, to, NumberOfNeighbors, confirm,
           [&](Slot s) { return looked[s] && !sure[s]; }))
     {
       return false;

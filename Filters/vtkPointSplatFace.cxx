@@ -24,9 +24,6 @@ constexpr float LastReach = 4.0f;
 constexpr int FewestMembers = 4;
 /// And that make a row (Testing/Accuracy/fit_constants.py).
 constexpr int FewestInRow = 2;
-/// Where too few are near to say how the face bends, it must be flat: the sine (2 degrees) by which
-/// normals may deviate.
-constexpr float FlatDeviation = 0.03f;
 /// Or many must say it, as on the walls of holes of few spacings' radius (Testing/Accuracy/fit_constants.py).
 constexpr int ManyMembers = 12;
 /// Neighbours lie in a row if their squared distances across it are less than this part of those

@@ -21,6 +21,10 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkPointSplatFace
 {
 public:
+  /// Faces are flat where normals deviate by less than this sine (2 degrees); where too few are near to say how one bends, it
+  /// must be.
+  static constexpr float FlatDeviation = 0.03f;
+
   /// The neighbours on the face.
   vtkPointSplatSheet Members;
   /// The second fundamental form, as in vtkPointSplatCurvature, and its greatest magnitude.

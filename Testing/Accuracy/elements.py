@@ -6,9 +6,10 @@ import math
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkCleanPolyData, vtkDelaunay2D
+
+from scenes import polydata
 
 
 def circle(x, y, radius, spacing):
@@ -29,11 +30,7 @@ def divided(corners, spacing):
 
 def triangulated(plane, loops=()):
     """Triangles of points (n, 2), those inside of the loops of indices, if there are such, as indices (m, 3)."""
-    points = vtkPoints()
-    for x, y in plane:
-        points.InsertNextPoint(x, y, 0)
-    data = vtkPolyData()
-    data.SetPoints(points)
+    data = polydata(np.c_[plane, np.zeros(len(plane))], None)
     delaunay = vtkDelaunay2D()
     delaunay.SetInputData(data)
     if loops:
@@ -41,25 +38,11 @@ def triangulated(plane, loops=()):
         for loop in loops:
             cells.InsertNextCell(len(loop), [int(i) for i in loop])
         border = vtkPolyData()
-        border.SetPoints(points)
+        border.SetPoints(data.GetPoints())
         border.SetPolys(cells)
         delaunay.SetSourceData(border)
     delaunay.Update()
     return vtk_to_numpy(delaunay.GetOutput().GetPolys().GetConnectivityArray()).reshape(-1, 3)
-
-
-def surface(places, triangles):
-    """Triangles of indices (m, 3) as data, with one point for each place (n, 3)."""
-    points = vtkPoints()
-    for place in places:
-        points.InsertNextPoint(place)
-    cells = vtkCellArray()
-    for triangle in triangles:
-        cells.InsertNextCell(3, [int(i) for i in triangle])
-    data = vtkPolyData()
-    data.SetPoints(points)
-    data.SetPolys(cells)
-    return data
 
 
 def wall(columns, height, spacing):
@@ -73,7 +56,7 @@ def wall(columns, height, spacing):
         for z in steps * height / number:
             plane.append((s, z))
             places.append((*column, z))
-    return surface(places, triangulated(plane))
+    return polydata(places, None, triangulated(plane))
 
 
 def lid(loops, z, spacing):
@@ -87,7 +70,7 @@ def lid(loops, z, spacing):
     starts = np.cumsum([0] + [len(loop) for loop in loops])
     plane = np.concatenate([outline, grid])
     triangles = triangulated(plane, [np.arange(a, b) for a, b in zip(starts, starts[1:])])
-    return surface(np.c_[plane, np.full(len(plane), z)], triangles)
+    return polydata(np.c_[plane, np.full(len(plane), z)], None, triangles)
 
 
 def ribbed_block(spacing, height=1.0):

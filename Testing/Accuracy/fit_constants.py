@@ -48,7 +48,7 @@ CONSTANTS = {
     "ManyMembers": ("vtkPointSplatFace.cxx", (8, 12, 16, 32), MESHED + FOLDS),
     "FewestAlike": ("vtkPointSplatCrease.cxx", (2, 3, 4), MESHED + PARTS),
     "AlikeTurned": ("vtkPointSplatCrease.cxx", (0.8, 0.9, 0.974), MESHED + FOLDS),
-    "FlatSine": ("vtkPointSplatCrease.cxx", (0.0, 0.03, 0.06), MESHED + FOLDS),
+    "FlatDeviation": ("vtkPointSplatFace.h", (0.015, 0.03, 0.06), MESHED + FOLDS),
     "FewestWithoutRow": ("vtkPointSplatCreasesFaces.cxx", (3, 5, 7, 33), MESHED + PARTS),
     "StripCosine": ("vtkPointSplatCreaseMeeting.cxx", (0.3, 0.5, 0.7, 2.0), MESHED + PARTS),
     "BetweenCosine": ("vtkPointSplatCreaseMeeting.cxx", (0.7, 0.8, 0.9), PLATES + PARTS),

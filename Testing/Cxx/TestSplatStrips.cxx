@@ -77,11 +77,10 @@ void Rib(double width, int rows)
     }
   }
   const Estimated splats(gathered.Cloud);
-  const double along[3] = { 0, 1, 0 };
+  const double along[3] = { 0, 1, 0 }, faces[2][3] = { { 0, 0, 1 }, { 1, 0, 0 } };
   int wrong = 0;
   for (const int side : { 0, 1 })
   {
-    const double faces[2][3] = { { up[0], up[1], up[2] }, { 1, 0, 0 } };
     wrong += CountWrong(splats, first[side] + 8, first[side] + Length - 8, along, faces);
   }
   AtMost(wrong, 0,
@@ -92,7 +91,7 @@ void Rib(double width, int rows)
 /// A plate's hole of so many spacings' radius. most: points on its rim that may be wrong.
 void Hole(double radius, int most)
 {
-  const double pi = std::acos(-1.0);
+  const double pi = vtkMath::Pi();
   const int number = static_cast<int>(std::round(2 * pi * radius));
   Gathered gathered;
   auto addRing = [&](double r, double z, int count, double shift, const double slope[2]) {
