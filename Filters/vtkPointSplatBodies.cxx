@@ -162,7 +162,7 @@ bool vtkPointSplatBodies::Finish(vtkAlgorithm* self, double from, double to,
     }
     if (model != end)
     {
-      disks.Length[row.At] = std::max(disks.Length[row.At], disks.Length[*model]);
+      disks.Lengthen(row.At, disks.Length[*model]);
     }
     else
     {

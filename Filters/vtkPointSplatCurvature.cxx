@@ -129,4 +129,14 @@ void vtkPointSplatCurvature::Estimate(const vtkPointSplatNeighbors::Neighborhood
   }
 }
 
+float vtkPointSplatCurvature::GetBend(const float tensor[6])
+{
+  float squared = 0;
+  for (int c = 0; c < 6; ++c)
+  {
+    squared += (c < 3 ? 1 : 2) * tensor[c] * tensor[c];
+  }
+  return std::sqrt(squared);
+}
+
 VTK_ABI_NAMESPACE_END

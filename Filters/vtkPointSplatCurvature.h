@@ -42,6 +42,9 @@ public:
    */
   void Estimate(const vtkPointSplatNeighbors::Neighborhood& around, const float* normals,
     const float n[3], const vtkPointSplatSheet& sheet, float radius = 0.0f);
+
+  /// How much a surface of that curvature bends: the root of its principal curvatures' sum of squares, 1 / world units.
+  static float GetBend(const float tensor[6]);
 };
 
 VTK_ABI_NAMESPACE_END

@@ -3,6 +3,7 @@
 #include "vtkPointSplatDisks.h"
 
 #include "vtkMath.h"
+#include "vtkPointSplatCurvature.h"
 #include "vtkPointSplatThreads.h"
 
 #include <algorithm>
@@ -300,6 +301,15 @@ bool vtkPointSplatDisks::GetTubeLines(Slot slot, float clip[6]) const
     clip[3 + c] = -clip[c];
   }
   return true;
+}
+
+void vtkPointSplatDisks::Lengthen(Slot slot, float length)
+{
+  const float bend = this->Curvatures.empty()
+    ? 0.0f
+    : vtkPointSplatCurvature::GetBend(this->Curvatures.data() + std::size_t(6) * slot);
+  const float most = bend > 0 ? std::min(length, LargestBend / bend) : length;
+  this->Length[slot] = std::max(this->Length[slot], most);
 }
 
 void vtkPointSplatDisks::Close(Slot slot)

@@ -74,6 +74,8 @@ public:
   bool IsTooLarge(Slot slot) const { return this->GetReach(slot) > this->GetBound(slot); }
   /// Makes a disk of that length, which closes no gaps, and is not bounded by its witnesses.
   void Shrink(Slot slot, float length);
+  /// Makes a disk at least that long, but no longer than the surface bends for.
+  void Lengthen(Slot slot, float length);
   /// Makes of a closed cell an open one, of a disk of that length.
   void Open(Slot slot, float length);
   /// Whether at least half of the witnesses have a mark, or there are too few neighbours for any.

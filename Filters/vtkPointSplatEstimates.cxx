@@ -8,6 +8,7 @@
 #include "vtkPointSplatInput.h"
 #include "vtkPointSplatNoise.h"
 #include "vtkPointSplatNormals.h"
+#include "vtkPointSplatSeams.h"
 #include "vtkPointSplatSensors.h"
 #include "vtkPointSplatSparsePart.h"
 #include "vtkPointSplatThreads.h"
@@ -312,6 +313,40 @@ bool vtkPointSplatEstimates::FindSparseDisks(std::vector<unsigned char>& taken)
       this->Self->GetNumberOfNeighbors(), look);
 }
 
+/// Given normals that cancelled where a mesh's triangles are not oriented consistently, of slots and of their points.
+bool vtkPointSplatEstimates::MendSeams(vtkPointSplatSeams& seams)
+{
+  std::vector<unsigned char> given(this->Neighbors.GetNumberOfSlots());
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(given.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (Slot s = static_cast<Slot>(begin); s < static_cast<Slot>(end); ++s)
+    {
+      given[s] = this->Known[s] && this->Searched[s];
+    }
+  });
+  if (!seams.Mend(this->Self, std::move(given), this->Self->GetNumberOfNeighbors()))
+  {
+    return false;
+  }
+  const std::vector<Slot>& slotOf = this->Neighbors.GetSlots();
+  const vtkIdType last = seams.GetNumberOfMended() > 0 ? this->NumberOfPoints : 0;
+  std::atomic<vtkIdType> mended{ 0 };
+  vtkPointSplatThreads::For(0, last, [&](vtkIdType begin, vtkIdType end) {
+    vtkIdType here = 0;
+    for (vtkIdType id = begin; id < end; ++id)
+    {
+      float* n = this->GetNormal(id);
+      if (slotOf[id] != vtkPointSplatNeighbors::None && seams.IsMended(slotOf[id], n))
+      {
+        std::copy_n(this->GetSlotNormal(slotOf[id]), 3, n);
+        ++here;
+      }
+    }
+    mended += here;
+  });
+  this->NumberOfMendedNormals = mended;
+  return true;
+}
+
 /// But for the corners of triangles, whose disks these tell.
 bool vtkPointSplatEstimates::FindDisks()
 {
@@ -342,7 +377,8 @@ bool vtkPointSplatEstimates::FindDisks()
     this->Usual = std::numeric_limits<float>::max();
   }
   std::vector<unsigned char> sparse(slots, 0); // what has its disk so is not looked at again
-  if (!this->FindSparseDisks(sparse))
+  vtkPointSplatSeams seams(this->Neighbors, this->SlotNormals.data(), disks.Planes.data());
+  if (!this->FindSparseDisks(sparse) || !this->MendSeams(seams))
   {
     return false;
   }
@@ -352,11 +388,12 @@ bool vtkPointSplatEstimates::FindDisks()
     for (Slot s = static_cast<Slot>(begin); s < static_cast<Slot>(end); ++s)
     {
       again[s] = this->Searched[s] && !sparse[s] &&
-        ((this->Misled[s] && !disks.Whole[s]) || this->IsHemmed(s) ||
+        ((this->Misled[s] && !disks.Whole[s]) || seams.IsBeside(s) || this->IsHemmed(s) ||
           disks.MayReachHole(s) ||
           (disks.Stretched && disks.Opening[s] == 0));
-      std::copy_n(this->Searched[s] ? disks.Planes.data() + std::size_t(3) * s : this->GetSlotNormal(s),
-        3, this->SheetNormals.data() + std::size_t(3) * s);
+      const bool planar = this->Searched[s] && !seams.IsMended(s);
+      std::copy_n(planar ? disks.Planes.data() + std::size_t(3) * s : this->GetSlotNormal(s), 3,
+        this->SheetNormals.data() + std::size_t(3) * s);
     }
   });
   this->Directions = this->SheetNormals.data();

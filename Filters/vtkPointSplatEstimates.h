@@ -35,6 +35,8 @@ class vtkPointSet;
 
 VTK_ABI_NAMESPACE_BEGIN
 
+class vtkPointSplatSeams;
+
 class vtkPointSplatEstimates
 {
 public:
@@ -66,6 +68,7 @@ public:
   vtkNew<vtkFloatArray> Curvatures;
   vtkNew<vtkFloatArray> Clips, Folds; // without tuples where there are none
   vtkIdType NumberOfPointsAlone = 0;
+  vtkIdType NumberOfMendedNormals = 0;
   double Noise = 0;
   double Contradiction = 0;
 
@@ -82,6 +85,7 @@ private:
   bool FindNormals();
   float GetUsualSpacing() const;
   void FindSearched();
+  bool MendSeams(vtkPointSplatSeams& seams);
   bool FindDisks();
   bool IsHemmed(Slot s) const;
   bool Measure(const Neighborhood& around, int round);

@@ -6,6 +6,7 @@
 
 #include "vtkMath.h"
 #include "vtkPointSet.h"
+#include "vtkPointSplatCurvature.h"
 #include "vtkPointSplatEstimation.h"
 #include "vtkPoints.h"
 #include "vtkPointSplatThreads.h"
@@ -137,7 +138,7 @@ void vtkPointSplatEstimates::FindMeshFill()
       stars.Uneven[site] = 0;
       continue;
     }
-    stars.BoundBent(site, vtkPointSplatStars::GetBent(vtkPointSplatStars::GetBend(disk.Curvature), disk.Width), disk.Radius);
+    stars.BoundBent(site, vtkPointSplatStars::GetBent(vtkPointSplatCurvature::GetBend(disk.Curvature), disk.Width), disk.Radius);
     stars.BoundBent(site, vtkPointSplatStars::GetBent(disk.Beside.Amount, disk.Beside.Within), disk.Radius);
     stars.BoundBent(site, vtkPointSplatStars::GetBent(TurnShare * this->GetTurn(id), disk.Width), disk.Radius);
     this->Fans.VisitNeighbors(id, [&](vtkIdType other) {
@@ -214,7 +215,7 @@ float vtkPointSplatEstimates::GetRoom(const vtkPointSplatStars& stars, const vtk
     smallest = std::min(smallest, stars.Sizes[point.Ends[k]]);
     beside = std::min(beside, this->GetBeside(point.X, point.Ends[k]));
   }
-  const float bent = vtkPointSplatStars::GetBent(vtkPointSplatStars::GetBend(point.Curvature));
+  const float bent = vtkPointSplatStars::GetBent(vtkPointSplatCurvature::GetBend(point.Curvature));
   const float radius = vtkPointSplatStars::GetRadius(std::min(beside, std::max(bent, smallest)));
   return this->Fans.GetBorder().empty() ? radius : std::min(radius, this->FindEnd(point, radius).Room);
 }

@@ -167,6 +167,7 @@ int vtkPointSplatEstimation::RequestData(
   estimates.SetMesh(std::move(mesh));
   const bool finished = estimates.Run();
   this->NumberOfPointsAlone = estimates.NumberOfPointsAlone;
+  this->NumberOfMendedNormals = estimates.NumberOfMendedNormals;
   this->Noise = estimates.Noise;
   this->Contradiction = estimates.Contradiction;
   this->FillPoints.clear();
@@ -261,6 +262,7 @@ void vtkPointSplatEstimation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FillNoise: " << (this->FillNoise ? "On" : "Off") << "\n";
   os << indent << "Relief: " << (this->Relief ? "On" : "Off") << "\n";
   os << indent << "NumberOfPointsAlone: " << this->NumberOfPointsAlone << "\n";
+  os << indent << "NumberOfMendedNormals: " << this->NumberOfMendedNormals << "\n";
   os << indent << "Noise: " << this->Noise << "\n";
   os << indent << "Contradiction: " << this->Contradiction << "\n";
 }

@@ -15,7 +15,8 @@
  * Output: a vtkPolyData with the same points in the same order, and behind them fill points if FillGaps
  * is on; all of the input's point data, of fill points interpolated, and field data, no cells, and
  * - the active normals (3 floats, unit length): those of the input, normalised and with their
- *   sign, where they are finite and not zero, otherwise those of the triangles, otherwise estimated;
+ *   sign, where they are finite and not zero (but for stage 4's exception), otherwise those of the triangles, otherwise
+ *   estimated;
  * - `SplatRadius` (1 float, world units) and `SplatPlaneNormal` (3 floats, unit length: the
  *   normal of the disk's plane, the point's normal but for stage 4's exception; 0 for bodies alone,
  *   stage 7, which have none) and
@@ -67,7 +68,9 @@
  *    degrees apart are of two faces at an edge, unless there is nothing else, as on a body of a few
  *    points. Where the normal does not fit the neighbours' at all (as at seams of meshes whose
  *    triangles are not oriented consistently), the plane that fits them takes its place, if their own
- *    normals are across it: those around a body of a few points are not. The same where normals lean over by more than 7
+ *    normals are across it: those around a body of a few points are not. Then the point's normal, too, is replaced by that of
+ *    the surface through the neighbours, if these are all around and theirs are across the plane (vtkPointSplatSeams.h);
+ *    GetNumberOfMendedNormals() counts them. The plane, but not the normal, is another where normals lean over by more than 7
  *    degrees from a plane that the neighbours lie on, as normals do that shade a coarse mesh's facets smoothly.
  *    The neighbours are projected to the tangent plane (Pajarola, Sainz, Guidotti 2004, Confetti,
  *    section 4.3), as far off as they are in space, and bisectors cut the point's Voronoi cell out
@@ -314,6 +317,12 @@ public:
   vtkGetMacro(NumberOfPointsAlone, vtkIdType);
 
   /**
+   * How many given normals cancelled at seams of a mesh whose triangles are not oriented consistently, and were replaced
+   * (stage 4); known after Update().
+   */
+  vtkGetMacro(NumberOfMendedNormals, vtkIdType);
+
+  /**
    * The share of points, of every 32nd, whose 24 neighbours do not lie on one surface: by their
    * normals they are off it by more than 0.15 of their mean distance, and their positions off any
    * plane. Points of bodies that are smaller than what is looked at, a quarter of whose neighbours and more face
@@ -397,6 +406,7 @@ private:
   bool Relief = false;
   std::vector<FillPoint> FillPoints;
   vtkIdType NumberOfPointsAlone = 0;
+  vtkIdType NumberOfMendedNormals = 0;
   double Noise = 0; // that the last update found, and
   double Contradiction = 0;
 };

@@ -84,16 +84,6 @@ void vtkPointSplatStars::Bound(Site site, float radius)
   this->Uneven[site] = 1;
 }
 
-float vtkPointSplatStars::GetBend(const float curvature[6])
-{
-  float squared = 0;
-  for (int c = 0; c < 6; ++c)
-  {
-    squared += (c < 3 ? 1 : 2) * curvature[c] * curvature[c];
-  }
-  return std::sqrt(squared);
-}
-
 float vtkPointSplatStars::GetBent(float bend, float width)
 {
   return std::max(MostBend / bend, WidthShare * width);

@@ -94,8 +94,6 @@ public:
   void BoundBent(Site site, float size, float radius);
   /// The same at a mesh's tip, of whose disk next to nothing is left.
   void BoundTip(Site site, float radius);
-  /// How much a surface of that curvature (as vtkPointSplatCurvature's tensor) bends.
-  static float GetBend(const float curvature[6]);
   /// The largest size of what bends so much (1 / world units), as triangles of that width tell.
   static float GetBent(float bend, float width = 0);
 

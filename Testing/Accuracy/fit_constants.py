@@ -35,6 +35,7 @@ SHADED = ("shaded_facets", "thick_slices")
 ISOSURFACES = ("tubes_points", "cut_points", "gear_points")
 LONG = ("can", "shaft", "arrow", "cog")
 FILLETS = ("plate", "wire", "dome", "meshes:drapery_vertices")
+WOUND = ("crossing_wound", "drapery_wound", "part_wound", "drapery_vertices")
 ROUGH = ("tubes_noisy", "tubes_edges", "cut_noisy")
 # The file in Filters, the values to try, and the stand-ins that tell.
 CONSTANTS = {
@@ -89,6 +90,14 @@ CONSTANTS = {
     "PlainShare": ("vtkIsosurfaceEdges.h", (0.8, 0.87, 1.0), ISOSURFACES),
     "SparseRatio": ("vtkPointSplatSparsePart.cxx", (0.6, 0.8, 1.0, 1.2),
                     ("belted", "belted_6", "thin_disc")),
+    "LeaningCosine": ("vtkPointSplatSeams.cxx", (0.5, 0.7, 0.87), WOUND),
+    "LeastAcrossPlane": ("vtkPointSplatSeams.cxx", (4, 5, 6), WOUND),
+    "AcrossCosine": ("vtkPointSplatSeams.cxx", (0.7, 0.8, 0.9), WOUND),
+    "MostAngle": ("vtkPointSplatSeams.cxx", (1.8, 2.2, 2.6), WOUND),
+    "MostLikeOwn": ("vtkPointSplatSeams.cxx", (1, 2, 8), WOUND),
+    "LeastOfSign": ("vtkPointSplatSeams.cxx", (0, 1, 2, 3), WOUND),
+    "MostOffSurface": ("vtkPointSplatSeams.cxx", (0.05, 0.1, 0.2, 0.3), WOUND + PLATES),
+    "AnotherCosine": ("vtkPointSplatSeams.cxx", (0.966, 0.985, 0.996), WOUND),
     "RadiusPerSize": ("vtkPointSplatStars.h", (0.6, 0.65, 0.7), DISCS + FOLDS),
     "Slope": ("vtkPointSplatStars.h", (0.2, 0.3, 0.4), DISCS + FOLDS),
     "MostTurn": ("vtkPointSplatStars.cxx", (0.4, 0.6, 0.8), BENT),

@@ -13,6 +13,7 @@ from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
+from reference.surfaces import unit
 from scenes import polydata
 from standin import StandIn, vertices
 
@@ -68,3 +69,21 @@ def triangles_of(standin, shared=True, normals=False):
     cloud = polydata(p, n if normals else None, triangles)
     truth = mesh if normals else with_normals(mesh, splitting=True)
     return StandIn(standin.name + ", triangles", cloud, None, standin.spacing, truth)
+
+
+def wound_both_ways(standin, patches=60, seed=11):
+    """Its mesh's vertices with the means of triangles' normals, of which those in some of so many patches are wound the other
+    way: along the patches' seams these cancel."""
+    mesh = standin.mesh
+    triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    p = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
+    rng = np.random.default_rng(seed)
+    seeds = p[rng.choice(len(p), patches, False)]
+    centres = p[triangles].mean(1)
+    patch = np.linalg.norm(centres[:, None] - seeds, axis=2).argmin(1)
+    normals = np.cross(p[triangles[:, 1]] - p[triangles[:, 0]], p[triangles[:, 2]] - p[triangles[:, 0]])
+    normals = unit(normals) * np.where(patch % 2, -1, 1)[:, None]
+    sums = np.zeros_like(p)
+    for corner in triangles.T:
+        np.add.at(sums, corner, normals)
+    return StandIn(standin.name + ", wound both ways", polydata(p, unit(sums + 1e-9)), standin.distance, standin.spacing, mesh)

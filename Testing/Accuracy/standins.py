@@ -17,7 +17,7 @@ from vtkmodules.vtkFiltersSources import vtkSuperquadricSource
 import cad
 from cad import extruded
 import elements
-from meshes import triangles_of
+from meshes import triangles_of, wound_both_ways
 from parametric import nearest, normals_of, parametric, random_of, to_parametric, to_points
 from reference.surfaces import unit
 from scenes import polydata, sphere_mesh
@@ -518,6 +518,7 @@ ALL = {
     "gear": gear,
     "gear_points": lambda: gear("points"),
     "crossing": crossing,
+    "crossing_wound": lambda: wound_both_ways(crossing()),
     "belted": belted,
     "belted_6": lambda: belted(6),
     "thick_slices": thick_slices,
@@ -537,6 +538,7 @@ ALL = {
     "cog_shared_points": lambda: cad.with_shared_points(cad.cog()),
     "cog_means": lambda: cad.with_means(cad.cog()),
     "cog_triangles_apart": lambda: triangles_of(cad.cog(), shared=False),
+    "part_wound": lambda: wound_both_ways(machined_part()),
     "part_triangles": lambda: triangles_of(machined_part()),
     "part_triangles_apart": lambda: triangles_of(machined_part(), shared=False),
     "part_random": lambda: machined_part(True),
@@ -550,6 +552,7 @@ ALL = {
     "gappy_ball": gappy_ball,
     "drapery": drapery,
     "drapery_vertices": drapery_vertices,
+    "drapery_wound": lambda: wound_both_ways(drapery_vertices()),
     "rounded_ring": rounded_ring,
     "rimmed_disc": rimmed_disc,
     "thin_disc": lambda: rimmed_disc(0.02),

@@ -27,7 +27,7 @@
  * triangles, and are estimated by each process alone. ParaView's filter Ghost Cells before this one
  * gives them the triangles of other processes.
  *
- * Bad input: as vtkPointSplatEstimation has it. What GetNoise(), GetContradiction() and
+ * Bad input: as vtkPointSplatEstimation has it. What GetNoise(), GetContradiction(), GetNumberOfMendedNormals() and
  * GetNumberOfPointsAlone() tell is of the last leaf, with the points that came.
  */
 #ifndef vtkPVPointSplatEstimation_h
