@@ -7,8 +7,8 @@
 #include "vtkPointSplatEstimation.h"
 #include "vtkPointSplatInput.h"
 #include "vtkPointSplatNoise.h"
+#include "vtkPointSplatNormalSeams.h"
 #include "vtkPointSplatNormals.h"
-#include "vtkPointSplatSeams.h"
 #include "vtkPointSplatSensors.h"
 #include "vtkPointSplatSparsePart.h"
 #include "vtkPointSplatThreads.h"
@@ -314,7 +314,7 @@ bool vtkPointSplatEstimates::FindSparseDisks(std::vector<unsigned char>& taken)
 }
 
 /// Given normals that cancelled where a mesh's triangles are not oriented consistently, of slots and of their points.
-bool vtkPointSplatEstimates::MendSeams(vtkPointSplatSeams& seams)
+bool vtkPointSplatEstimates::MendSeams(vtkPointSplatNormalSeams& seams)
 {
   std::vector<unsigned char> given(this->Neighbors.GetNumberOfSlots());
   vtkPointSplatThreads::For(0, static_cast<vtkIdType>(given.size()), [&](vtkIdType begin, vtkIdType end) {
@@ -343,7 +343,7 @@ bool vtkPointSplatEstimates::MendSeams(vtkPointSplatSeams& seams)
     }
     mended += here;
   });
-  this->NumberOfMendedNormals = mended;
+  this->NumberOfMendedNormals += mended;
   return true;
 }
 
@@ -377,7 +377,7 @@ bool vtkPointSplatEstimates::FindDisks()
     this->Usual = std::numeric_limits<float>::max();
   }
   std::vector<unsigned char> sparse(slots, 0); // what has its disk so is not looked at again
-  vtkPointSplatSeams seams(this->Neighbors, this->SlotNormals.data(), disks.Planes.data());
+  vtkPointSplatNormalSeams seams(this->Neighbors, this->SlotNormals.data(), disks.Planes.data());
   if (!this->FindSparseDisks(sparse) || !this->MendSeams(seams))
   {
     return false;

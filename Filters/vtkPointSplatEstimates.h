@@ -35,7 +35,7 @@ class vtkPointSet;
 
 VTK_ABI_NAMESPACE_BEGIN
 
-class vtkPointSplatSeams;
+class vtkPointSplatNormalSeams;
 
 class vtkPointSplatEstimates
 {
@@ -51,6 +51,7 @@ public:
     this->OfLattice = mesh.OfLattice;
     if (!mesh.Sources.empty())
     {
+      this->NumberOfMendedNormals = mesh.NumberOfMended;
       this->Split = std::move(mesh);
     }
   }
@@ -85,7 +86,7 @@ private:
   bool FindNormals();
   float GetUsualSpacing() const;
   void FindSearched();
-  bool MendSeams(vtkPointSplatSeams& seams);
+  bool MendSeams(vtkPointSplatNormalSeams& seams);
   bool FindDisks();
   bool IsHemmed(Slot s) const;
   bool Measure(const Neighborhood& around, int round);

@@ -92,6 +92,7 @@ void vtkPointSplatEstimates::ReadMesh()
   {
     this->Given = true;
   }
+  this->NumberOfMendedNormals += this->OfLattice ? 0 : vtkPointSplatMeshNormals::MendSeams(this->Fans, n);
   if (this->Elliptical)
   {
     this->Fans.Clear();

@@ -42,7 +42,8 @@
  * one isosurface of a volume tell its triangles by where they lie, vtkPointSplatLattice.h):
  * 1. *Neighbours.* For each point the NumberOfNeighbors nearest ones, found for all points at
  *    once. Of points at the same position one takes part, and the others share its result.
- * 2. *Normals*, where the input has none: of triangles' corners the mean of their triangles' normals, on the side that
+ * 2. *Normals*, where the input has none, or triangles that run the same way along an edge made them cancel
+ *    (vtkPointSplatMeshNormals::MendSeams()): of triangles' corners the mean of their triangles' normals, on the side that
  *    the order of their corners tells, or at edges of more than 30 degrees of a mesh in which these end flat faces the mean of one face's
  *    (vtkPointSplatMeshNormals.h); of others that of a surface of second order through the neighbours (vtkPointSplatQuadric.h), which are
  *    two or three times as many where these are off it by noise. Where they lie in a row, of scan
@@ -69,7 +70,7 @@
  *    points. Where the normal does not fit the neighbours' at all (as at seams of meshes whose
  *    triangles are not oriented consistently), the plane that fits them takes its place, if their own
  *    normals are across it: those around a body of a few points are not. Then the point's normal, too, is replaced by that of
- *    the surface through the neighbours, if these are all around and theirs are across the plane (vtkPointSplatSeams.h);
+ *    the surface through the neighbours, if these are all around and theirs are across the plane (vtkPointSplatNormalSeams.h);
  *    GetNumberOfMendedNormals() counts them. The plane, but not the normal, is another where normals lean over by more than 7
  *    degrees from a plane that the neighbours lie on, as normals do that shade a coarse mesh's facets smoothly.
  *    The neighbours are projected to the tangent plane (Pajarola, Sainz, Guidotti 2004, Confetti,
@@ -317,8 +318,8 @@ public:
   vtkGetMacro(NumberOfPointsAlone, vtkIdType);
 
   /**
-   * How many given normals cancelled at seams of a mesh whose triangles are not oriented consistently, and were replaced
-   * (stage 4); known after Update().
+   * How many normals cancelled at seams of a mesh whose triangles are not oriented consistently, and were replaced
+   * (stages 2 and 4); known after Update().
    */
   vtkGetMacro(NumberOfMendedNormals, vtkIdType);
 

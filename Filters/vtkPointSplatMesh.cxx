@@ -121,6 +121,7 @@ void vtkPointSplatMesh::CompleteNormals(bool ofFaces)
       vtkPointSplatFans whole = this->Fans;
       vtkPointSplatMeshNormals::Complete(whole, this->Normals.data());
     }
+    this->NumberOfMended = vtkPointSplatMeshNormals::MendSeams(this->Fans, this->Normals.data());
   }
 }
 

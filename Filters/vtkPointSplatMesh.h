@@ -20,6 +20,7 @@
 #include "vtkPointSplatFans.h"
 #include "vtkPointSplattingABI.h"
 #include "vtkSmartPointer.h"
+#include "vtkType.h"
 
 #include <vector>
 
@@ -46,6 +47,7 @@ public:
   vtkSmartPointer<vtkPolyData> Points; // the input's, and copies, with planes' normals and ghosts, and no other arrays
   std::vector<vtkIdType> Sources;      // of the copies
   std::vector<float> Normals;          // to shade with, 3 a point of the input, unit length; empty if they are the planes'
+  vtkIdType NumberOfMended = 0;        // of these
 
   /// That of a point or copy, if there are any.
   const float* GetNormal(vtkIdType id) const

@@ -8,11 +8,14 @@
 #include "vtkPointSplatFans.h"
 #include "vtkPointSplatInput.h"
 #include "vtkPointSplatMeshFaces.h"
+#include "vtkPointSplatThreads.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataNormals.h"
+#include "vtkTriangle.h"
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -21,6 +24,57 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
+/// Normals that are another than what triangles tell: an average may have other weights (10 degrees).
+constexpr float UnlikeCosine = 0.985f;
+/// How long the mean of unit normals is at least that are about those of one face.
+constexpr float LeastMean = 0.7f;
+/// Vertices of more triangles are not looked at: they are few.
+constexpr vtkIdType MostAtVertex = 64;
+
+/// Whether two triangles of a vertex have a corner before it, or after it, in common.
+bool IsOnSeam(const vtkPointSplatFans& fans, vtkIdType id)
+{
+  vtkIdType beside[2][MostAtVertex];
+  int count = 0;
+  bool seam = false;
+  if (fans.GetNumberOfTriangles(id) > MostAtVertex)
+  {
+    return false;
+  }
+  fans.VisitTriangles(id, [&](const vtkIdType corners[3]) {
+    const int own = corners[0] == id ? 0 : corners[1] == id ? 1 : 2;
+    for (const int side : { 0, 1 })
+    {
+      const vtkIdType other = corners[(own + 1 + side) % 3];
+      seam = seam || std::find(beside[side], beside[side] + count, other) != beside[side] + count;
+      beside[side][count] = other;
+    }
+    ++count;
+  });
+  return seam;
+}
+
+/// The mean of a vertex' triangles' normals, turned to one side; false if they are not those of about one face.
+bool FindTurned(const vtkPointSplatFans& fans, vtkIdType id, float mean[3])
+{
+  double sum[3] = { 0, 0, 0 };
+  int count = 0;
+  fans.VisitTriangles(id, [&](const vtkIdType corners[3]) {
+    double n[3];
+    vtkTriangle::ComputeNormal(
+      fans.GetPosition(corners[0]), fans.GetPosition(corners[1]), fans.GetPosition(corners[2]), n);
+    const double sign = vtkMath::Dot(n, sum) < 0 ? -1 : 1;
+    for (int c = 0; c < 3; ++c)
+    {
+      sum[c] += sign * n[c];
+    }
+    ++count;
+  });
+  const double length = vtkMath::Normalize(sum);
+  std::copy_n(sum, 3, mean);
+  return length > LeastMean * count;
+}
+
 /// Gives a point's normal, of those that were found; returns whether it has one. Triangles that cancel one another, or that
 /// have no area, give none.
 bool GetNormal(vtkPolyDataNormals* found, vtkIdType at, float normal[3])
@@ -103,6 +157,28 @@ bool vtkPointSplatMeshNormals::Complete(vtkPointSplatFans& fans, float* normals)
   const bool any = !missing.empty() && (fans.AreApart() ? FindOfFaces(fans, normals) : Find(fans, missing, normals));
   const bool joined = fans.Join(normals);
   return (any && !joined) || Find(fans, missing, normals) || any;
+}
+
+vtkIdType vtkPointSplatMeshNormals::MendSeams(const vtkPointSplatFans& fans, float* normals)
+{
+  std::atomic<vtkIdType> mended{ 0 };
+  vtkPointSplatThreads::For(0, fans.GetNumberOfPoints(), [&](vtkIdType begin, vtkIdType end) {
+    vtkIdType here = 0;
+    for (vtkIdType id = begin; id < end; ++id)
+    {
+      float turned[3];
+      float* n = normals + 3 * id;
+      if (!vtkPointSplatInput::IsZero(n) && fans.Has(id) && IsOnSeam(fans, fans.GetSame(id)) &&
+        FindTurned(fans, fans.GetSame(id), turned) && std::abs(vtkMath::Dot(turned, n)) < UnlikeCosine)
+      {
+        vtkMath::MultiplyScalar(turned, vtkMath::Dot(turned, n) < 0 ? -1.0f : 1.0f);
+        std::copy_n(turned, 3, n);
+        ++here;
+      }
+    }
+    mended += here;
+  });
+  return mended;
 }
 
 void vtkPointSplatMeshNormals::TakeNeighbors(

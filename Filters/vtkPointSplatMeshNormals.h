@@ -34,6 +34,12 @@ public:
   /// Returns whether it set any.
   static bool Complete(vtkPointSplatFans& fans, float* normals);
 
+  /**
+   * Sets those that cancelled to the mean of their triangles' normals, turned to one side. Of a vertex on a seam two of the
+   * triangles run the same way along an edge, and the mean of theirs as they are points anywhere. Returns how many.
+   */
+  static vtkIdType MendSeams(const vtkPointSplatFans& fans, float* normals);
+
   /// Sets those of used points to the mean of their neighbours': where a volume has no gradient its isosurface has no normal.
   static void TakeNeighbors(const vtkPointSplatFans& fans, const std::vector<unsigned char>& used, float* normals);
 };

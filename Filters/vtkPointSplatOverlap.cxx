@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatOverlap.h"
 
-#include "vtkPointSplatMorton.h"
+#include "vtkPointSplatMortonCells.h"
 #include "vtkPointSplatThreads.h"
 #include "vtkSMPTools.h"
 
@@ -50,7 +50,7 @@ struct Level
         {
           std::int64_t cell[3];
           this->FindCell(positions + 3 * std::size_t(this->Splats[e]), origin, cell);
-          entries[e] = { vtkPointSplatMorton::GetPlace(cell), this->Splats[e] };
+          entries[e] = { vtkPointSplatMortonCells::GetPlace(cell), this->Splats[e] };
         }
       });
     vtkSMPTools::Sort(entries.begin(), entries.end());
@@ -82,7 +82,7 @@ struct Level
   {
     for (int k = 0; k < 3; ++k)
     {
-      // A cloud wider than 2^62 cells: any cell will do, see vtkPointSplatMorton.h.
+      // A cloud wider than 2^62 cells: any cell will do, see vtkPointSplatMortonCells.h.
       cell[k] = static_cast<std::int64_t>(
         std::min(std::floor((p[k] - origin[k]) / this->Width), 4.6e18));
     }
@@ -113,7 +113,7 @@ void Around(const Level& level, const double* p, const double origin[3], bool fo
   {
     for (int d = 0; d < 3; ++d)
     {
-      spread[k][d] = vtkPointSplatMorton::Spread(cell[k] + d - 1) << k;
+      spread[k][d] = vtkPointSplatMortonCells::Spread(cell[k] + d - 1) << k;
     }
   }
   for (int c = forward ? 14 : 0; c < 27; ++c)

@@ -4,7 +4,7 @@
 #include "vtkPointSplatRefinement.h"
 
 #include "vtkMath.h"
-#include "vtkPointSplatMorton.h"
+#include "vtkPointSplatMortonCells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +29,7 @@ constexpr std::size_t LeastTable = 1024;
 /// The place along the curve, and in its upper bits the level.
 vtkPointSplatRefinement::Key vtkPointSplatRefinement::GetKey(const Cell& cell)
 {
-  return vtkPointSplatMorton::GetPlace(cell.Place.data()) ^ static_cast<Key>(cell.Level) << LevelShift;
+  return vtkPointSplatMortonCells::GetPlace(cell.Place.data()) ^ static_cast<Key>(cell.Level) << LevelShift;
 }
 
 /// Cells of a block are side by side in the table, as what is looked for one after the other is, and blocks anywhere: of a

@@ -5,6 +5,7 @@
 #include "Expect.h"
 #include "Gathered.h"
 
+#include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -40,8 +41,9 @@ Vector GetNormal(int row, int column)
   return n;
 }
 
-/// The sum of the normals of a triangle's corners, wound the other way in every second square of so many rows and columns.
-void AddTriangle(std::vector<Vector>& sums, const int corners[3][2], int square)
+/// Adds to the sum of normals of a triangle's corners. It is wound the other way, as is returned, in every second square of so many
+/// rows and columns.
+bool AddTriangle(std::vector<Vector>& sums, const int corners[3][2], int square)
 {
   Vector p[3], e[2], n;
   for (int k = 0; k < 3; ++k)
@@ -52,7 +54,8 @@ void AddTriangle(std::vector<Vector>& sums, const int corners[3][2], int square)
   vtkMath::Subtract(p[2], p[0], e[1]);
   vtkMath::Cross(e[0].data(), e[1].data(), n.data());
   vtkMath::Normalize(n.data());
-  const double sign = (corners[0][0] / square + corners[0][1] / square) % 2 ? -1 : 1;
+  const bool turned = (corners[0][0] / square + corners[0][1] / square) % 2 != 0;
+  const double sign = turned ? -1 : 1;
   for (int k = 0; k < 3; ++k)
   {
     for (int c = 0; c < 3; ++c)
@@ -60,10 +63,11 @@ void AddTriangle(std::vector<Vector>& sums, const int corners[3][2], int square)
       sums[corners[k][0] * Size + corners[k][1]][c] += sign * n[c];
     }
   }
+  return turned;
 }
 
-/// The hills with normals of their triangles.
-void Hills(Gathered& gathered, int square)
+/// The hills with normals of their triangles, and these, if they are wanted.
+void Hills(Gathered& gathered, int square, vtkCellArray* triangles = nullptr)
 {
   std::vector<Vector> sums(Size * Size, Vector{ 0, 0, 0 });
   for (int row = 0; row + 1 < Size; ++row)
@@ -73,8 +77,19 @@ void Hills(Gathered& gathered, int square)
       const int odd = row % 2;
       const int first[3][2] = { { row, column }, { row, column + 1 }, { row + 1, column + odd } };
       const int second[3][2] = { { row, column + 1 - odd }, { row + 1, column + 1 }, { row + 1, column } };
-      AddTriangle(sums, first, square);
-      AddTriangle(sums, second, square);
+      for (const auto& corners : { first, second })
+      {
+        const bool turned = AddTriangle(sums, corners, square);
+        vtkIdType ids[3];
+        for (int k = 0; k < 3; ++k)
+        {
+          ids[turned ? 2 - k : k] = corners[k][0] * Size + corners[k][1];
+        }
+        if (triangles)
+        {
+          triangles->InsertNextCell(3, ids);
+        }
+      }
     }
   }
   for (int row = 0; row < Size; ++row)
@@ -102,11 +117,17 @@ Vector GetTuple(vtkPointSet* points, vtkIdType id)
   return n;
 }
 
-void WoundBothWays(int shape)
+void WoundBothWays(int shape, bool withTriangles)
 {
-  const std::string which = shape == vtkPointSplatEstimation::Circular ? " of circles" : " of ellipses";
+  const std::string which = withTriangles ? " with triangles"
+    : shape == vtkPointSplatEstimation::Circular ? " of circles" : " of ellipses";
   Gathered gathered;
-  Hills(gathered, 15);
+  vtkNew<vtkCellArray> triangles;
+  Hills(gathered, 15, triangles);
+  if (withTriangles)
+  {
+    gathered.Cloud->SetPolys(triangles);
+  }
   vtkNew<vtkPointSplatEstimation> estimation;
   estimation->SetShape(shape);
   const vtkIdType mended = Estimate(gathered, estimation);
@@ -188,8 +209,9 @@ void Rim()
 
 int TestSplatSeams(int, char*[])
 {
-  WoundBothWays(vtkPointSplatEstimation::Circular);
-  WoundBothWays(vtkPointSplatEstimation::Elliptical);
+  WoundBothWays(vtkPointSplatEstimation::Circular, false);
+  WoundBothWays(vtkPointSplatEstimation::Elliptical, false);
+  WoundBothWays(vtkPointSplatEstimation::Circular, true);
   WoundOneWay();
   Copies();
   Rim();

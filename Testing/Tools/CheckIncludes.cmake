@@ -9,6 +9,7 @@
 #    one of those that the rules below allow. So must each shader that C++ names, since shaders
 #    lie beside the class that runs them, or below.
 # 3. VTK's headers are open to all, but OpenGL's not to Filters/ and Choice/.
+# 4. No two files have one name: classes of one name in two libraries become one when these are loaded.
 cmake_minimum_required(VERSION 3.16)
 
 # What each folder may use: folders, or single files.
@@ -39,10 +40,14 @@ set(opengl "^(vtk_gl|vtkgl|vtk_glew|vtk_glad|vtkOpenGL.*|GL/.*|GLES.*|EGL/.*|glm
 
 set(folders GL Cloud Project Select Reconstruct Shade Shadow Choice Frame)
 set(files)
+set(doubles)
 foreach (_folder IN LISTS folders)
   file(GLOB _found "${TOP}/Rendering/${_folder}/*.*")
   foreach (_file IN LISTS _found)
     get_filename_component(_name "${_file}" NAME)
+    if (DEFINED "in_${_name}")
+      list(APPEND doubles "${_name}: in ${in_${_name}} and in ${_folder}")
+    endif ()
     set("in_${_name}" "${_folder}")
     list(APPEND files "${_folder}|${_file}")
   endforeach ()
@@ -51,6 +56,9 @@ foreach (_folder IN ITEMS Filters IO Rendering)
   file(GLOB _found "${TOP}/${_folder}/*.h" "${TOP}/${_folder}/*.cxx")
   foreach (_file IN LISTS _found)
     get_filename_component(_name "${_file}" NAME)
+    if (DEFINED "in_${_name}")
+      list(APPEND doubles "${_name}: in ${in_${_name}} and in ${_folder}")
+    endif ()
     set("in_${_name}" "${_folder}")
     if (_name MATCHES "\\.h$" AND NOT _name MATCHES "${internals}" AND _folder STREQUAL "Rendering")
       set(_folder_of_file public_headers)
@@ -63,7 +71,7 @@ endforeach ()
 # What lies in another folder than these would not be looked at.
 file(GLOB _others LIST_DIRECTORIES true RELATIVE "${TOP}/Rendering" "${TOP}/Rendering/*")
 set(count 0)
-set(faults)
+set(faults ${doubles})
 foreach (_other IN LISTS _others)
   if (IS_DIRECTORY "${TOP}/Rendering/${_other}" AND NOT _other IN_LIST folders)
     list(APPEND faults "Rendering/${_other}: CheckIncludes.cmake has no rule for this folder")

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file vtkPointSplatMorton.h
+ * @file vtkPointSplatMortonCells.h
  * @brief places of a grid's cells along Morton's curve, which fills space
  *
  * An internal helper of vtkPointSplatOverlap and vtkPointSplatRefinement.
  */
-#ifndef vtkPointSplatMorton_h
-#define vtkPointSplatMorton_h
+#ifndef vtkPointSplatMortonCells_h
+#define vtkPointSplatMortonCells_h
 
 #include "vtkPointSplattingABI.h"
 
@@ -15,7 +15,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
-namespace vtkPointSplatMorton
+namespace vtkPointSplatMortonCells
 {
 /// Bits of a cell's coordinate. Coordinates beyond are wrapped: then far cells share a place.
 inline constexpr std::int64_t CellBits = 21;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkPointSplatSeams.h"
+#include "vtkPointSplatNormalSeams.h"
 
 #include "vtkMath.h"
 #include "vtkPointSplatPrincipal.h"
@@ -57,7 +57,7 @@ bool AreAllAround(const vtkPointSplatNeighbors::Neighborhood& around, const floa
 }
 }
 
-vtkPointSplatSeams::vtkPointSplatSeams(
+vtkPointSplatNormalSeams::vtkPointSplatNormalSeams(
   const vtkPointSplatNeighbors& neighbors, float* normals, const float* planes)
   : Neighbors(neighbors)
   , Normals(normals)
@@ -65,13 +65,13 @@ vtkPointSplatSeams::vtkPointSplatSeams(
 {
 }
 
-bool vtkPointSplatSeams::LeansOver(Slot slot) const
+bool vtkPointSplatNormalSeams::LeansOver(Slot slot) const
 {
   const std::size_t at = std::size_t(3) * slot;
   return std::abs(vtkMath::Dot(this->Normals + at, this->Planes + at)) < LeaningCosine;
 }
 
-bool vtkPointSplatSeams::Find(
+bool vtkPointSplatNormalSeams::Find(
   const vtkPointSplatNeighbors::Neighborhood& around, float mended[3]) const
 {
   vtkPointSplatNeighbors::Neighborhood near = around;
@@ -113,13 +113,13 @@ bool vtkPointSplatSeams::Find(
       std::abs(vtkMath::Dot(own, mended)) < AnotherCosine;
 }
 
-bool vtkPointSplatSeams::IsMended(Slot slot, const float normal[3]) const
+bool vtkPointSplatNormalSeams::IsMended(Slot slot, const float normal[3]) const
 {
   const auto found = this->Given.find(slot);
   return found != this->Given.end() && std::equal(normal, normal + 3, found->second.begin());
 }
 
-bool vtkPointSplatSeams::Mend(vtkAlgorithm* self, std::vector<unsigned char> slots, int count)
+bool vtkPointSplatNormalSeams::Mend(vtkAlgorithm* self, std::vector<unsigned char> slots, int count)
 {
   struct Mended
   {

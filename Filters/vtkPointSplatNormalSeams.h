@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   vtkPointSplatSeams
+ * @class   vtkPointSplatNormalSeams
  * @brief   normals that cancelled where triangles of opposite windings meet
  *
  * An internal helper of vtkPointSplatEstimation, stage 4 there. A vertex' normal is a mean of its triangles'. On a seam of a
@@ -20,8 +20,8 @@
  *    tenth of their distance: those on both walls of a rib, whose normals are of either sign, are not.
  * 6. Seams are long: all this is done again as long as there are more, up to eight times.
  */
-#ifndef vtkPointSplatSeams_h
-#define vtkPointSplatSeams_h
+#ifndef vtkPointSplatNormalSeams_h
+#define vtkPointSplatNormalSeams_h
 
 #include "vtkPointSplatNeighbors.h"
 
@@ -31,13 +31,13 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
-class vtkPointSplatSeams
+class vtkPointSplatNormalSeams
 {
 public:
   using Slot = vtkPointSplatNeighbors::Slot;
 
   /// normals: 3 floats a slot, read and written. planes: those of the disks, likewise.
-  vtkPointSplatSeams(const vtkPointSplatNeighbors& neighbors, float* normals, const float* planes);
+  vtkPointSplatNormalSeams(const vtkPointSplatNeighbors& neighbors, float* normals, const float* planes);
 
   /// Mends normals of the slots that are marked, with so many neighbours each. Returns false if aborted.
   bool Mend(vtkAlgorithm* self, std::vector<unsigned char> slots, int count);
