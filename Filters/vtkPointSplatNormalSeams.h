@@ -14,7 +14,7 @@
  * 3. They lie all around: a vertex on a face's rim, whose normal leans over to another face with few vertices, has them on one
  *    side. No angle between two of them next to one another is more than 126 degrees.
  * 4. A normal that leans over is like those of no more than two of them, to 25 degrees: what a seam leaves is alike along it,
- *    and what is alike all around is steep. Beside what is mended at least two have normals of either sign: that is on a seam.
+ *    and what is alike all around is steep.
  * 5. Then a surface of second order through the neighbours tells the normal (vtkPointSplatQuadric.h), on the side of the nearest
  *    normal across the plane, if it is another by more than 10 degrees and the neighbours are off the surface by less than a
  *    tenth of their distance: those on both walls of a rib, whose normals are of either sign, are not.

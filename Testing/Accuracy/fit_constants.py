@@ -95,7 +95,6 @@ CONSTANTS = {
     "AcrossCosine": ("vtkPointSplatNormalSeams.cxx", (0.7, 0.8, 0.9), WOUND),
     "MostAngle": ("vtkPointSplatNormalSeams.cxx", (1.8, 2.2, 2.6), WOUND),
     "MostLikeOwn": ("vtkPointSplatNormalSeams.cxx", (1, 2, 8), WOUND),
-    "LeastOfSign": ("vtkPointSplatNormalSeams.cxx", (0, 1, 2, 3), WOUND),
     "MostOffSurface": ("vtkPointSplatNormalSeams.cxx", (0.05, 0.1, 0.2, 0.3), WOUND + PLATES),
     "AnotherCosine": ("vtkPointSplatNormalSeams.cxx", (0.966, 0.985, 0.996), WOUND),
     "RadiusPerSize": ("vtkPointSplatStars.h", (0.6, 0.65, 0.7), DISCS + FOLDS),
