@@ -66,7 +66,10 @@ vtkIdType vtkPointSplatFans::Read(vtkPolyData* mesh, const unsigned char* used)
       }
       for (vtkIdType i = 2; i < size; ++i)
       {
-        this->Add(strips ? ids[i - 2] : ids[0], ids[i - 1], ids[i], used);
+        // Of strips every second triangle has its corners the other way round.
+        const vtkIdType first = strips ? ids[i - 2] : ids[0], second = ids[i - 1];
+        const bool turned = strips && i % 2 == 1;
+        this->Add(turned ? second : first, turned ? first : second, ids[i], used);
       }
     }
   }

@@ -160,6 +160,41 @@ void WoundOneWay()
   AtMost(Estimate(gathered, estimation), 0, "normals of consistent triangles that were replaced");
 }
 
+/// Strips, of which every second triangle has its corners the other way round, with normals that are none of theirs.
+void Strips()
+{
+  Gathered gathered;
+  Hills(gathered, 10 * Size);
+  vtkDataArray* normals = gathered.Cloud->GetPointData()->GetNormals();
+  for (vtkIdType id = 0; id < normals->GetNumberOfTuples(); ++id)
+  {
+    Vector n = GetTuple(gathered.Cloud, id);
+    n[0] += 0.4;
+    vtkMath::Normalize(n.data());
+    normals->SetTuple(id, n.data());
+  }
+  vtkNew<vtkCellArray> strips;
+  for (int row = 0; row + 1 < Size; ++row)
+  {
+    std::vector<vtkIdType> ids;
+    for (int i = 0; i < Size; ++i)
+    {
+      // Backwards in every second row, so that all strips show the same side.
+      const bool odd = row % 2 != 0;
+      const int column = odd ? Size - 1 - i : i;
+      ids.push_back((odd ? row + 1 : row) * Size + column);
+      if (!odd || column > 0)
+      {
+        ids.push_back(odd ? row * Size + column - 1 : (row + 1) * Size + column);
+      }
+    }
+    strips->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+  }
+  gathered.Cloud->SetStrips(strips);
+  vtkNew<vtkPointSplatEstimation> estimation;
+  AtMost(Estimate(gathered, estimation), 0, "normals of strips' corners that were replaced");
+}
+
 /// All points of one place with a normal that cancelled get the same one.
 void Copies()
 {
@@ -213,6 +248,7 @@ int TestSplatSeams(int, char*[])
   WoundBothWays(vtkPointSplatEstimation::Elliptical, false);
   WoundBothWays(vtkPointSplatEstimation::Circular, true);
   WoundOneWay();
+  Strips();
   Copies();
   Rim();
   return failures ? EXIT_FAILURE : EXIT_SUCCESS;
