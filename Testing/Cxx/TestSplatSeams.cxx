@@ -151,7 +151,7 @@ void WoundBothWays(int shape, bool withTriangles)
   AtMost(changed, 0, "right normals that were changed" + which);
 }
 
-/// What is not looked at: normals of one winding, and those of points in one place with the other's normal.
+/// The same triangles, all wound one way.
 void WoundOneWay()
 {
   Gathered gathered;
