@@ -25,10 +25,6 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-/// How near to its face's a given normal is that tells of the surface, as a cosine (10 degrees; fitted by
-/// Testing/Accuracy/fit_constants.py).
-constexpr float AlikeCosine = 0.985f;
-
 /// A cloud's points with copies of some of them after these.
 vtkSmartPointer<vtkPolyData> MakePoints(
   vtkPointSet* cloud, const std::vector<vtkIdType>& sources, const std::vector<float>& normals)
@@ -181,7 +177,7 @@ void vtkPointSplatMesh::TakeGiven(std::vector<float>& planes) const
   for (std::size_t id = 0; id < several.size() && !this->Normals.empty(); ++id)
   {
     const float* given = this->Normals.data() + 3 * id;
-    if (!several[id] && vtkMath::Dot(given, planes.data() + 3 * id) > AlikeCosine)
+    if (!several[id] && vtkMath::Dot(given, planes.data() + 3 * id) > vtkPointSplatMeshNormals::AlikeCosine)
     {
       std::copy_n(given, 3, planes.data() + 3 * id);
     }

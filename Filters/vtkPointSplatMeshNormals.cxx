@@ -24,10 +24,8 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-/// Normals that are another than what triangles tell: an average may have other weights (10 degrees).
-constexpr float UnlikeCosine = 0.985f;
 /// How long the mean of unit normals is at least that are about those of one face.
-constexpr float LeastMean = 0.7f;
+constexpr float LeastOfOneFace = 0.7f;
 /// Vertices of more triangles are not looked at: they are few.
 constexpr vtkIdType MostAtVertex = 64;
 
@@ -72,7 +70,7 @@ bool FindTurned(const vtkPointSplatFans& fans, vtkIdType id, float mean[3])
   });
   const double length = vtkMath::Normalize(sum);
   std::copy_n(sum, 3, mean);
-  return length > LeastMean * count;
+  return length > LeastOfOneFace * count;
 }
 
 /// Gives a point's normal, of those that were found; returns whether it has one. Triangles that cancel one another, or that
@@ -169,7 +167,7 @@ vtkIdType vtkPointSplatMeshNormals::MendSeams(const vtkPointSplatFans& fans, flo
       float turned[3];
       float* n = normals + 3 * id;
       if (!vtkPointSplatInput::IsZero(n) && fans.Has(id) && IsOnSeam(fans, fans.GetSame(id)) &&
-        FindTurned(fans, fans.GetSame(id), turned) && std::abs(vtkMath::Dot(turned, n)) < UnlikeCosine)
+        FindTurned(fans, fans.GetSame(id), turned) && std::abs(vtkMath::Dot(turned, n)) < AlikeCosine)
       {
         vtkMath::MultiplyScalar(turned, vtkMath::Dot(turned, n) < 0 ? -1.0f : 1.0f);
         std::copy_n(turned, 3, n);

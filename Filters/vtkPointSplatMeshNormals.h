@@ -27,6 +27,10 @@ class vtkPointSplatFans;
 class vtkPointSplatMeshNormals
 {
 public:
+  /// How near to that of triangles a given normal is that tells of the surface, as a cosine (10 degrees; fitted by
+  /// Testing/Accuracy/fit_constants.py).
+  static constexpr float AlikeCosine = 0.985f;
+
   /// Whether any corner of a triangle has no normal.
   static bool AreMissing(const vtkPointSplatFans& fans, const float* normals);
 

@@ -122,7 +122,7 @@ CONSTANTS = {
     "TurnShare": ("vtkPointSplatEstimatesFill.cxx", (0.0, 0.3, 0.6, 1.0), ROUGH + ("cog_means",)),
     "RoundAngle": ("vtkPointSplatMeshFaces.h", (30, 45, 60), ROUGH + ("meshes:drapery_vertices",)),
     "SliverShare": ("vtkPointSplatMeshFaces.cxx", (0.0, 0.02, 0.1, 0.2), ROUGH + ("meshes:cut_edges",)),
-    "AlikeCosine": ("vtkPointSplatMesh.cxx", (0.8, 0.94, 0.985, 1.0), ROUGH + ("meshes:cut_edges",)),
+    "AlikeCosine": ("vtkPointSplatMeshNormals.h", (0.8, 0.94, 0.985, 1.0), ROUGH + ("meshes:cut_edges",)),
     "LeastFlat": ("vtkPointSplatMeshFaces.cxx", (0.2, 0.45, 0.7), ("dome", "cog_shared_points", "part_vertices_bare")),
     "MostBends": ("vtkPointSplatMeshFaces.cxx", (0.0, 0.1, 0.3), ("lens",) + ROUGH),
     "MostBend": ("vtkPointSplatStars.cxx", (0.3, 0.4, 0.5, 0.6), LONG + ("meshes:tubes_contour",)),
