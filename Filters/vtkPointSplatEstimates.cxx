@@ -316,6 +316,10 @@ bool vtkPointSplatEstimates::FindSparseDisks(std::vector<unsigned char>& taken)
 /// Given normals that cancelled where a mesh's triangles are not oriented consistently, of slots and of their points.
 bool vtkPointSplatEstimates::MendSeams(vtkPointSplatNormalSeams& seams)
 {
+  if (!this->Given)
+  {
+    return true;
+  }
   std::vector<unsigned char> given(this->Neighbors.GetNumberOfSlots());
   vtkPointSplatThreads::For(0, static_cast<vtkIdType>(given.size()), [&](vtkIdType begin, vtkIdType end) {
     for (Slot s = static_cast<Slot>(begin); s < static_cast<Slot>(end); ++s)

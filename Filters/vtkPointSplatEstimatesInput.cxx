@@ -92,7 +92,11 @@ void vtkPointSplatEstimates::ReadMesh()
   {
     this->Given = true;
   }
-  this->NumberOfMendedNormals += this->OfLattice ? 0 : vtkPointSplatMeshNormals::MendSeams(this->Fans, n);
+  // A mesh that was split has its planes' normals here, and those to shade with were mended before.
+  if (!this->OfLattice && !this->Fans.IsSplit())
+  {
+    this->NumberOfMendedNormals += vtkPointSplatMeshNormals::MendSeams(this->Fans, n);
+  }
   if (this->Elliptical)
   {
     this->Fans.Clear();

@@ -3,6 +3,7 @@
 #include "vtkPointSplatNormalSeams.h"
 
 #include "vtkMath.h"
+#include "vtkPointSplatBorderPlane.h"
 #include "vtkPointSplatPrincipal.h"
 #include "vtkPointSplatQuadric.h"
 #include "vtkSMPThreadLocal.h"
@@ -29,28 +30,21 @@ constexpr float MostOffSurface = 0.1f;
 constexpr float AnotherCosine = 0.985f;
 constexpr int SeamRounds = 8;
 
-/// Whether directions from the centre to so many neighbours, along a plane, leave no wide angle between them.
-bool AreAllAround(const vtkPointSplatNeighbors::Neighborhood& around, const float plane[3])
+/// Whether the ways to all neighbours, of which there are some, along a plane, leave no wide angle between two next to one another.
+bool AreAllAround(const vtkPointSplatNeighbors::Neighborhood& around, const float normal[3])
 {
-  double normal[3] = { plane[0], plane[1], plane[2] }, u[3], v[3];
-  vtkMath::Perpendiculars(normal, u, v, 0);
-  double angles[NextTo];
+  const vtkPointSplatBorderPlane plane(normal);
+  std::vector<double> angles;
   for (int i = 0; i < around.Count; ++i)
   {
-    const double e[3] = { around.X[i], around.Y[i], around.Z[i] };
-    angles[i] = std::atan2(vtkMath::Dot(e, v), vtkMath::Dot(e, u));
+    const float way[3] = { around.X[i], around.Y[i], around.Z[i] };
+    angles.push_back(plane.GetAngle(way));
   }
-  const double turn = 2 * vtkMath::Pi();
-  double widest = 0;
-  for (int i = 0; i < around.Count; ++i)
+  std::sort(angles.begin(), angles.end());
+  double widest = 2 * vtkMath::Pi() + angles.front() - angles.back();
+  for (std::size_t i = 1; i < angles.size(); ++i)
   {
-    double next = turn;
-    for (int j = 0; j < around.Count; ++j)
-    {
-      const double angle = angles[j] - angles[i];
-      next = j == i ? next : std::min(next, angle < 0 ? angle + turn : angle);
-    }
-    widest = std::max(widest, next);
+    widest = std::max(widest, angles[i] - angles[i - 1]);
   }
   return widest < MostAngle;
 }
@@ -61,6 +55,7 @@ vtkPointSplatNormalSeams::vtkPointSplatNormalSeams(
   : Neighbors(neighbors)
   , Normals(normals)
   , Planes(planes)
+  , Beside(neighbors.GetNumberOfSlots(), 0)
 {
 }
 
@@ -124,7 +119,6 @@ bool vtkPointSplatNormalSeams::Mend(vtkAlgorithm* self, std::vector<unsigned cha
     std::array<float, 3> Normal;
     std::vector<Slot> Beside;
   };
-  this->Beside.assign(slots.size(), 0);
   std::vector<unsigned char> changed(slots.size(), 0);
   const double progress = self->GetProgress();
   bool more = true;
