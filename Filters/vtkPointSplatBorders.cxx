@@ -56,10 +56,9 @@ constexpr float SameCosine = 0.97f;
 }
 
 vtkPointSplatBorders::vtkPointSplatBorders(const vtkPointSplatNeighbors& neighbors,
-  const float* normals, float usual, const vtkPointSplatDisks& disks)
+  const float* normals, const vtkPointSplatDisks& disks)
   : Neighbors(neighbors)
   , Normals(normals)
-  , Usual(usual)
   , Disks(disks)
   , Limit(disks.Stretched ? disks.BorderLimit : std::min(disks.BorderLimit, LargestAlpha))
   // What is no wider than gaps that are closed is one of these.
@@ -256,8 +255,8 @@ bool vtkPointSplatBorders::Find(
       return round > 1;
     }
     vtkPointSplatDisk disk;
-    const bool closed =
-      disk.Estimate(around, this->Normals, elliptical, this->Usual, this->Disks.BorderLimit);
+    const bool closed = disk.Estimate(
+      around, this->Normals, elliptical, this->Disks.Usual, this->Disks.BorderLimit);
     // A cell that more neighbours closed: these are denser, and to one side.
     if (round == 0 && !closed && this->Disks.Opening[around.Center] > 0)
     {

@@ -67,9 +67,9 @@ public:
   /// How far, in radii, what draws a disk reaches.
   static constexpr float KernelReach = 1.5f;
 
-  /// normals: 3 floats a slot, of the disks' planes; usual: as in vtkPointSplatSheet.
-  vtkPointSplatBorders(const vtkPointSplatNeighbors& neighbors, const float* normals,
-    float usual, const vtkPointSplatDisks& disks);
+  /// normals: 3 floats a slot, of the disks' planes.
+  vtkPointSplatBorders(
+    const vtkPointSplatNeighbors& neighbors, const float* normals, const vtkPointSplatDisks& disks);
 
   /// candidates: of each slot, whether the surface may end there or its border have a bay, as far as its disk tells that. Returns
   /// false if self was aborted.
@@ -160,7 +160,6 @@ private:
 
   const vtkPointSplatNeighbors& Neighbors;
   const float* Normals;
-  float Usual;
   const vtkPointSplatDisks& Disks;
   float Limit;      // alpha in spacings
   float LeastReach; // in alphas, of a cell that is no gap of the sampling

@@ -76,9 +76,8 @@ float GetNextRow(
 }
 
 vtkPointSplatCreases::vtkPointSplatCreases(const vtkPointSplatNeighbors& neighbors, const float* normals,
-  const float* tensors, const float* spacings, float usual, bool elliptical)
+  const float* tensors, const float* spacings, bool elliptical)
   : Neighbors(neighbors)
-  , Usual(usual)
   , Elliptical(elliptical)
 {
   this->Faces.Normals = normals;
@@ -239,7 +238,7 @@ bool vtkPointSplatCreases::DescribeSplat(const Neighborhood& around, const float
   mirrored.AddMeeting(around, this->Faces, plane, crease, face.Members.Spacing);
   const Neighborhood whole = mirrored.Fill(around, this->Faces.Normals, plane, face, crease);
   vtkPointSplatDisk disk;
-  disk.Estimate(whole, mirrored.Normals, this->Elliptical, this->Usual,
+  disk.Estimate(whole, mirrored.Normals, this->Elliptical, std::numeric_limits<float>::max(),
     std::numeric_limits<float>::max());
   std::copy_n(disk.Axis1, 3, splat.Axis1);
   std::copy_n(disk.Axis2, 3, splat.Axis2);

@@ -87,9 +87,9 @@ public:
   static constexpr float OwnCosine = 0.985f;
 
   /// normals: 3 floats a slot, unit length; tensors: 6, or null; spacings: one, of the nearest points, of whatever
-  /// face; usual: as in vtkPointSplatSheet.
+  /// face.
   vtkPointSplatCreases(const vtkPointSplatNeighbors& neighbors, const float* normals,
-    const float* tensors, const float* spacings, float usual, bool elliptical);
+    const float* tensors, const float* spacings, bool elliptical);
 
   /// candidates: of each slot, whether it is one. Returns false if self was aborted.
   bool Find(vtkAlgorithm* self, double from, double to,
@@ -148,7 +148,6 @@ private:
   const vtkPointSplatNeighbors& Neighbors;
   vtkPointSplatFaces Faces;
   std::vector<Twin> Twins;
-  float Usual;
   bool Elliptical;
 };
 

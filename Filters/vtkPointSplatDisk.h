@@ -32,8 +32,8 @@ public:
   vtkPointSplatSheet Sheet;
 
   /**
-   * Finds the disk of the neighbourhood's centre. normals: 3 floats a slot, unit length; usual: as
-   * in vtkPointSplatSheet; holeLimit: how many times Spacing away a vertex of the cell lies in a hole
+   * Finds the disk of the neighbourhood's centre. normals: 3 floats a slot, unit length; usual: the
+   * spacing past which points are sparse; holeLimit: how many times Spacing away a vertex of the cell lies in a hole
    * of the surface. Returns whether neighbours of its sheet are all around. Lengths are 0 if
    * there is none.
    */

@@ -54,6 +54,10 @@ constexpr float LeastStretch = 1.5f; // Testing/Cxx/TestSplatBorders.cxx
 constexpr float LargestBend = 0.6f;
 /// What is left of a disk at least, however much the surface bends: noise may look like it.
 constexpr float LeastShare = 0.75f;
+/// From how many times the usual spacing on that does not tell which neighbours are near, ...
+constexpr float SparsePart = 2.0f;
+/// ... if none is so many times as dense.
+constexpr float AsSparse = 2.0f;
 /// The cosine (45 degrees) between planes from which on a neighbour is beyond a crease, ...
 constexpr float OwnFace = 0.7f;
 /// ... and how many times denser it must be there not to bound a disk: of even samplings none is.
@@ -74,6 +78,7 @@ vtkPointSplatDisks::vtkPointSplatDisks(Slot slots, bool elliptical)
   , Few(slots, 0)
   , Spacing(slots, 0.0f)
   , NearSpacing(slots, std::numeric_limits<float>::max())
+  , BodySpacing(slots, std::numeric_limits<float>::max())
   , Axes(elliptical ? std::size_t(6) * slots : 0, 0.0f)
   , Planes(std::size_t(3) * slots, 0.0f)
   , Curvatures(elliptical ? 0 : std::size_t(6) * slots, 0.0f)
@@ -105,6 +110,7 @@ void vtkPointSplatDisks::Set(const vtkPointSplatNeighbors::Neighborhood& around,
   this->Few[s] = 2 * disk.Sheet.Count < around.Count;
   this->Spacing[s] = disk.Spacing;
   this->NearSpacing[s] = std::min(this->NearSpacing[s], vtkPointSplatSheet::GetSpacing(around));
+  this->BodySpacing[s] = std::min(this->BodySpacing[s], vtkPointSplatSheet::GetBodySpacing(around));
   this->Distance[s] = disk.Distance;
   this->Nearest[s] = around.Count > 0 ? std::sqrt(around.SquaredDistance[0]) : 0.0f;
   for (int w = 0; w < NumberOfWitnesses && around.Count >= NumberOfWitnesses; ++w)
@@ -359,6 +365,15 @@ float vtkPointSplatDisks::GetBound(Slot slot) const
     }
   });
   return LargestRatio * second;
+}
+
+float vtkPointSplatDisks::GetUsual(Slot slot) const
+{
+  const float spacing = this->BodySpacing[slot];
+  bool sparse = spacing / SparsePart > this->Usual;
+  this->VisitWitnesses(
+    slot, [&](Slot witness) { sparse = sparse && AsSparse * this->BodySpacing[witness] > spacing; });
+  return sparse ? spacing : this->Usual;
 }
 
 bool vtkPointSplatDisks::IsOutlier(Slot slot, float times) const

@@ -69,6 +69,10 @@ public:
   bool MayReachHole(Slot slot) const { return this->Opening[slot] > this->HoleLimit * this->Spacing[slot]; }
   /// Of the spacing at a border, which is larger than farther inside, what that is.
   float GetSpacingInside(Slot slot) const { return HoleShare * this->Spacing[slot]; }
+  /// Of slots whose neighbours are known, the spacing past which points are sparse: the usual one, but where these
+  /// are all as sparse, as where a mesh is coarser, their own.
+  float GetUsual(Slot slot) const;
+  bool IsOfSparse(Slot slot) const { return this->GetUsual(slot) > this->Usual; }
   /// The radius that a disk has where it closes the gaps around; and whether that is too much for those beside.
   float GetReach(Slot slot) const { return std::max(this->Length[slot], this->Gap[slot]); }
   bool IsTooLarge(Slot slot) const { return this->GetReach(slot) > this->GetBound(slot); }
@@ -134,9 +138,11 @@ public:
   vtkPointSplatLargeArray<unsigned char> Few; // whether most neighbours are of other sheets
   vtkPointSplatLargeArray<float> Spacing; // of the neighbours that the disk is made of
   vtkPointSplatLargeArray<float> NearSpacing; // of the nearest ones, of whatever sheet
+  vtkPointSplatLargeArray<float> BodySpacing; // the same, on bodies of few points, too (vtkPointSplatSheet)
   vtkPointSplatLargeArray<float> Axes;    // both, unless circular
   vtkPointSplatLargeArray<float> Planes;  // their normals
   vtkPointSplatLargeArray<float> Curvatures; // tensors, if circular
+  float Usual = std::numeric_limits<float>::max(); // the spacing of most points, where it tells what is sparse
   /// The distance of a cell's vertex, in spacings, past which it lies in a hole of the surface.
   float HoleLimit = std::numeric_limits<float>::max();
   float BorderLimit = std::numeric_limits<float>::max(); // the same for it to be one that splats end at

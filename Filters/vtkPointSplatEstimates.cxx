@@ -27,9 +27,6 @@ namespace
 {
 using Slot = vtkPointSplatNeighbors::Slot;
 
-/// The sixth neighbour's distance, of the third one's, for points at random in a plane (1.43) and a
-/// little: it is the neighbour of another body where most bodies have few points.
-constexpr float SixthPerThird = 1.5f;
 /// Of how many leaves of the search tree, at least, the usual spacing is found.
 constexpr Slot UsualLeaves = 512;
 }
@@ -150,11 +147,9 @@ float vtkPointSplatEstimates::GetUsualSpacing() const
   vtkSMPThreadLocal<std::vector<float>> found;
   this->Neighbors.Visit(this->Self, 0.05, 0.1, vtkPointSplatSheet::SpacingRank,
     [&](const Neighborhood& around, int) {
-      const int third = std::min(3, around.Count) - 1;
-      if (third >= 0)
+      if (around.Count > 0)
       {
-        found.Local().push_back(std::min(vtkPointSplatSheet::GetSpacing(around),
-          SixthPerThird * std::sqrt(around.SquaredDistance[third])));
+        found.Local().push_back(vtkPointSplatSheet::GetBodySpacing(around));
       }
       return true;
     },
@@ -181,9 +176,11 @@ bool vtkPointSplatEstimates::Measure(const Neighborhood& around, int round)
   const Slot s = around.Center;
   const int count = this->Self->GetNumberOfNeighbors();
   const float* directions = this->Directions;
+  const bool again = directions != this->SlotNormals.data();
+  const float usual = again ? this->Disks->GetUsual(s) : this->Disks->Usual;
   vtkPointSplatDisk disk;
   const bool closed =
-    disk.Estimate(around, directions, this->Elliptical, this->Usual, this->Disks->HoleLimit);
+    disk.Estimate(around, directions, this->Elliptical, usual, this->Disks->HoleLimit);
   this->Creased[s] = this->Creased[s] ||
     (disk.Sheet.Uneven &&
       vtkPointSplatCrease::IsLikely(
@@ -193,7 +190,6 @@ bool vtkPointSplatEstimates::Measure(const Neighborhood& around, int round)
     this->Bodies->Look(around, this->SlotNormals.data(), this->OnSurface);
   }
   // In the second look farther neighbours of what is hemmed in are asked for, and nothing about rows.
-  const bool again = directions != this->SlotNormals.data();
   const bool hemmed = again && this->IsHemmed(s);
   if (hemmed && round == 1 && !closed)
   {
@@ -292,7 +288,7 @@ bool vtkPointSplatEstimates::FindSparseDisks(std::vector<unsigned char>& taken)
   auto look = [&](const Neighborhood& around, int round) {
     vtkPointSplatDisk disk;
     const bool closed =
-      disk.Estimate(around, this->Directions, this->Elliptical, this->Usual, disks.HoleLimit);
+      disk.Estimate(around, this->Directions, this->Elliptical, disks.Usual, disks.HoleLimit);
     if (!closed && round == 0)
     {
       return false;
@@ -357,8 +353,9 @@ bool vtkPointSplatEstimates::FindDisks()
   const Slot slots = this->Neighbors.GetNumberOfSlots();
   const std::vector<Slot>& slotOf = this->Neighbors.GetSlots();
   this->FindSearched();
-  this->Usual = this->Median = this->GetUsualSpacing();
+  this->Median = this->GetUsualSpacing();
   this->Disks = std::make_unique<vtkPointSplatDisks>(slots, this->Elliptical);
+  this->Disks->Usual = this->Median;
   this->Bodies = std::make_unique<vtkPointSplatBodies>(slots);
   this->Creased.assign(slots, 0);
   this->Misled = std::vector<std::atomic<bool>>(slots);
@@ -373,12 +370,12 @@ bool vtkPointSplatEstimates::FindDisks()
   {
     return false;
   }
-  // Again where that tells more: neighbours across holes and normals that are not the surface's.
+  // Again where that tells more: neighbours across holes, normals that are not the surface's, and points that are all sparse.
   disks.FindLimits();
   if (disks.Stretched)
   {
     // Where points are sparse is no less known than where they are dense.
-    this->Usual = std::numeric_limits<float>::max();
+    disks.Usual = std::numeric_limits<float>::max();
   }
   std::vector<unsigned char> sparse(slots, 0); // what has its disk so is not looked at again
   vtkPointSplatNormalSeams seams(this->Neighbors, this->SlotNormals.data(), disks.Planes.data());
@@ -393,7 +390,7 @@ bool vtkPointSplatEstimates::FindDisks()
     {
       again[s] = this->Searched[s] && !sparse[s] &&
         ((this->Misled[s] && !disks.Whole[s]) || seams.IsBeside(s) || this->IsHemmed(s) ||
-          disks.MayReachHole(s) ||
+          disks.MayReachHole(s) || disks.IsOfSparse(s) ||
           (disks.Stretched && disks.Opening[s] == 0));
       const bool planar = this->Searched[s] && !seams.IsMended(s);
       std::copy_n(planar ? disks.Planes.data() + std::size_t(3) * s : this->GetSlotNormal(s), 3,
@@ -452,7 +449,7 @@ vtkPointSplatEstimates::Twins vtkPointSplatEstimates::FindTwins() const
 bool vtkPointSplatEstimates::FindBorders(const Twins& twins)
 {
   this->Borders = std::make_unique<vtkPointSplatBorders>(
-    this->Neighbors, this->Directions, this->Usual, *this->Disks);
+    this->Neighbors, this->Directions, *this->Disks);
   if (this->IsNoisy())
   {
     return true;
@@ -474,7 +471,7 @@ bool vtkPointSplatEstimates::FindCreases(Twins twins)
 {
   this->Creases = std::make_unique<vtkPointSplatCreases>(this->Neighbors,
     this->SlotNormals.data(), this->Elliptical ? nullptr : this->Disks->Curvatures.data(),
-    this->Disks->NearSpacing.data(), this->Usual, this->Elliptical);
+    this->Disks->NearSpacing.data(), this->Elliptical);
   if (!this->Given || !(this->Fans.IsEmpty() || this->MeshAlone) || this->IsRough())
   {
     return true;

@@ -161,7 +161,6 @@ private:
   std::vector<unsigned char> OnSurface; // if normals are missing: slots whose neighbours are (vtkPointSplatNormals.h)
   std::vector<std::atomic<bool>> Searched; // slots with a point that is no triangle's corner
   float Median = 0; // spacing
-  float Usual = 0; // the same, where it tells what is sparse
   std::unique_ptr<vtkPointSplatDisks> Disks;
   std::unique_ptr<vtkPointSplatBodies> Bodies;
   std::unique_ptr<vtkPointSplatBorders> Borders;

@@ -56,7 +56,7 @@ bool vtkPointSplatEstimates::FindStars()
     creased[splat.At] = &splat;
   }
   const vtkPointSplatStars::Cloud cloud{ &this->Neighbors, this->Directions, this->Disks.get(),
-    this->Borders.get(), this->Creases.get(), &creased, this->Usual, this->Self->GetNumberOfNeighbors(), this->MayBend() };
+    this->Borders.get(), this->Creases.get(), &creased, this->Self->GetNumberOfNeighbors(), this->MayBend() };
   if (!this->Stars->Find(this->Self, cloud))
   {
     return false;

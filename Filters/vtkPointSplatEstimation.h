@@ -64,7 +64,7 @@
  * 4. *Disk.* Of the neighbours only those of the point's own sheet count: between two points of a
  *    sheet the surface runs about as a circle's arc, so that their normals are mirror images in the
  *    plane half way (vtkPointSplatSheet.h). Neighbours within two spacings, the point's own or the
- *    cloud's median, may be off by 0.6 spacings, for noise; farther ones only by a tenth of their
+ *    cloud's median, whichever is less, may be off by 0.6 spacings, for noise; farther ones only by a tenth of their
  *    distance, and they count only where a third of them is of the sheet. Normals more than 78
  *    degrees apart are of two faces at an edge, unless there is nothing else, as on a body of a few
  *    points. Where the normal does not fit the neighbours' at all (as at seams of meshes whose
@@ -86,7 +86,9 @@
  *    whole cloud is as regular as a mesh's vertices are, gaps much larger than usual are holes in
  *    the surface; in random samplings such are to be closed. What holes and normals that do not fit
  *    tell is known after all points are looked at; so those beside a hole are looked at once more
- *    without the neighbours across it, and those beside such a normal with the plane in its place.
+ *    without the neighbours across it, and those beside such a normal with the plane in its place;
+ *    and points of more than twice the median's spacing whose neighbours are as sparse, with their own spacing alone: where a mesh
+ *    is coarser than elsewhere, or has something finer beside it, most points say nothing of which neighbours are near.
  *    Points with given normals whose neighbours are mostly of other sheets, and not all around on their own, may be
  *    hemmed in: where dense points lie close to a sparse part of the surface, as those of a belt on a body, the nearest
  *    ones are all theirs. Such points are looked at once more among the points of sparse parts alone

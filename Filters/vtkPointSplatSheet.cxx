@@ -10,6 +10,8 @@ VTK_ABI_NAMESPACE_BEGIN
 // Those that are fitted by hand are from Testing/Accuracy/fit_constants.py.
 namespace
 {
+/// The sixth neighbour's distance, of the third one's, for points at random in a plane (1.43) and a little.
+constexpr float SixthPerThird = 1.5f;
 /// Neighbours are near within this many spacings, their own or the cloud's; hardly any edge of a
 /// Delaunay triangulation of points at random is longer.
 constexpr float NearReach = 2.0f;
@@ -50,6 +52,14 @@ float vtkPointSplatSheet::GetSpacing(const vtkPointSplatNeighbors::Neighborhood&
   return around.Count > 0
     ? std::sqrt(around.SquaredDistance[std::min(SpacingRank, around.Count) - 1])
     : 0.0f;
+}
+
+float vtkPointSplatSheet::GetBodySpacing(const vtkPointSplatNeighbors::Neighborhood& around)
+{
+  const int third = std::min(3, around.Count) - 1;
+  return third < 0
+    ? 0.0f
+    : std::min(GetSpacing(around), SixthPerThird * std::sqrt(around.SquaredDistance[third]));
 }
 
 float vtkPointSplatSheet::GetSquaredTurn(

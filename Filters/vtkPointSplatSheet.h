@@ -30,6 +30,8 @@ public:
   /// So many neighbours are not of the sheet by chance.
   static constexpr int FewMembers = 3;
   static float GetSpacing(const vtkPointSplatNeighbors::Neighborhood& around);
+  /// The same on bodies of few points, too, where the neighbour of that rank is another body's.
+  static float GetBodySpacing(const vtkPointSplatNeighbors::Neighborhood& around);
 
   /// By how much the surface turns from a point with the normal n to one that lies there, over their distance: twice
   /// the sine of the angle at which it leaves the tangent plane; squared. Nearer than grain counts as so far.

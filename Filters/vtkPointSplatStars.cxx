@@ -329,7 +329,7 @@ bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
   auto find = [&](const vtkPointSplatNeighbors::Neighborhood& around, int round) {
     vtkPointSplatDisk disk;
     const bool closed =
-      disk.Estimate(around, cloud.Normals, false, cloud.Usual, disks.HoleLimit);
+      disk.Estimate(around, cloud.Normals, false, disks.GetUsual(around.Center), disks.HoleLimit);
     // Neighbours that are not known of could lie in the triangles' circumcircles.
     float largest = 0;
     disk.VisitTriangles([&largest](int, int, float circumscribed) {

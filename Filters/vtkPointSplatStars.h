@@ -102,8 +102,7 @@ public:
 
   /**
    * Finds the triangles of a cloud's uneven sites. normals: 3 floats a slot, of the disks' planes; count: of
-   * neighbours; usual: as in vtkPointSplatSheet. creased: of each slot the splat at a crease, or null. mayBend: as
-   * SetSize()'s bends.
+   * neighbours. creased: of each slot the splat at a crease, or null. mayBend: as SetSize()'s bends.
    * Returns false if self was aborted.
    */
   struct Cloud
@@ -114,7 +113,6 @@ public:
     const vtkPointSplatBorders* Borders;
     const vtkPointSplatCreases* Creases;
     const vtkPointSplatLargeArray<const vtkPointSplatCreases::Splat*>* Creased;
-    float Usual;
     int Count;
     bool MayBend;
   };

@@ -36,6 +36,7 @@ ISOSURFACES = ("tubes_points", "cut_points", "gear_points")
 LONG = ("can", "shaft", "arrow", "cog")
 FILLETS = ("plate", "wire", "dome", "meshes:drapery_vertices")
 WOUND = ("crossing_wound", "drapery_wound", "part_wound", "drapery_vertices")
+SPARSE = ("block_beside_ball", "belted", "graded_disc", "graded_dish", "thin_disc")
 ROUGH = ("tubes_noisy", "tubes_edges", "cut_noisy")
 # The file in Filters, the values to try, and the stand-ins that tell.
 CONSTANTS = {
@@ -94,6 +95,8 @@ CONSTANTS = {
     "LeastAcrossPlane": ("vtkPointSplatNormalSeams.cxx", (4, 5, 6), WOUND),
     "AcrossCosine": ("vtkPointSplatNormalSeams.cxx", (0.7, 0.8, 0.9), WOUND),
     "MostAngle": ("vtkPointSplatNormalSeams.cxx", (1.8, 2.2, 2.6), WOUND),
+    "SparsePart": ("vtkPointSplatDisks.cxx", (1.5, 2, 3, 4), SPARSE),
+    "AsSparse": ("vtkPointSplatDisks.cxx", (1.3, 2, 3), SPARSE),
     "MostLikeOwn": ("vtkPointSplatNormalSeams.cxx", (1, 2, 8), WOUND),
     "MostOffSurface": ("vtkPointSplatNormalSeams.cxx", (0.05, 0.1, 0.2, 0.3), WOUND + PLATES),
     "AnotherCosine": ("vtkPointSplatNormalSeams.cxx", (0.966, 0.985, 0.996), WOUND),

@@ -206,6 +206,18 @@ def ribbed_block(spacing=0.025):
     return StandIn("ribbed block", vertices(mesh), None, spacing, mesh)
 
 
+def block_beside_ball(ratio=4, spacing=0.025):
+    """The same with a ball beside it, whose vertices are ratio times as dense and most of all."""
+    block = elements.ribbed_block(spacing)
+    ball = sphere_mesh(4 * math.pi * (0.3 * ratio / spacing) ** 2, 0.3, (0.6, 0.25, 1.6))
+    ball.GetPointData().Initialize()
+    append = vtkAppendPolyData()
+    append.AddInputConnection(block.GetOutputPort())
+    append.AddInputData(ball)
+    mesh = with_normals(append, False)
+    return StandIn("block beside a fine ball", vertices(mesh), None, spacing, mesh)
+
+
 # Drapery -------------------------------------------------------------------------------------
 
 FOLDS = ((0, 2 * math.pi), (0.0, 2.4))
@@ -504,6 +516,8 @@ def turned(standin):
 
 ALL = {
     "ribbed_block": ribbed_block,
+    "block_beside_ball": block_beside_ball,
+    "block_beside_ball_bare": lambda: without_normals(block_beside_ball()),
     "tubes_edges": lambda: tubes_and_specks("edges"),
     "tubes_contour": lambda: tubes_and_specks("contour"),
     "tubes_points": lambda: tubes_and_specks("points"),

@@ -12,6 +12,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
@@ -35,15 +36,20 @@ struct Cloud
     this->Normals->InsertNextTuple3(nx, ny, nz);
   }
 
-  /// The least and the greatest radius that there may be, and how many points are alone.
-  void Expect(const std::string& what, double least, double most, vtkIdType alone)
+  void Estimate(vtkPointSplatEstimation* estimation)
   {
     vtkNew<vtkPolyData> data;
     data->SetPoints(this->Points);
     data->GetPointData()->SetNormals(this->Normals);
-    vtkNew<vtkPointSplatEstimation> estimation;
     estimation->SetInputData(data);
     estimation->Update();
+  }
+
+  /// The least and the greatest radius that there may be, and how many points are alone.
+  void Expect(const std::string& what, double least, double most, vtkIdType alone)
+  {
+    vtkNew<vtkPointSplatEstimation> estimation;
+    this->Estimate(estimation);
     double range[2];
     estimation->GetOutput()->GetPointData()->GetArray(vtkPointSplatArrays::Radius)->GetRange(range);
     const vtkIdType found = estimation->GetNumberOfPointsAlone();
@@ -162,6 +168,83 @@ void Curves()
   }
   rows.Expect("the end of one row and the beginning of the next", 0.45, 1.0, 1000);
 }
+
+/// The vertices of a cube of side 2 about the origin, whose normals at edges and corners are averages.
+void AddCube(Cloud& cloud, int cells)
+{
+  for (int i = 0; i <= cells; ++i)
+  {
+    for (int j = 0; j <= cells; ++j)
+    {
+      for (int k = 0; k <= cells; ++k)
+      {
+        const double x[3] = { 2.0 * i / cells - 1, 2.0 * j / cells - 1, 2.0 * k / cells - 1 };
+        double n[3];
+        for (int c = 0; c < 3; ++c)
+        {
+          n[c] = std::abs(x[c]) == 1 ? x[c] : 0;
+        }
+        if (vtkMath::Normalize(n) > 0)
+        {
+          cloud.Add(x[0], x[1], x[2], n[0], n[1], n[2]);
+        }
+      }
+    }
+  }
+}
+
+/// A cube has the disks that it has without the ball beside it, which has most of the points; which of two faces a point on
+/// their edge is of is up to rounding.
+void FinerBeside()
+{
+  constexpr int cells = 12;
+  Cloud cube, both;
+  AddCube(cube, cells);
+  AddCube(both, cells);
+  const vtkIdType count = cube.Points->GetNumberOfPoints();
+  for (vtkIdType i = 0; i < 4 * count; ++i)
+  {
+    const double z = 1 - (2 * i + 1.0) / (4 * count), r = std::sqrt(1 - z * z), angle = i * vtkMath::Pi() * (3 - std::sqrt(5.0));
+    const double n[3] = { r * std::cos(angle), r * std::sin(angle), z };
+    both.Add(3 + 0.3 * n[0], 0.3 * n[1], 0.3 * n[2], n[0], n[1], n[2]);
+  }
+  vtkNew<vtkPointSplatEstimation> alone, beside;
+  cube.Estimate(alone);
+  both.Estimate(beside);
+  double off = 0;
+  vtkIdType lines = 0, linesOff = 0;
+  const char* names[2] = { vtkPointSplatArrays::Radius, vtkPointSplatArrays::Clip };
+  vtkDataArray* arrays[2][2];
+  for (int a = 0; a < 2; ++a)
+  {
+    arrays[a][0] = alone->GetOutput()->GetPointData()->GetArray(names[a]);
+    arrays[a][1] = beside->GetOutput()->GetPointData()->GetArray(names[a]);
+    if (!arrays[a][0] || !arrays[a][1])
+    {
+      std::cerr << "FAILED: a cube beside a finer ball has no " << names[a] << "\n";
+      ++failures;
+      return;
+    }
+  }
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double radius = arrays[0][0]->GetComponent(i, 0);
+    off = std::max(off, std::abs(arrays[0][1]->GetComponent(i, 0) - radius) / radius);
+    bool any[2] = { false, false };
+    for (int c = 0; c < 12; ++c)
+    {
+      any[c / 6] = any[c / 6] || arrays[1][c / 6]->GetComponent(i, c % 6) != 0;
+    }
+    lines += any[0];
+    linesOff += any[0] != any[1];
+  }
+  std::cout << "cube beside a finer ball: radii off by " << off << ", lines of " << linesOff << " of " << lines << "\n";
+  if (off > 0.05 || linesOff > 0 || lines == 0)
+  {
+    std::cerr << "FAILED: a cube beside a finer ball has other disks than alone\n";
+    ++failures;
+  }
+}
 }
 
 int TestSplatSizes(int, char*[])
@@ -174,5 +257,6 @@ int TestSplatSizes(int, char*[])
   Alone();
   ScanLines();
   Curves();
+  FinerBeside();
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
