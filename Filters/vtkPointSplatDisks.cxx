@@ -55,9 +55,10 @@ constexpr float LargestBend = 0.6f;
 /// What is left of a disk at least, however much the surface bends: noise may look like it.
 constexpr float LeastShare = 0.75f;
 /// From how many times the usual spacing on that does not tell which neighbours are near, ...
-constexpr float SparsePart = 2.0f;
-/// ... if none is so many times as dense.
+constexpr float SparserThanUsual = 2.0f;
+/// ... if none is so many times as dense, and of these and the point no more are alone: nearly all are in spray, some at edges.
 constexpr float AsSparse = 2.0f;
+constexpr int MostAlone = 2;
 /// The cosine (45 degrees) between planes from which on a neighbour is beyond a crease, ...
 constexpr float OwnFace = 0.7f;
 /// ... and how many times denser it must be there not to bound a disk: of even samplings none is.
@@ -82,6 +83,7 @@ vtkPointSplatDisks::vtkPointSplatDisks(Slot slots, bool elliptical)
   , Axes(elliptical ? std::size_t(6) * slots : 0, 0.0f)
   , Planes(std::size_t(3) * slots, 0.0f)
   , Curvatures(elliptical ? 0 : std::size_t(6) * slots, 0.0f)
+  , Sparse(slots, 0)
   , Cut(slots, 0)
   , Graded(slots, 0)
   , Nearest(slots, 0.0f)
@@ -367,13 +369,21 @@ float vtkPointSplatDisks::GetBound(Slot slot) const
   return LargestRatio * second;
 }
 
-float vtkPointSplatDisks::GetUsual(Slot slot) const
+void vtkPointSplatDisks::FindSparse()
 {
-  const float spacing = this->BodySpacing[slot];
-  bool sparse = spacing / SparsePart > this->Usual;
-  this->VisitWitnesses(
-    slot, [&](Slot witness) { sparse = sparse && AsSparse * this->BodySpacing[witness] > spacing; });
-  return sparse ? spacing : this->Usual;
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(this->Sparse.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (Slot s = static_cast<Slot>(begin); s < static_cast<Slot>(end); ++s)
+    {
+      const float spacing = this->BodySpacing[s];
+      bool sparse = spacing / SparserThanUsual > this->Usual;
+      int alone = this->IsAlone(s) ? 1 : 0;
+      this->VisitWitnesses(s, [&](Slot witness) {
+        sparse = sparse && AsSparse * this->BodySpacing[witness] > spacing;
+        alone += this->IsAlone(witness) ? 1 : 0;
+      });
+      this->Sparse[s] = sparse && alone <= MostAlone;
+    }
+  });
 }
 
 bool vtkPointSplatDisks::IsOutlier(Slot slot, float times) const

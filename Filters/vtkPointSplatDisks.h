@@ -69,10 +69,12 @@ public:
   bool MayReachHole(Slot slot) const { return this->Opening[slot] > this->HoleLimit * this->Spacing[slot]; }
   /// Of the spacing at a border, which is larger than farther inside, what that is.
   float GetSpacingInside(Slot slot) const { return HoleShare * this->Spacing[slot]; }
-  /// Of slots whose neighbours are known, the spacing past which points are sparse: the usual one, but where these
-  /// are all as sparse, as where a mesh is coarser, their own.
-  float GetUsual(Slot slot) const;
-  bool IsOfSparse(Slot slot) const { return this->GetUsual(slot) > this->Usual; }
+  /// Finds the slots whose points are sparse, but as dense as all around, as where a mesh is coarser. Of spray, too, all around
+  /// is as sparse, but alone.
+  void FindSparse();
+  bool IsSparse(Slot slot) const { return this->Sparse[slot] != 0; }
+  /// The spacing past which a slot's neighbours are sparse: the usual one, or where all are sparse its own.
+  float GetUsual(Slot slot) const { return this->Sparse[slot] ? this->BodySpacing[slot] : this->Usual; }
   /// The radius that a disk has where it closes the gaps around; and whether that is too much for those beside.
   float GetReach(Slot slot) const { return std::max(this->Length[slot], this->Gap[slot]); }
   bool IsTooLarge(Slot slot) const { return this->GetReach(slot) > this->GetBound(slot); }
@@ -164,6 +166,7 @@ private:
   /// The 95th percentile, in medians, of the disks' sizes over those of their witnesses.
   float GetLocalSpread() const;
 
+  vtkPointSplatLargeArray<unsigned char> Sparse;
   vtkPointSplatLargeArray<unsigned char> Cut; // made smaller since the surface bends
   vtkPointSplatLargeArray<unsigned char> Graded; // of which something else says how large they are to be
   vtkPointSplatLargeArray<float> Nearest; // the distance to any neighbour

@@ -176,11 +176,9 @@ bool vtkPointSplatEstimates::Measure(const Neighborhood& around, int round)
   const Slot s = around.Center;
   const int count = this->Self->GetNumberOfNeighbors();
   const float* directions = this->Directions;
-  const bool again = directions != this->SlotNormals.data();
-  const float usual = again ? this->Disks->GetUsual(s) : this->Disks->Usual;
   vtkPointSplatDisk disk;
-  const bool closed =
-    disk.Estimate(around, directions, this->Elliptical, usual, this->Disks->HoleLimit);
+  const bool closed = disk.Estimate(
+    around, directions, this->Elliptical, this->Disks->GetUsual(s), this->Disks->HoleLimit);
   this->Creased[s] = this->Creased[s] ||
     (disk.Sheet.Uneven &&
       vtkPointSplatCrease::IsLikely(
@@ -190,6 +188,7 @@ bool vtkPointSplatEstimates::Measure(const Neighborhood& around, int round)
     this->Bodies->Look(around, this->SlotNormals.data(), this->OnSurface);
   }
   // In the second look farther neighbours of what is hemmed in are asked for, and nothing about rows.
+  const bool again = directions != this->SlotNormals.data();
   const bool hemmed = again && this->IsHemmed(s);
   if (hemmed && round == 1 && !closed)
   {
@@ -377,6 +376,7 @@ bool vtkPointSplatEstimates::FindDisks()
     // Where points are sparse is no less known than where they are dense.
     disks.Usual = std::numeric_limits<float>::max();
   }
+  disks.FindSparse();
   std::vector<unsigned char> sparse(slots, 0); // what has its disk so is not looked at again
   vtkPointSplatNormalSeams seams(this->Neighbors, this->SlotNormals.data(), disks.Planes.data());
   if (!this->FindSparseDisks(sparse) || !this->MendSeams(seams))
@@ -390,7 +390,7 @@ bool vtkPointSplatEstimates::FindDisks()
     {
       again[s] = this->Searched[s] && !sparse[s] &&
         ((this->Misled[s] && !disks.Whole[s]) || seams.IsBeside(s) || this->IsHemmed(s) ||
-          disks.MayReachHole(s) || disks.IsOfSparse(s) ||
+          disks.MayReachHole(s) || disks.IsSparse(s) ||
           (disks.Stretched && disks.Opening[s] == 0));
       const bool planar = this->Searched[s] && !seams.IsMended(s);
       std::copy_n(planar ? disks.Planes.data() + std::size_t(3) * s : this->GetSlotNormal(s), 3,

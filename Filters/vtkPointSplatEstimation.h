@@ -87,8 +87,9 @@
  *    the surface; in random samplings such are to be closed. What holes and normals that do not fit
  *    tell is known after all points are looked at; so those beside a hole are looked at once more
  *    without the neighbours across it, and those beside such a normal with the plane in its place;
- *    and points of more than twice the median's spacing whose neighbours are as sparse, with their own spacing alone: where a mesh
- *    is coarser than elsewhere, or has something finer beside it, most points say nothing of which neighbours are near.
+ *    and points of more than twice the median's spacing whose neighbours are as sparse, and mostly found others on their sheet, with
+ *    their own spacing alone: where a mesh is coarser than elsewhere, or has something finer beside it, most points say nothing of
+ *    which neighbours are near. Spray is as sparse all around, too, but alone.
  *    Points with given normals whose neighbours are mostly of other sheets, and not all around on their own, may be
  *    hemmed in: where dense points lie close to a sparse part of the surface, as those of a belt on a body, the nearest
  *    ones are all theirs. Such points are looked at once more among the points of sparse parts alone

@@ -517,7 +517,6 @@ def turned(standin):
 ALL = {
     "ribbed_block": ribbed_block,
     "block_beside_ball": block_beside_ball,
-    "block_beside_ball_bare": lambda: without_normals(block_beside_ball()),
     "tubes_edges": lambda: tubes_and_specks("edges"),
     "tubes_contour": lambda: tubes_and_specks("contour"),
     "tubes_points": lambda: tubes_and_specks("points"),
