@@ -166,7 +166,7 @@ private:
   /// The 95th percentile, in medians, of the disks' sizes over those of their witnesses.
   float GetLocalSpread() const;
 
-  vtkPointSplatLargeArray<unsigned char> Sparse;
+  vtkPointSplatLargeArray<unsigned char> Sparse; // as all around (FindSparse)
   vtkPointSplatLargeArray<unsigned char> Cut; // made smaller since the surface bends
   vtkPointSplatLargeArray<unsigned char> Graded; // of which something else says how large they are to be
   vtkPointSplatLargeArray<float> Nearest; // the distance to any neighbour

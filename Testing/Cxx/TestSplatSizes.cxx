@@ -169,6 +169,42 @@ void Curves()
   rows.Expect("the end of one row and the beginning of the next", 0.45, 1.0, 1000);
 }
 
+/// A ball and droplets far about it, with normals at random: all of them are as sparse as those around, and yet no surface.
+void Spray()
+{
+  constexpr vtkIdType onBall = 10000, droplets = 500;
+  Cloud cloud;
+  vtkNew<vtkMinimalStandardRandomSequence> random;
+  random->SetSeed(7);
+  const auto next = [&random]() { return random->GetNextValue() - 0.5; };
+  for (vtkIdType i = 0; i < onBall + droplets; ++i)
+  {
+    double x[3], n[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      n[c] = next();
+      x[c] = 6 * next();
+    }
+    vtkMath::Normalize(n);
+    const double* place = i < onBall ? n : x;
+    cloud.Add(place[0], place[1], place[2], n[0], n[1], n[2]);
+  }
+  vtkNew<vtkPointSplatEstimation> estimation;
+  cloud.Estimate(estimation);
+  vtkDataArray* radii = estimation->GetOutput()->GetPointData()->GetArray(vtkPointSplatArrays::Radius);
+  vtkIdType large = 0;
+  for (vtkIdType i = onBall; i < onBall + droplets; ++i)
+  {
+    large += radii->GetComponent(i, 0) > 0.2 ? 1 : 0;
+  }
+  std::cout << "spray: " << large << " droplets are plates\n";
+  if (large > 5)
+  {
+    std::cerr << "FAILED: droplets are plates\n";
+    ++failures;
+  }
+}
+
 /// The vertices of a cube of side 2 about the origin, whose normals at edges and corners are averages.
 void AddCube(Cloud& cloud, int cells)
 {
@@ -257,6 +293,7 @@ int TestSplatSizes(int, char*[])
   Alone();
   ScanLines();
   Curves();
+  Spray();
   FinerBeside();
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
