@@ -377,9 +377,9 @@ bool vtkPointSplatEstimates::FindDisks()
     disks.Usual = std::numeric_limits<float>::max();
   }
   disks.FindSparse();
-  std::vector<unsigned char> sparse(slots, 0); // what has its disk so is not looked at again
+  std::vector<unsigned char> taken(slots, 0); // what has its disk from a sparse part alone is not looked at again
   vtkPointSplatNormalSeams seams(this->Neighbors, this->SlotNormals.data(), disks.Planes.data());
-  if (!this->FindSparseDisks(sparse) || !this->MendSeams(seams))
+  if (!this->FindSparseDisks(taken) || !this->MendSeams(seams))
   {
     return false;
   }
@@ -388,7 +388,7 @@ bool vtkPointSplatEstimates::FindDisks()
   vtkPointSplatThreads::For(0, slots, [&](vtkIdType begin, vtkIdType end) {
     for (Slot s = static_cast<Slot>(begin); s < static_cast<Slot>(end); ++s)
     {
-      again[s] = this->Searched[s] && !sparse[s] &&
+      again[s] = this->Searched[s] && !taken[s] &&
         ((this->Misled[s] && !disks.Whole[s]) || seams.IsBeside(s) || this->IsHemmed(s) ||
           disks.MayReachHole(s) || disks.IsSparse(s) ||
           (disks.Stretched && disks.Opening[s] == 0));

@@ -242,20 +242,14 @@ class TestStandIns(unittest.TestCase):
         self.assertLess(found["spill"], 0.001)
 
     def test_meshed_part(self):
-        # 25.8 dB, 382 openings and 0.012 beside it where ribs one and two edges wide had no edges, and small holes no rims.
-        found = likeness.compare(standins.ribbed_block(), 300, 3)
-        self.assertGreater(min(found["psnr"]), 31.5)
-        self.assertLess(found["openings"], 20)
-        self.assertEqual(found["holes"], 0)
-        self.assertLess(found["spill"], 0.002)
-
-    def test_finer_beside_it(self):
-        # 22.2 dB and 7701 openings where what is sparse was told by the spacing of most points, which are the ball's.
-        found = likeness.compare(standins.block_beside_ball(), 300, 3)
-        self.assertGreater(min(found["psnr"]), 31.5)
-        self.assertLess(found["openings"], 100)
-        self.assertEqual(found["holes"], 0)
-        self.assertLess(found["spill"], 0.002)
+        # 25.8 dB, 382 openings and 0.012 beside it where ribs one and two edges wide had no edges, and small holes no rims;
+        # 22.2 dB and 7701 openings where what is sparse was told by the spacing of most points, which are the finer ball's.
+        for name, openings in (("ribbed_block", 20), ("block_beside_ball", 100)):
+            found = likeness.compare(standins.ALL[name](), 300, 3)
+            self.assertGreater(min(found["psnr"]), 31.5, name)
+            self.assertLess(found["openings"], openings, name)
+            self.assertEqual(found["holes"], 0, name)
+            self.assertLess(found["spill"], 0.002, name)
 
     def test_wound_both_ways(self):
         # 24.8 and 25.0 dB where normals that cancelled along seams were drawn.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // That disks of vtkPointSplatEstimation keep to their own sheet: on specks, tubes, sheets that lie
 // close, in scan lines, and for points alone. The truth is known in closed form.
+#include "ScatteredFaces.h"
+
 #include "vtkFloatArray.h"
 #include "vtkMath.h"
 #include "vtkMinimalStandardRandomSequence.h"
@@ -205,74 +207,32 @@ void Spray()
   }
 }
 
-/// The vertices of a cube of side 2 about the origin, whose normals at edges and corners are averages.
-void AddCube(Cloud& cloud, int cells)
-{
-  for (int i = 0; i <= cells; ++i)
-  {
-    for (int j = 0; j <= cells; ++j)
-    {
-      for (int k = 0; k <= cells; ++k)
-      {
-        const double x[3] = { 2.0 * i / cells - 1, 2.0 * j / cells - 1, 2.0 * k / cells - 1 };
-        double n[3];
-        for (int c = 0; c < 3; ++c)
-        {
-          n[c] = std::abs(x[c]) == 1 ? x[c] : 0;
-        }
-        if (vtkMath::Normalize(n) > 0)
-        {
-          cloud.Add(x[0], x[1], x[2], n[0], n[1], n[2]);
-        }
-      }
-    }
-  }
-}
-
 /// A cube has the disks that it has without the ball beside it, which has most of the points; which of two faces a point on
 /// their edge is of is up to rounding.
 void FinerBeside()
 {
-  constexpr int cells = 12;
-  Cloud cube, both;
-  AddCube(cube, cells);
-  AddCube(both, cells);
-  const vtkIdType count = cube.Points->GetNumberOfPoints();
-  for (vtkIdType i = 0; i < 4 * count; ++i)
+  ScatteredFaces cube, both;
+  cube.AddGridCube(13);
+  both.AddGridCube(13);
+  const vtkIdType count = cube.GetNumberOfPoints(), onBall = 4 * count;
+  for (vtkIdType i = 0; i < onBall; ++i)
   {
-    const double z = 1 - (2 * i + 1.0) / (4 * count), r = std::sqrt(1 - z * z), angle = i * vtkMath::Pi() * (3 - std::sqrt(5.0));
+    const double z = 1 - (2 * i + 1.0) / onBall, r = std::sqrt(1 - z * z), angle = i * vtkMath::Pi() * (3 - std::sqrt(5.0));
     const double n[3] = { r * std::cos(angle), r * std::sin(angle), z };
-    both.Add(3 + 0.3 * n[0], 0.3 * n[1], 0.3 * n[2], n[0], n[1], n[2]);
+    const double x[3] = { 1.5 + 0.15 * n[0], 0.15 * n[1], 0.15 * n[2] };
+    both.Add(x, n, {});
   }
-  vtkNew<vtkPointSplatEstimation> alone, beside;
-  cube.Estimate(alone);
-  both.Estimate(beside);
+  const Estimated alone(cube), beside(both);
   double off = 0;
   vtkIdType lines = 0, linesOff = 0;
-  const char* names[2] = { vtkPointSplatArrays::Radius, vtkPointSplatArrays::Clip };
-  vtkDataArray* arrays[2][2];
-  for (int a = 0; a < 2; ++a)
+  for (vtkIdType id = 0; id < count; ++id)
   {
-    arrays[a][0] = alone->GetOutput()->GetPointData()->GetArray(names[a]);
-    arrays[a][1] = beside->GetOutput()->GetPointData()->GetArray(names[a]);
-    if (!arrays[a][0] || !arrays[a][1])
-    {
-      std::cerr << "FAILED: a cube beside a finer ball has no " << names[a] << "\n";
-      ++failures;
-      return;
-    }
-  }
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const double radius = arrays[0][0]->GetComponent(i, 0);
-    off = std::max(off, std::abs(arrays[0][1]->GetComponent(i, 0) - radius) / radius);
-    bool any[2] = { false, false };
-    for (int c = 0; c < 12; ++c)
-    {
-      any[c / 6] = any[c / 6] || arrays[1][c / 6]->GetComponent(i, c % 6) != 0;
-    }
-    lines += any[0];
-    linesOff += any[0] != any[1];
+    const double radius = alone.GetRadius(id);
+    off = std::max(off, std::abs(beside.GetRadius(id) - radius) / radius);
+    double c[3];
+    const bool ends = alone.GetLine(id, 0, c) > 0;
+    lines += ends;
+    linesOff += ends != (beside.GetLine(id, 0, c) > 0);
   }
   std::cout << "cube beside a finer ball: radii off by " << off << ", lines of " << linesOff << " of " << lines << "\n";
   if (off > 0.05 || linesOff > 0 || lines == 0)
