@@ -18,11 +18,13 @@ inline constexpr const char* Radius = "SplatRadius";
 inline constexpr const char* Axis1 = "SplatAxis1";
 inline constexpr const char* Axis2 = "SplatAxis2";
 ///@}
-/// 3 floats, unit length: the normal of a disk's plane, where it is not the point normal. All 0: the
-/// point is a body alone and has no plane; what draws it turns its disk to who looks.
+/// 3 floats, unit length: the normal of a disk's plane, where it is not the point normal. It points to where the
+/// front is seen from, as the order of a triangle's corners tells: a point normal on the other side is dark, as a mesh's. All 0:
+/// the point is a body alone and has no plane; what draws it turns its disk to who looks.
 inline constexpr const char* PlaneNormal = "SplatPlaneNormal";
 /// 6 floats, XX, YY, ZZ, XY, YZ, XZ, 1 / world units: the second fundamental form, by which the
-/// normal changes from point to point, in the tangent plane. Its sign goes by the normal's. Of a body
+/// normal changes from point to point, in the tangent plane. Its sign goes by the normal of the
+/// disk's plane. Of a body
 /// alone: the unit tensor over a ball's radius, for a ball with its own normals; or 0, for a disk
 /// with the point's.
 inline constexpr const char* Curvature = "SplatCurvature";

@@ -117,6 +117,8 @@ private:
   float GetRoom(const vtkPointSplatStars& stars, const vtkPointSplatRefinement::Point& point);
   float GetBeside(const double x[3], vtkIdType id) const;
   void TakeFill(const vtkPointSplatRefinement& fill);
+  void TakeShadingNormals();
+  void TurnPlanes();
   void Write();
   void WriteMesh();
   void WriteCreases();
@@ -150,7 +152,7 @@ private:
   bool MeshAlone = false; // all points are triangles' corners
   std::vector<vtkPointSplatFans::Disk> Corners; // if so, of those that take part
   std::vector<vtkPointSplatMeshBorders::End> Ends; // at borders
-  std::vector<vtkPointSplatMeshBorders::Near> Near; // to these
+  vtkPointSplatMeshBorders::Near Near; // to these
   std::vector<vtkIdType> Bounded; // of these, those whose disks the border bounds
   std::unique_ptr<vtkPointSplatMeshOutline> Outline; // if there is a border
 

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -340,6 +341,13 @@ void vtkPointSplatEstimates::MakeFill()
       array->SetNumberOfTuples(own);
     }
   }
+  this->TakeShadingNormals();
+  this->TurnPlanes();
+}
+
+/// Those of points that were split, and of fill points between these.
+void vtkPointSplatEstimates::TakeShadingNormals()
+{
   const std::vector<float>& normals = this->Split.Normals;
   if (normals.empty())
   {
@@ -360,6 +368,32 @@ void vtkPointSplatEstimates::MakeFill()
     {
       std::copy_n(sum, 3, point.Normal);
     }
+  }
+}
+
+/// Turns planes to their normals' side, unless triangles tell the front.
+void vtkPointSplatEstimates::TurnPlanes()
+{
+  if (this->Split.TellsFront)
+  {
+    return;
+  }
+  const auto turn = [](const float* normal, float* plane, float* curvature) {
+    if (vtkMath::Dot(plane, normal) < 0)
+    {
+      std::transform(plane, plane + 3, plane, std::negate<float>());
+      std::transform(curvature, curvature + 6, curvature, std::negate<float>());
+    }
+  };
+  vtkPointSplatThreads::For(0, this->Planes->GetNumberOfTuples(), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType id = begin; id < end; ++id)
+    {
+      turn(this->GetNormal(id), this->Planes->GetPointer(3 * id), this->Curvatures->GetPointer(6 * id));
+    }
+  });
+  for (vtkPointSplatRefinement::Point& point : this->Fill)
+  {
+    turn(point.Normal, point.Plane, point.Curvature);
   }
 }
 

@@ -112,6 +112,9 @@ void vtkPointSplatEstimates::ReadMesh()
     {
       this->Used[id] = this->Used[id] && this->Fans.Has(id); // where it has no area
     }
+  }
+  if (this->OfLattice || this->Fans.IsSplit())
+  {
     vtkPointSplatMeshNormals::TakeNeighbors(this->Fans, this->Used, n);
   }
   if (bad > 0)

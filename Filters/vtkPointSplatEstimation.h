@@ -19,7 +19,8 @@
  *   estimated;
  * - `SplatRadius` (1 float, world units) and `SplatPlaneNormal` (3 floats, unit length: the
  *   normal of the disk's plane, the point's normal but for stage 4's exception; 0 for bodies alone,
- *   stage 7, which have none) and
+ *   stage 7, which have none; on the side that shows the front, which is that of the normal, but that of
+ *   triangles, as marching cubes orders their corners, where a volume's gradients are of another surface) and
  *   `SplatCurvature` (6 floats, XX, YY, ZZ, XY, YZ, XZ, 1 / world units: the second fundamental
  *   form as a tensor across the normal, 1 / R on a sphere with outward normals; 0 where it is
  *   not known) if Shape is Circular, or

@@ -322,14 +322,14 @@ void vtkPointSplatFans::GetSingleEdges(vtkIdType id, std::vector<BorderEdge>& ed
 void vtkPointSplatFans::FindBorder()
 {
   const vtkIdType numberOfPoints = this->GetNumberOfPoints();
-  std::vector<unsigned char> atBorder(numberOfPoints, 0);
+  this->InBorder.assign(numberOfPoints, Inside);
   vtkSMPThreadLocal<std::vector<BorderEdge>> scratch;
   vtkPointSplatThreads::For(0, numberOfPoints, [&](vtkIdType begin, vtkIdType end) {
     std::vector<BorderEdge>& edges = scratch.Local();
     for (vtkIdType id = begin; id < end; ++id)
     {
       this->GetSingleEdges(id, edges);
-      atBorder[id] = !edges.empty();
+      this->InBorder[id] = edges.empty() ? Inside : 0;
     }
   });
   this->Border.clear();
@@ -338,9 +338,10 @@ void vtkPointSplatFans::FindBorder()
   std::vector<BorderEdge> edges;
   for (vtkIdType id = 0; id < numberOfPoints; ++id)
   {
-    if (atBorder[id])
+    if (this->InBorder[id] != Inside)
     {
       this->GetSingleEdges(id, edges);
+      this->InBorder[id] = this->Border.size();
       this->Border.push_back(id);
       this->EdgesOfBorder.insert(this->EdgesOfBorder.end(), edges.begin(), edges.end());
       this->FirstOfBorder.push_back(this->EdgesOfBorder.size());
@@ -350,14 +351,10 @@ void vtkPointSplatFans::FindBorder()
 
 vtkPointSplatFans::BorderEdges vtkPointSplatFans::GetBorderEdges(vtkIdType id) const
 {
-  const auto at = std::lower_bound(this->Border.begin(), this->Border.end(), id);
-  if (at == this->Border.end() || *at != id)
-  {
-    return { nullptr, 0 };
-  }
-  const std::size_t i = at - this->Border.begin();
-  return { this->EdgesOfBorder.data() + this->FirstOfBorder[i],
-    this->FirstOfBorder[i + 1] - this->FirstOfBorder[i] };
+  const std::size_t i = this->Border.empty() ? Inside : this->InBorder[id];
+  return i == Inside ? BorderEdges{ nullptr, 0 }
+                     : BorderEdges{ this->EdgesOfBorder.data() + this->FirstOfBorder[i],
+                         this->FirstOfBorder[i + 1] - this->FirstOfBorder[i] };
 }
 
 /// In the order of positions.

@@ -206,6 +206,8 @@ private:
   std::vector<vtkIdType> Collapsed;
   std::vector<vtkIdType> First;     // of a point's triangles: where they begin in Fans
   std::vector<vtkIdType> Triangles; // by points
+  static constexpr std::size_t Inside = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> InBorder;      // of each point, its place in Border, or Inside
   std::vector<vtkIdType> Border;          // points, in order
   std::vector<std::size_t> FirstOfBorder; // of these: where their edges begin in EdgesOfBorder
   std::vector<BorderEdge> EdgesOfBorder;

@@ -51,6 +51,7 @@ struct vtkPointSplatLattice::Voxel
 {
   static constexpr vtkIdType None = -1;
 
+  std::int64_t Index = 0; // row by row
   vtkIdType Cut[12];
   vtkIdType At[8]; // by bits
   int Side[8];     // 1 inside, -1 outside, 0 where that is not known yet
@@ -129,29 +130,46 @@ struct vtkPointSplatLattice::Voxel
     return sum;
   }
 
-  /// Finds all sides; returns false where they contradict one another.
-  bool FindSides(const float* normals, const float distances[3])
+  /// Finds parts that know their sides from one another; returns false where these contradict one another.
+  bool FindParts(const float* normals, const float distances[3], std::vector<vtkPointSplatLatticeSides::Part>& parts)
   {
     for (int corner = 0; corner < 8; ++corner)
     {
-      int part = 0;
+      int corners = 0;
       if (this->Side[corner] != 0)
       {
         continue;
       }
-      if (!this->Spread(corner, part))
+      if (!this->Spread(corner, corners))
       {
         return false;
       }
-      // A sample that is the isovalue is inside, where nothing else is said.
-      const bool alone = part == 1 << corner && this->At[corner] != None;
-      const int turn = !alone && this->GetAgreement(part, normals, distances) < 0 ? -1 : 1;
-      for (int other = 0; other < 8; ++other)
+      if (corners != 1 << corner || this->At[corner] == None)
       {
-        this->Side[other] *= (part & (1 << other)) ? turn : 1;
+        int inside = 0;
+        for (int other = 0; other < 8; ++other)
+        {
+          inside |= (corners & (1 << other)) && this->Side[other] > 0 ? 1 << other : 0;
+        }
+        parts.push_back({ this->Index, static_cast<unsigned char>(corners), static_cast<unsigned char>(inside),
+          this->GetAgreement(corners, normals, distances) });
       }
     }
     return true;
+  }
+
+  /// Takes over the sides of parts. A sample that is the isovalue is inside, where nothing else is said.
+  void SetSides(const vtkPointSplatLatticeSides::Range& parts)
+  {
+    std::fill_n(this->Side, 8, 1);
+    for (const vtkPointSplatLatticeSides::Part& part : parts)
+    {
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        const int bit = 1 << corner;
+        this->Side[corner] = (part.Corners & bit) && !(part.Inside & bit) ? -1 : this->Side[corner];
+      }
+    }
   }
 
   vtkIdType GetPoint(int e) const
@@ -309,20 +327,22 @@ const vtkPointSplatLattice::Row* vtkPointSplatLattice::GetRow(std::int64_t index
   return at != this->Rows.end() && at->Index == index ? &*at : nullptr;
 }
 
-/// Adds the triangles of the voxels around a row that have no points in one before it.
-bool vtkPointSplatLattice::March(const Row& row, std::vector<vtkIdType>& corners) const
+/// Visits the voxels around a row that have no points in one before it.
+template <typename Visitor>
+bool vtkPointSplatLattice::March(const Row& row, const Visitor& visit) const
 {
   const std::int64_t at = row.Index, below = at - this->Size[1];
   const bool left = this->GetRow(at - 1), under = this->GetRow(below);
   const bool before = this->GetRow(below - 1), behind = this->GetRow(below + 1);
-  return this->MarchAlong(at, corners) && (left || this->MarchAlong(at - 1, corners)) &&
-    (under || behind || this->MarchAlong(below, corners)) &&
-    (left || under || before || this->MarchAlong(below - 1, corners));
+  return this->MarchAlong(at, visit) && (left || this->MarchAlong(at - 1, visit)) &&
+    (under || behind || this->MarchAlong(below, visit)) &&
+    (left || under || before || this->MarchAlong(below - 1, visit));
 }
 
-/// Adds the triangles of the voxels between a row and the next ones along y and z; false where some within the box
-/// contradict themselves.
-bool vtkPointSplatLattice::MarchAlong(std::int64_t index, std::vector<vtkIdType>& corners) const
+/// Visits the voxels between a row and the next ones along y and z that have points, until visit(voxel) returns false, as is
+/// returned.
+template <typename Visitor>
+bool vtkPointSplatLattice::MarchAlong(std::int64_t index, const Visitor& visit) const
 {
   const std::int64_t y = index % this->Size[1], z = index / this->Size[1];
   // There is one sample more on each side than the box has.
@@ -339,12 +359,11 @@ bool vtkPointSplatLattice::MarchAlong(std::int64_t index, std::vector<vtkIdType>
     next[r] = this->Crossings.data() + (row ? row->First : 0);
     last[r] = this->Crossings.data() + (row ? row->Last : 0);
   }
-  const float distances[3] = { static_cast<float>(this->Axes[0].Distance),
-    static_cast<float>(this->Axes[1].Distance), static_cast<float>(this->Axes[2].Distance) };
   const auto getX = [this](const Crossing& crossing) { return crossing.Key / 4 % this->Size[0]; };
   for (std::int64_t x = 1; x < this->Size[0] - 2; ++x)
   {
     Voxel voxel;
+    voxel.Index = index * this->Size[0] + x;
     std::int64_t nearest = this->Size[0];
     for (int r = 0; r < 4; ++r)
     {
@@ -377,16 +396,63 @@ bool vtkPointSplatLattice::MarchAlong(std::int64_t index, std::vector<vtkIdType>
       x = std::max(x, nearest - 2); // the next voxel that has any
       continue;
     }
-    if (voxel.FindSides(this->Points.Normals, distances))
-    {
-      voxel.AddTriangles(corners);
-    }
-    else if (!this->IsElsewhere(voxel))
+    if (!visit(voxel))
     {
       return false;
     }
   }
   return true;
+}
+
+/// Collects what visit(voxel, elements) adds, in the order of voxels; false where that returns false.
+template <typename Element, typename Visitor>
+bool vtkPointSplatLattice::VisitVoxels(std::vector<Element>& all, const Visitor& visit) const
+{
+  std::vector<std::vector<Element>> found(this->Rows.size());
+  std::atomic<bool> whole{ true };
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(this->Rows.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType r = begin; r < end && whole; ++r)
+    {
+      if (!this->March(this->Rows[r], [&](Voxel& voxel) { return visit(voxel, found[r]); }))
+      {
+        whole = false;
+      }
+    }
+  });
+  for (const std::vector<Element>& ofRow : found)
+  {
+    all.insert(all.end(), ofRow.begin(), ofRow.end());
+  }
+  return whole;
+}
+
+/// False where some voxel within the box contradicts itself.
+bool vtkPointSplatLattice::FindSides()
+{
+  const float distances[3] = { static_cast<float>(this->Axes[0].Distance),
+    static_cast<float>(this->Axes[1].Distance), static_cast<float>(this->Axes[2].Distance) };
+  using Part = vtkPointSplatLatticeSides::Part;
+  if (!this->VisitVoxels(this->Sides, [&](Voxel& voxel, std::vector<Part>& parts) {
+        const std::size_t before = parts.size();
+        const bool found = voxel.FindParts(this->Points.Normals, distances, parts);
+        parts.resize(found ? parts.size() : before);
+        return found || this->IsElsewhere(voxel);
+      }))
+  {
+    return false;
+  }
+  const std::int64_t strides[3] = { 1, this->Size[0], this->Size[0] * this->Size[1] };
+  vtkPointSplatLatticeSides::Settle(this->Sides, strides);
+  return true;
+}
+
+void vtkPointSplatLattice::FindTriangles()
+{
+  this->VisitVoxels(this->Corners, [&](Voxel& voxel, std::vector<vtkIdType>& corners) {
+    voxel.SetSides(vtkPointSplatLatticeSides::Find(this->Sides, voxel.Index));
+    voxel.AddTriangles(corners);
+    return true;
+  });
 }
 
 /// Whether all points of a voxel are another process'.
@@ -448,25 +514,11 @@ bool vtkPointSplatLattice::Find()
     return false;
   }
   this->FindRows();
-  std::vector<std::vector<vtkIdType>> found(this->Rows.size());
-  std::atomic<bool> whole{ true };
-  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(this->Rows.size()), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType r = begin; r < end && whole; ++r)
-    {
-      if (!this->March(this->Rows[r], found[r]))
-      {
-        whole = false;
-      }
-    }
-  });
-  if (!whole)
+  if (!this->FindSides())
   {
     return false;
   }
-  for (const std::vector<vtkIdType>& ofRow : found)
-  {
-    this->Corners.insert(this->Corners.end(), ofRow.begin(), ofRow.end());
-  }
+  this->FindTriangles();
   std::vector<unsigned char> cornered(this->Points.Used.size(), 0);
   for (const vtkIdType corner : this->Corners)
   {

@@ -12,8 +12,8 @@
  * 2. *Crossings.* Each point is assigned to its edge; or to a sample of the volume where all three coordinates are planes',
  *    as where a sample is the isovalue. Points that share one are one.
  * 3. *Samples.* From one end of an edge to the other the side of the surface changes where a point lies on it, and stays
- *    where none does. Of an edge that has a point at an end that is not known. Of what stays apart by this, and of voxels
- *    as a whole, normals say which side is outside.
+ *    where none does. Of an edge that has a point at an end that is not known. Of what stays apart by this
+ *    normals say which side is outside (vtkPointSplatLatticeSides.h).
  * 4. *Triangles* are those of marching cubes (vtkMarchingCubesTriangleCases). Few points have none: where one sample alone
  *    is the isovalue and all around it are less, the surface has no area.
  *
@@ -26,6 +26,7 @@
 #define vtkPointSplatLattice_h
 
 #include "vtkPointSplatLatticePlanes.h"
+#include "vtkPointSplatLatticeSides.h"
 #include "vtkType.h"
 
 #include <cstddef>
@@ -83,8 +84,14 @@ private:
   bool JoinPoints();
   void FindRows();
   const Row* GetRow(std::int64_t index) const;
-  bool March(const Row& row, std::vector<vtkIdType>& corners) const;
-  bool MarchAlong(std::int64_t index, std::vector<vtkIdType>& corners) const;
+  bool FindSides();
+  void FindTriangles();
+  template <typename Visitor>
+  bool March(const Row& row, const Visitor& visit) const;
+  template <typename Visitor>
+  bool MarchAlong(std::int64_t index, const Visitor& visit) const;
+  template <typename Element, typename Visitor>
+  bool VisitVoxels(std::vector<Element>& all, const Visitor& visit) const;
 
   bool IsElsewhere(const Voxel& voxel) const;
 
@@ -94,6 +101,7 @@ private:
   std::int64_t Size[3] = { 0, 0, 0 }; // of the box in samples, and one on each side
   std::vector<Crossing> Crossings;
   std::vector<Row> Rows;
+  std::vector<vtkPointSplatLatticeSides::Part> Sides; // of all voxels
 };
 
 VTK_ABI_NAMESPACE_END

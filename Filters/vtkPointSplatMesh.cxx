@@ -166,40 +166,50 @@ void vtkPointSplatMesh::Copy(
   }
 }
 
-/// Takes given normals for planes where these are of one face, and about the same.
+/// Takes given normals for planes where these are of one face, and about the same, and where triangles have no normal: those
+/// around a point may cancel.
 void vtkPointSplatMesh::TakeGiven(std::vector<float>& planes) const
 {
-  std::vector<unsigned char> several(this->Fans.GetNumberOfPoints(), 0);
+  const vtkIdType count = this->Fans.GetNumberOfPoints();
+  std::vector<unsigned char> several(planes.size() / 3, 0);
+  std::fill(several.begin() + count, several.end(), 1);
   for (const vtkIdType source : this->Sources)
   {
     several[source] = 1;
   }
   for (std::size_t id = 0; id < several.size() && !this->Normals.empty(); ++id)
   {
-    const float* given = this->Normals.data() + 3 * id;
-    if (!several[id] && vtkMath::Dot(given, planes.data() + 3 * id) > vtkPointSplatMeshNormals::AlikeCosine)
+    const float* given = this->GetNormal(static_cast<vtkIdType>(id));
+    float* plane = planes.data() + 3 * id;
+    if (vtkPointSplatInput::IsZero(plane) ||
+      (!several[id] && vtkMath::Dot(given, plane) > vtkPointSplatMeshNormals::AlikeCosine))
     {
-      std::copy_n(given, 3, planes.data() + 3 * id);
+      std::copy_n(given, 3, plane);
     }
   }
 }
 
 bool vtkPointSplatMesh::Split()
 {
-  if (this->Fans.AreApart() && !this->Normals.empty())
+  if (!this->OfLattice && !this->Normals.empty())
   {
-    this->Fans.Join(this->Normals.data()); // those of one normal are one point
+    this->Fans.Join(this->Normals.data()); // those of one place and normal are one point
   }
   if (this->Fans.IsEmpty() || this->Fans.AreApart())
   {
     return false;
   }
-  const vtkPointSplatMeshFaces::Edges edges = vtkPointSplatMeshFaces::Look(this->Fans);
+  vtkPointSplatMeshFaces::Edges edges = vtkPointSplatMeshFaces::Look(this->Fans);
+  edges.Ordered = this->OfLattice;
   if (!edges.AreSharp)
   {
     return false;
   }
   const vtkIdType count = this->Fans.GetNumberOfPoints();
+  for (const vtkIdType id : this->Fans.GetCollapsed())
+  {
+    this->Used[id] = this->Used[id] && this->Fans.Has(id); // what has no area anywhere is no part of the surface
+  }
   for (vtkIdType id = 0; id < count; ++id)
   {
     if (this->Used[id] && !this->Fans.Has(id))
@@ -220,6 +230,7 @@ bool vtkPointSplatMesh::Split()
   this->CompleteNormals(edges.OfFlat);
   const vtkPointSplatMeshFaces faces(
     this->Fans, joined, edges, this->Normals.empty() ? nullptr : this->Normals.data());
+  this->TellsFront = faces.TellFront();
   std::vector<vtkIdType> corners;
   std::vector<float> planes;
   this->Copy(faces, corners, planes);

@@ -48,6 +48,7 @@ public:
   std::vector<vtkIdType> Sources;      // of the copies
   std::vector<float> Normals;          // to shade with, 3 a point of the input, unit length; empty if they are the planes'
   vtkIdType NumberOfMended = 0;        // of these
+  bool TellsFront = false;             // whether the order of corners tells which side of a plane is the front, whatever normals tell
 
   /// That of a point or copy, if there are any.
   const float* GetNormal(vtkIdType id) const

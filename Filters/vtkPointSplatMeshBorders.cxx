@@ -220,12 +220,13 @@ float vtkPointSplatMeshBorders::GetDistance(vtkIdType border, vtkIdType id) cons
   return static_cast<float>(std::sqrt(squared));
 }
 
-std::vector<vtkPointSplatMeshBorders::Near> vtkPointSplatMeshBorders::FindNear() const
+vtkPointSplatMeshBorders::Near vtkPointSplatMeshBorders::FindNear() const
 {
-  vtkSMPThreadLocal<std::vector<Near>> found;
+  using Pair = std::pair<vtkIdType, vtkIdType>; // a point, and one on the border
+  vtkSMPThreadLocal<std::vector<Pair>> found;
   const std::vector<vtkIdType>& border = this->Fans.GetBorder();
   vtkPointSplatThreads::For(0, static_cast<vtkIdType>(border.size()), [&](vtkIdType begin, vtkIdType end) {
-    std::vector<Near>& near = found.Local();
+    std::vector<Pair>& near = found.Local();
     std::vector<vtkIdType> around; // in the order in which they were met
     std::set<vtkIdType> seen;
     for (vtkIdType i = begin; i < end; ++i)
@@ -233,7 +234,7 @@ std::vector<vtkPointSplatMeshBorders::Near> vtkPointSplatMeshBorders::FindNear()
       const vtkIdType at = border[i];
       around.assign(1, at);
       seen = { at };
-      near.push_back({ at, at });
+      near.emplace_back(at, at);
       for (std::size_t k = 0; k < around.size() && static_cast<vtkIdType>(seen.size()) < MostSeen; ++k)
       {
         const vtkIdType from = around[k];
@@ -246,7 +247,7 @@ std::vector<vtkPointSplatMeshBorders::Near> vtkPointSplatMeshBorders::FindNear()
           const bool reaches = distance < this->GetReach(other);
           if (reaches || from == at)
           {
-            near.push_back({ other, at });
+            near.emplace_back(other, at);
           }
           // Beyond points with small disks there may be one with a large one.
           if ((reaches || distance < this->GetReach(at)) && this->Fans.GetNumberOfTriangles(other) < MostSeen)
@@ -257,13 +258,20 @@ std::vector<vtkPointSplatMeshBorders::Near> vtkPointSplatMeshBorders::FindNear()
       }
     }
   });
-  std::vector<Near> all;
-  for (const std::vector<Near>& near : found)
+  std::vector<Pair> all;
+  for (const std::vector<Pair>& near : found)
   {
     all.insert(all.end(), near.begin(), near.end());
   }
   std::sort(all.begin(), all.end());
-  return all;
+  Near near;
+  for (const auto& [id, at] : all)
+  {
+    near.First.resize(std::max<std::size_t>(near.First.size(), id + 1), near.Border.size());
+    near.Border.push_back(at);
+  }
+  near.First.resize(this->Fans.GetNumberOfPoints() + 1, near.Border.size());
+  return near;
 }
 
 /// An edge of the border in the disk's plane, if it is near, and not at the disk's own place.
@@ -447,20 +455,20 @@ void vtkPointSplatMeshBorders::Take(const Disk& disk, const std::vector<Edge>& e
   }
 }
 
-void vtkPointSplatMeshBorders::AddNearLines(const Near* first, const Near* last, float least, End& end) const
+void vtkPointSplatMeshBorders::AddNearLines(const Near& near, float least, End& end) const
 {
   const Disk disk{ this->Fans.GetPosition(end.Id), this->Planes->GetPointer(3 * end.Id), this->Radii->GetValue(end.Id) };
   std::vector<Edge> edges;
-  for (const Near* near = first; near != last; ++near)
+  for (std::size_t k = near.First[end.Id]; k < near.First[end.Id + 1]; ++k)
   {
-    const vtkPointSplatFans::BorderEdges from = this->Fans.GetBorderEdges(near->Border);
+    const vtkPointSplatFans::BorderEdges from = this->Fans.GetBorderEdges(near.Border[k]);
     if (from.Count > 2)
     {
       continue;
     }
     for (const vtkPointSplatFans::BorderEdge& edge : from)
     {
-      this->AddEdge(disk, near->Border, this->Walk(near->Border, edge, disk.Normal, least), edges);
+      this->AddEdge(disk, near.Border[k], this->Walk(near.Border[k], edge, disk.Normal, least), edges);
     }
   }
   PutInOrder(edges);
@@ -488,15 +496,13 @@ bool vtkPointSplatMeshBorders::FindBorders(const Place& place, std::vector<vtkId
 {
   for (const vtkIdType vertex : place.Vertices)
   {
-    auto at = std::lower_bound(place.Known.begin(), place.Known.end(), Near{ vertex, 0 });
-    for (; at != place.Known.end() && at->Id == vertex; ++at)
+    const auto first = place.Known.Border.begin() + place.Known.First[vertex];
+    const auto last = place.Known.Border.begin() + place.Known.First[vertex + 1];
+    if (borders.size() + (last - first) > MostListed)
     {
-      if (borders.size() == MostListed)
-      {
-        return false;
-      }
-      borders.push_back(at->Border);
+      return false;
     }
+    borders.insert(borders.end(), first, last);
   }
   std::sort(borders.begin(), borders.end());
   borders.erase(std::unique(borders.begin(), borders.end()), borders.end());
@@ -539,31 +545,27 @@ vtkPointSplatMeshBorders::End vtkPointSplatMeshBorders::FindEnd(const Disk& disk
   return end;
 }
 
-std::vector<vtkPointSplatMeshBorders::End> vtkPointSplatMeshBorders::FindEnds(const std::vector<Near>& near, bool two) const
+std::vector<vtkPointSplatMeshBorders::End> vtkPointSplatMeshBorders::FindEnds(const Near& near, bool two) const
 {
-  std::vector<std::size_t> firsts; // of each point's, and the end
-  for (std::size_t k = 0; k < near.size(); ++k)
+  std::vector<End> ends;
+  for (vtkIdType id = 0; id < this->Fans.GetNumberOfPoints(); ++id)
   {
-    if (k == 0 || near[k].Id != near[k - 1].Id)
+    if (near.First[id] < near.First[id + 1])
     {
-      firsts.push_back(k);
+      ends.emplace_back().Id = id;
     }
   }
-  std::vector<End> ends(firsts.size());
-  firsts.push_back(near.size());
   vtkPointSplatThreads::For(0, static_cast<vtkIdType>(ends.size()), [&](vtkIdType begin, vtkIdType last) {
     for (vtkIdType i = begin; i < last; ++i)
     {
-      const Near* first = near.data() + firsts[i];
-      ends[i].Id = first->Id;
-      if (!(this->Radii->GetValue(first->Id) > 0))
+      if (!(this->Radii->GetValue(ends[i].Id) > 0))
       {
         continue;
       }
-      const float least = this->GetLeast(first->Id);
-      if (this->FindOwnLines(first->Id, least, two, ends[i]))
+      const float least = this->GetLeast(ends[i].Id);
+      if (this->FindOwnLines(ends[i].Id, least, two, ends[i]))
       {
-        this->AddNearLines(first, near.data() + firsts[i + 1], least, ends[i]);
+        this->AddNearLines(near, least, ends[i]);
       }
     }
   });

@@ -35,6 +35,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -69,20 +70,16 @@ public:
     float Room = std::numeric_limits<float>::max(); // the largest radius with which it does not reach past other edges
     bool IsTwo() const { return Other[0] != 0 || Other[1] != 0 || Other[2] != 0; }
   };
-  /// A point, and one on the border that is near to it, or an edge at that.
+  /// Of each point those on the border that it is near to, or to an edge at them, in order.
   struct Near
   {
-    vtkIdType Id;
-    vtkIdType Border;
-    bool operator<(const Near& other) const
-    {
-      return this->Id != other.Id ? this->Id < other.Id : this->Border < other.Border;
-    }
+    std::vector<std::size_t> First; // of each point's, and the end of the last one's
+    std::vector<vtkIdType> Border;
   };
-  /// In order; each point on the border is near to itself.
-  std::vector<Near> FindNear() const;
+  /// Each point on the border is near to itself.
+  Near FindNear() const;
   /// Those of the points near the border, in order. two: whether there may be second splats.
-  std::vector<End> FindEnds(const std::vector<Near>& near, bool two) const;
+  std::vector<End> FindEnds(const Near& near, bool two) const;
   /// Adds the lines of points that have none to the array of clip lines, of 6 components, which is
   /// made if it has no tuples and any point has lines.
   void Write(const std::vector<End>& ends, vtkFloatArray* clips) const;
@@ -91,7 +88,7 @@ public:
   struct Place
   {
     std::vector<vtkIdType> Vertices;
-    const std::vector<Near>& Known;
+    const Near& Known;
     vtkPointSplatMeshOutline& Outline;
   };
   /// That of a disk between points.
@@ -147,7 +144,7 @@ private:
   static std::array<float, 8> FindPassed(const Edge& edge, const float clip[6], float reach, const float part[2]);
   static float GetRoom(const Edge& edge, const float clip[6], float radius);
   static void Take(const Disk& disk, const std::vector<Edge>& edges, float clip[6], float& room);
-  void AddNearLines(const Near* first, const Near* last, float least, End& end) const;
+  void AddNearLines(const Near& near, float least, End& end) const;
   void GetOffset(const double from[3], vtkIdType to, float d[3]) const;
 
   const vtkPointSplatFans& Fans;

@@ -32,6 +32,9 @@ constexpr vtkIdType MostLookedAt = 10000;
 constexpr std::size_t Enough = 100;
 /// Thinner triangles than that, of their longest edge, say nothing of a round surface (fitted there, too).
 constexpr double SliverShare = 0.1;
+/// Needles thinner than that have normals of their coordinates' rounding, as where a surface's first row is there again as its
+/// last.
+constexpr double NeedleShare = 1e-4; // Testing/Python/TestVersions.py
 /// Of how many of a mesh's corners the order tells the side of their normals where it does.
 constexpr double LeastOrdered = 0.9;
 
@@ -97,11 +100,17 @@ bool IsFlat(const vtkPointSplatFans& fans, const vtkIdType own[3])
   return flat;
 }
 
+/// Whether a triangle is thinner than that, of its longest edge.
+bool IsThin(const vtkPointSplatFans& fans, const vtkIdType own[3], double share)
+{
+  const vtkPointSplatFans::Shape shape = fans.GetShape(own);
+  return shape.Height < share * shape.Longest;
+}
+
 /// Whether a triangle is so thin that its normal says nothing of the surface, unless that is of flat faces.
 bool IsSliver(const vtkPointSplatFans& fans, const vtkIdType own[3])
 {
-  const vtkPointSplatFans::Shape shape = fans.GetShape(own);
-  return shape.Height < SliverShare * shape.Longest;
+  return IsThin(fans, own, SliverShare);
 }
 
 /// Edges of more than 30 degrees; of them those of flat triangles, those of less than 45 degrees, and those sharper than
@@ -138,7 +147,7 @@ struct Count
   vtkPointSplatMeshFaces::Edges Get() const
   {
     const bool flat = this->OfFlat > LeastFlat * this->Edges || this->Bends < MostBends * this->Edges;
-    return { flat, flat || this->Sharper > 0 };
+    return { flat, flat || this->Sharper > 0, false };
   }
 };
 
@@ -179,9 +188,9 @@ std::vector<Direction> GetTurned(const vtkPointSplatFans& fans)
   return GetDirections(fans, corners);
 }
 
-/// The same, turned to where points' normals are, unless the order of corners tells that for most of them.
+/// The same, turned to where points' normals are, unless the order of corners tells that for most of them, as is found.
 std::vector<Direction> GetTurned(
-  const vtkPointSplatFans& fans, std::vector<Direction> directions, const float* normals)
+  const vtkPointSplatFans& fans, std::vector<Direction> directions, const float* normals, bool& ordered)
 {
   const std::vector<vtkIdType>& corners = fans.GetCorners();
   std::vector<unsigned char> against(directions.size(), 0);
@@ -201,7 +210,8 @@ std::vector<Direction> GetTurned(
     }
     agree += here;
   });
-  for (std::size_t t = 0; t < directions.size() && agree < LeastOrdered * corners.size(); ++t)
+  ordered = agree >= LeastOrdered * corners.size();
+  for (std::size_t t = 0; t < directions.size() && !ordered; ++t)
   {
     if (against[t])
     {
@@ -232,6 +242,7 @@ public:
   std::vector<std::size_t> Triangles; // around the point
   std::vector<int> Parts;             // of each, from 0 on
   int Count = 0;                      // of parts
+  bool AreOrdered = true;             // whether, of all points', those that share an edge run along it both ways
 
   void Find(vtkIdType id)
   {
@@ -239,13 +250,9 @@ public:
     this->Ends.clear();
     this->Mesh.VisitTriangles(id, [&](const vtkIdType own[3]) {
       const std::size_t at = this->Triangles.size();
-      for (int k = 0; k < 3; ++k)
-      {
-        if (own[k] != id)
-        {
-          this->Ends.emplace_back(own[k], at);
-        }
-      }
+      const auto first = std::find(own, own + 3, id) - own;
+      this->Ends.push_back({ own[(first + 1) % 3], at, true });
+      this->Ends.push_back({ own[(first + 2) % 3], at, false });
       this->Triangles.push_back((own - this->Mesh.GetCorners().data()) / 3);
     });
     this->Link();
@@ -271,20 +278,23 @@ private:
   void Link()
   {
     this->Beside.assign(this->Triangles.size(), { { None, None } });
-    std::sort(this->Ends.begin(), this->Ends.end());
+    std::sort(this->Ends.begin(), this->Ends.end(), [](const End& a, const End& b) {
+      return a.Id != b.Id ? a.Id < b.Id : a.Triangle < b.Triangle;
+    });
     const auto link = [this](std::size_t from, std::size_t to) {
       this->Beside[from][this->Beside[from][0] == None ? 0 : 1] = to;
     };
     for (std::size_t i = 0, next; i < this->Ends.size(); i = next)
     {
-      for (next = i + 1; next < this->Ends.size() && this->Ends[next].first == this->Ends[i].first;)
+      for (next = i + 1; next < this->Ends.size() && this->Ends[next].Id == this->Ends[i].Id;)
       {
         ++next;
       }
       if (next == i + 2)
       {
-        link(this->Ends[i].second, this->Ends[i + 1].second);
-        link(this->Ends[i + 1].second, this->Ends[i].second);
+        link(this->Ends[i].Triangle, this->Ends[i + 1].Triangle);
+        link(this->Ends[i + 1].Triangle, this->Ends[i].Triangle);
+        this->AreOrdered = this->AreOrdered && this->Ends[i].IsNext != this->Ends[i + 1].IsNext;
       }
     }
   }
@@ -326,7 +336,14 @@ private:
   const std::vector<Direction>& Directions;
   const double Least;
   std::vector<unsigned char> Slivers; // triangles that tell nothing
-  std::vector<std::pair<vtkIdType, std::size_t>> Ends; // of edges at the point, and their triangles
+  /// Of an edge at the point, and a triangle that it is of.
+  struct End
+  {
+    vtkIdType Id;
+    std::size_t Triangle;
+    bool IsNext; // whether it follows the point in the order of the triangle's corners
+  };
+  std::vector<End> Ends;
   std::vector<std::array<std::size_t, 2>> Beside;      // of each triangle
 };
 }
@@ -343,7 +360,10 @@ vtkPointSplatMeshFaces::vtkPointSplatMeshFaces(
   const vtkPointSplatFans& mesh, const vtkPointSplatFans& joined, const Edges& edges, const float* normals)
 {
   const std::vector<Direction> read = GetDirections(joined, joined.GetCorners());
-  const std::vector<Direction> directions = normals ? GetTurned(joined, read, normals) : GetTurned(joined);
+  bool ordered = edges.Ordered;
+  const std::vector<Direction> directions = ordered ? read
+    : normals                                       ? GetTurned(joined, read, normals, ordered)
+                                                    : GetTurned(joined);
   Around around(joined, directions, edges);
   std::vector<vtkIdType> ofJoined(joined.GetCorners().size());
   for (vtkIdType id = 0; id < joined.GetNumberOfPoints(); ++id)
@@ -355,11 +375,15 @@ vtkPointSplatMeshFaces::vtkPointSplatMeshFaces(
     {
       const std::size_t triangle = around.Triangles[t];
       float* sum = this->Normals.data() + begin + 3 * around.Parts[t];
-      vtkMath::Add(sum, directions[triangle].data(), sum);
       const vtkIdType* own = joined.GetCorners().data() + 3 * triangle;
+      if (!normals || !IsThin(joined, own, NeedleShare))
+      {
+        vtkMath::Add(sum, directions[triangle].data(), sum);
+      }
       ofJoined[std::find(own, own + 3, id) - joined.GetCorners().data()] = (sum - this->Normals.data()) / 3;
     }
   }
+  this->AreOrdered = ordered && (edges.Ordered || around.AreOrdered);
   vtkPointSplatThreads::For(0, static_cast<vtkIdType>(this->Normals.size() / 3), [this](vtkIdType begin, vtkIdType end) {
     for (vtkIdType corner = begin; corner < end; ++corner)
     {

@@ -17,7 +17,8 @@
  *    meet as if there were none in between.
  * 4. A face's normal at a corner is, as vtkPolyDataNormals', the mean of those of the triangles around it that are of one face.
  *    These are turned the same way as those beside them before; or, where points have normals, to the side that the order of
- *    corners tells, if that is the normals' side at nine of ten, and else to the normals'.
+ *    corners tells, if that is the normals' side at nine of ten or they are a lattice's, and else to the normals'. A face of needles alone, which have
+ *    the normals of rounding, has none where points do.
  */
 #ifndef vtkPointSplatMeshFaces_h
 #define vtkPointSplatMeshFaces_h
@@ -44,6 +45,7 @@ public:
   {
     bool OfFlat = false;  // whether the mesh has flat faces
     bool AreSharp = false; // whether there are any at which faces end
+    bool Ordered = false; // whether the order of corners tells how triangles face, whatever normals tell; Look() does not know
     double GetAngle() const { return this->OfFlat ? FlatAngle : RoundAngle; }
   };
   static Edges Look(const vtkPointSplatFans& mesh);
@@ -56,6 +58,9 @@ public:
 
   /// The face's corner that one of a triangle is, in the order of the mesh's; None of triangles without area.
   vtkIdType GetCorner(std::size_t i) const { return this->Corners[i]; }
+  /// Whether the order of corners tells how all triangles face, and none that share an edge contradict one another: of scans that
+  /// were merged they do.
+  bool TellFront() const { return this->AreOrdered; }
   /// Whether the order of a triangle's corners is against how it faces.
   bool IsTurned(std::size_t triangle) const { return this->Turned[triangle] != 0; }
   /// Gives the normal there, of unit length; returns whether there is one.
@@ -64,6 +69,7 @@ public:
 private:
   std::vector<vtkIdType> Corners;
   std::vector<unsigned char> Turned; // of each triangle
+  bool AreOrdered = false;
   std::vector<float> Normals; // 3 a face's corner, unit length or 0
 };
 

@@ -201,7 +201,6 @@ struct PackWorker
         bool body = false;
         if (a.Axis1)
         {
-          // Whatever side the axes' product has, the plane shows the normal's.
           vtkMath::Cross(axis1, axis2, plane);
         }
         else if (a.Plane)
@@ -213,8 +212,9 @@ struct PackWorker
         {
           std::copy_n(normal, 3, plane);
         }
-        else if (vtkMath::Dot(plane, normal) < 0.0)
+        else if (a.Axis1 && vtkMath::Dot(plane, normal) < 0.0)
         {
+          // Whatever side the axes' product has, the plane shows the normal's.
           vtkMath::MultiplyScalar(plane, -1.0);
         }
         uint32_t* out = splats + words * i;

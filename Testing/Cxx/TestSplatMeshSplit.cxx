@@ -113,8 +113,8 @@ void TestGivenNormals(int reversed)
   Expect(copies == 16, name + std::to_string(copies) + " copies");
 }
 
-/// A rough ball without normals has sharp edges, but is shaded as one surface.
-void TestRough()
+/// A ball with bumps, which has sharp edges, and no normals.
+vtkSmartPointer<vtkPolyData> MakeRough()
 {
   vtkSmartPointer<vtkPolyData> rough = MakeSphere(5);
   rough->GetPointData()->SetNormals(nullptr);
@@ -125,6 +125,13 @@ void TestRough()
     vtkMath::MultiplyScalar(x, 1 + 0.05 * std::sin(37.0 * id));
     rough->GetPoints()->SetPoint(id, x);
   }
+  return rough;
+}
+
+/// It is shaded as one surface.
+void TestRough()
+{
+  vtkSmartPointer<vtkPolyData> rough = MakeRough();
   vtkNew<vtkFloatArray> normals;
   normals->SetNumberOfComponents(3);
   normals->SetNumberOfTuples(rough->GetNumberOfPoints());
@@ -140,6 +147,64 @@ void TestRough()
     copies += splat.IsCopy;
   });
   Expect(copies > 100, "a rough ball has sharp edges, at which there are " + std::to_string(copies) + " copies");
+}
+
+/// The same with normals from the middle.
+vtkSmartPointer<vtkPolyData> MakeRoughWithNormals()
+{
+  vtkSmartPointer<vtkPolyData> rough = MakeRough();
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  for (vtkIdType id = 0; id < rough->GetNumberOfPoints(); ++id)
+  {
+    normals->InsertNextTuple(rough->GetPoint(id));
+  }
+  rough->GetPointData()->SetNormals(normals);
+  return rough;
+}
+
+/// Planes face as the triangles do where some normals do not, but as the normals do where triangles contradict one another.
+void TestFront()
+{
+  vtkSmartPointer<vtkPolyData> rough = MakeRoughWithNormals();
+  vtkDataArray* normals = rough->GetPointData()->GetNormals();
+  for (vtkIdType id = 0; id < 20; ++id)
+  {
+    double n[3];
+    normals->GetTuple(id, n);
+    normals->SetTuple3(id, -n[0], -n[1], -n[2]);
+  }
+  int inward = 0, against = 0;
+  VisitSplats(rough, [&](const Splat& splat) {
+    inward += vtkMath::Dot(splat.Plane, splat.X) < 0;
+    against += vtkMath::Dot(splat.Plane, splat.Normal) < 0;
+  });
+  Expect(inward == 0, std::to_string(inward) + " planes face inward, as normals do");
+  Expect(against >= 20, std::to_string(against) + " planes face away from their normals");
+  rough->BuildCells();
+  rough->ReverseCell(rough->GetNumberOfCells() / 2);
+  against = 0;
+  VisitSplats(rough, [&](const Splat& splat) { against += vtkMath::Dot(splat.Plane, splat.Normal) < 0; });
+  Expect(against == 0, std::to_string(against) + " planes face as triangles do that contradict one another");
+}
+
+/// A triangle without area, whose corners lie in a line, takes nothing from the others.
+void TestCollinear()
+{
+  vtkSmartPointer<vtkPolyData> rough = MakeRoughWithNormals();
+  vtkNew<vtkPolyData> more;
+  more->DeepCopy(rough);
+  vtkIdType corners[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    corners[k] = more->GetPoints()->InsertNextPoint(2 + 0.25 * k, 0, 0);
+    more->GetPointData()->GetNormals()->InsertNextTuple3(0, 0, 1);
+  }
+  more->InsertNextCell(VTK_TRIANGLE, 3, corners);
+  int splats[2] = { 0, 0 };
+  VisitSplats(rough, [&](const Splat&) { ++splats[0]; });
+  VisitSplats(more, [&](const Splat&) { ++splats[1]; });
+  AtMost(std::abs(splats[1] - splats[0]), 10, "how many splats there are more or less by a triangle without area");
 }
 
 /// Points and normals of an isosurface with a ridge: of these the volume's gradients are means, and tell of no plane.
@@ -187,6 +252,8 @@ int TestSplatMeshSplit(int, char*[])
   TestGivenNormals(1);
   TestGivenNormals(6);
   TestRough();
+  TestFront();
+  TestCollinear();
   TestRidge();
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

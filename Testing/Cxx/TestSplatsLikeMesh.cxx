@@ -139,6 +139,43 @@ void CompareColours(Checks& checks, bool lit)
     std::string(lit ? "ambient" : "unlit") + " colours: psnr");
 }
 
+/// Normals that point inward on one half of a sphere are dark there, as where a volume's gradients are another surface's: planes
+/// tell the front, as the order of triangles' corners does.
+void CompareInwardHalf(Checks& checks)
+{
+  vtkSmartPointer<vtkPolyData> mesh = MakeSphereMesh();
+  vtkNew<vtkFloatArray> planes;
+  planes->DeepCopy(mesh->GetPointData()->GetNormals());
+  planes->SetName("SplatPlaneNormal");
+  vtkNew<vtkFloatArray> radii;
+  radii->SetName("SplatRadius");
+  radii->SetNumberOfTuples(mesh->GetNumberOfPoints());
+  radii->Fill(0.018);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double n[3];
+    planes->GetTuple(i, n);
+    const double side = n[0] > 0 ? -1 : 1;
+    mesh->GetPointData()->GetNormals()->SetTuple3(i, side * n[0], side * n[1], side * n[2]);
+  }
+  vtkSmartPointer<vtkPolyData> cloud = Cloud(mesh);
+  cloud->GetPointData()->AddArray(radii);
+  cloud->GetPointData()->AddArray(planes);
+  Picture pictures[2];
+  for (int kind = 0; kind < 2; ++kind)
+  {
+    Window window;
+    auto mapper = kind == 0 ? vtkSmartPointer<vtkPolyDataMapper>::New()
+                            : vtkSmartPointer<vtkPolyDataMapper>(vtkNew<vtkPointSplatMapper>());
+    mapper->SetInputData(kind == 0 ? mesh : cloud);
+    window.Add(mapper);
+    window.Renderer->ResetCamera();
+    window.Renderer->GetActiveCamera()->Zoom(3.0); // flat splats stand out at the outline
+    pictures[kind] = window.Draw();
+  }
+  checks.AtLeast(Psnr(pictures[0], pictures[1]), 24.0, "normals inward on one half: psnr"); // 7 if all are turned to the viewer
+}
+
 /// Red to the right, green above, blue behind.
 void AddEnvironment(vtkRenderer* renderer, bool harmonics)
 {
@@ -325,6 +362,7 @@ int TestSplatsLikeMesh(int, char*[])
     r->ResetCamera();
   }, false, 40.0); // its outline is some pixels off
   ComparePhysical(checks);
+  CompareInwardHalf(checks);
   CompareColours(checks, false);
   CompareColours(checks, true);
   return checks.Result();
