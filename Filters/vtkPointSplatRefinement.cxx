@@ -27,6 +27,8 @@ constexpr int CoveredParts = 6;
 constexpr float MostGraded = 1.5f;
 /// How often fill points are graded, and what is long then divided: each time fewer are.
 constexpr int MostRounds = 3;
+/// How many triangles are divided at once, by all threads.
+constexpr std::size_t PartsAtOnce = 4096;
 /// Each division halves an edge: more are those of sizes that next to nothing is left of.
 constexpr int MostHalvings = 24;
 }
@@ -90,16 +92,17 @@ void vtkPointSplatRefinement::AddEnds(const Point& of, Point& to) const
   }
 }
 
-/// Makes the point in the middle between two, unless there is one near to it.
-vtkPointSplatRefinement::Middle vtkPointSplatRefinement::AddMiddle(Index a, Index b)
+/// Adds the point that was made in the middle between two, unless there is one near to it.
+vtkPointSplatRefinement::Middle vtkPointSplatRefinement::AddMiddle(Index a, Index b, const Point& made)
 {
-  const Point p = this->Get(a), q = this->Get(b);
+  double x[3], y[3];
+  this->GetPlace(a, x);
+  this->GetPlace(b, y);
   Middle middle{ a, { { 0, 0, 0 } } };
-  if (std::equal(p.X, p.X + 3, q.X))
+  if (std::equal(x, x + 3, y))
   {
     return middle; // one point stands for both ends
   }
-  const Point made = this->MakeMiddle(p, q);
   middle.Of = FirstIndex + this->Points.size();
   if (!this->FindNear(made, middle.Of))
   {
@@ -108,20 +111,45 @@ vtkPointSplatRefinement::Middle vtkPointSplatRefinement::AddMiddle(Index a, Inde
   }
   for (int c = 0; c < 3; ++c)
   {
-    middle.Rise[c] = made.X[c] - 0.5 * (p.X[c] + q.X[c]);
+    middle.Rise[c] = made.X[c] - 0.5 * (x[c] + y[c]);
   }
   return middle;
 }
 
-/// Gives the corner in the middle of an edge.
+/// Divides the edges at which some triangles are to be divided. What is made of an edge depends on its ends alone, but not what
+/// stands for it.
+void vtkPointSplatRefinement::DivideEdges(const Part* first, const Part* last)
+{
+  std::vector<std::pair<const std::pair<Index, Index>, Middle>*> edges;
+  for (const Part* part = first; part != last; ++part)
+  {
+    const auto [known, isNew] = this->Middles.try_emplace(std::minmax(part->Of[0].Of, part->Of[1].Of));
+    if (isNew)
+    {
+      edges.push_back(&*known);
+    }
+  }
+  std::vector<Point> made(edges.size());
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(edges.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      const Point p = this->Get(edges[i]->first.first), q = this->Get(edges[i]->first.second);
+      if (!std::equal(p.X, p.X + 3, q.X))
+      {
+        made[i] = this->MakeMiddle(p, q);
+      }
+    }
+  });
+  for (std::size_t i = 0; i < edges.size(); ++i)
+  {
+    edges[i]->second = this->AddMiddle(edges[i]->first.first, edges[i]->first.second, made[i]);
+  }
+}
+
+/// Gives the corner in the middle of an edge that was divided.
 vtkPointSplatRefinement::Corner vtkPointSplatRefinement::Divide(const Corner& a, const Corner& b)
 {
-  const auto [known, isNew] = this->Middles.try_emplace(std::minmax(a.Of, b.Of));
-  Middle& middle = known->second;
-  if (isNew)
-  {
-    middle = this->AddMiddle(known->first.first, known->first.second);
-  }
+  const Middle& middle = this->Middles.at(std::minmax(a.Of, b.Of));
   Corner corner{ middle.Of, middle.Rise };
   if (!this->GetRoom)
   {
@@ -400,15 +428,20 @@ bool vtkPointSplatRefinement::DivideAll(std::size_t most)
     std::vector<Part> parts = std::move(longest->second);
     this->Parts.erase(longest);
     vtkSMPTools::Sort(parts.begin(), parts.end());
-    for (const Part& part : parts)
+    for (std::size_t begin = 0, end; begin < parts.size(); begin = end)
     {
-      const Corners& c = part.Of;
-      const Corner middle = this->Divide(c[0], c[1]);
-      this->Add({ { c[0], middle, c[2] } }, part.Divisions + 1);
-      this->Add({ { middle, c[1], c[2] } }, part.Divisions + 1);
+      end = std::min(parts.size(), begin + PartsAtOnce);
+      this->DivideEdges(parts.data() + begin, parts.data() + end);
       if (this->Points.size() > most)
       {
         return false;
+      }
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const Corners& c = parts[i].Of;
+        const Corner middle = this->Divide(c[0], c[1]);
+        this->Add({ { c[0], middle, c[2] } }, parts[i].Divisions + 1);
+        this->Add({ { middle, c[1], c[2] } }, parts[i].Divisions + 1);
       }
     }
   }

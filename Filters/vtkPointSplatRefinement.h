@@ -132,7 +132,8 @@ private:
     Index Of;
     Place Rise;
   };
-  Middle AddMiddle(Index a, Index b);
+  Middle AddMiddle(Index a, Index b, const Point& made);
+  void DivideEdges(const Part* first, const Part* last);
   Corner Divide(const Corner& a, const Corner& b);
   Point MakeMiddle(const Point& p, const Point& q) const;
   void AddEnds(const Point& of, Point& to) const;
