@@ -15,6 +15,7 @@
 #include "vtkSMPThreadLocal.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <numeric>
 #include <utility>
@@ -230,6 +231,21 @@ bool vtkPointSplatFans::Join(const float* normals)
     this->FindBorder();
   }
   return any || anyOfSeams;
+}
+
+bool vtkPointSplatFans::HasEdgesWithoutLength() const
+{
+  std::atomic<bool> any{ false };
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(this->Corners.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType i = begin; i < end && !any; ++i)
+    {
+      if (this->IsSamePlace(this->Corners[i], this->Corners[i % 3 < 2 ? i + 1 : i - 2]))
+      {
+        any = true;
+      }
+    }
+  });
+  return any;
 }
 
 bool vtkPointSplatFans::AreApart() const

@@ -54,6 +54,8 @@ public:
   /// Makes one of points in one place, leaves out triangles that have no area by that, and finds the border. normals: 3
   /// floats a point, unit length or 0. Returns whether any were joined.
   bool Join(const float* normals);
+  /// Whether two corners of some triangle are in one place.
+  bool HasEdgesWithoutLength() const;
   /// Whether all triangles have points of their own.
   bool AreApart() const;
 

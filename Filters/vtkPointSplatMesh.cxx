@@ -191,7 +191,9 @@ void vtkPointSplatMesh::TakeGiven(std::vector<float>& planes) const
 
 bool vtkPointSplatMesh::Split()
 {
-  if (!this->OfLattice && !this->Normals.empty())
+  const bool joins = !this->OfLattice && !this->Normals.empty();
+  const bool apart = this->Fans.AreApart();
+  if (joins && apart)
   {
     this->Fans.Join(this->Normals.data()); // those of one place and normal are one point
   }
@@ -204,6 +206,10 @@ bool vtkPointSplatMesh::Split()
   if (!edges.AreSharp)
   {
     return false;
+  }
+  if (joins && !apart && this->Fans.HasEdgesWithoutLength())
+  {
+    this->Fans.Join(this->Normals.data()); // as an isosurface's at a sample that is its value
   }
   const vtkIdType count = this->Fans.GetNumberOfPoints();
   for (const vtkIdType id : this->Fans.GetCollapsed())

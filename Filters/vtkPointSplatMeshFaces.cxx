@@ -100,17 +100,11 @@ bool IsFlat(const vtkPointSplatFans& fans, const vtkIdType own[3])
   return flat;
 }
 
-/// Whether a triangle is thinner than that, of its longest edge.
-bool IsThin(const vtkPointSplatFans& fans, const vtkIdType own[3], double share)
-{
-  const vtkPointSplatFans::Shape shape = fans.GetShape(own);
-  return shape.Height < share * shape.Longest;
-}
-
 /// Whether a triangle is so thin that its normal says nothing of the surface, unless that is of flat faces.
 bool IsSliver(const vtkPointSplatFans& fans, const vtkIdType own[3])
 {
-  return IsThin(fans, own, SliverShare);
+  const vtkPointSplatFans::Shape shape = fans.GetShape(own);
+  return shape.Height < SliverShare * shape.Longest;
 }
 
 /// Edges of more than 30 degrees; of them those of flat triangles, those of less than 45 degrees, and those sharper than
@@ -230,14 +224,19 @@ public:
     , Directions(directions)
     , Least(GetCosine(edges.GetAngle()))
     , Slivers(directions.size(), 0)
+    , Needles(directions.size(), 0)
   {
-    vtkPointSplatThreads::For(0, edges.OfFlat ? 0 : static_cast<vtkIdType>(directions.size()), [&](vtkIdType begin, vtkIdType end) {
+    vtkPointSplatThreads::For(0, static_cast<vtkIdType>(directions.size()), [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType t = begin; t < end; ++t)
       {
-        this->Slivers[t] = IsSliver(mesh, mesh.GetCorners().data() + 3 * t);
+        const vtkPointSplatFans::Shape shape = mesh.GetShape(mesh.GetCorners().data() + 3 * t);
+        this->Slivers[t] = !edges.OfFlat && shape.Height < SliverShare * shape.Longest;
+        this->Needles[t] = shape.Height < NeedleShare * shape.Longest;
       }
     });
   }
+
+  bool IsNeedle(std::size_t triangle) const { return this->Needles[triangle] != 0; }
 
   std::vector<std::size_t> Triangles; // around the point
   std::vector<int> Parts;             // of each, from 0 on
@@ -335,7 +334,7 @@ private:
   const vtkPointSplatFans& Mesh;
   const std::vector<Direction>& Directions;
   const double Least;
-  std::vector<unsigned char> Slivers; // triangles that tell nothing
+  std::vector<unsigned char> Slivers, Needles; // triangles that tell nothing of the surface, and of themselves
   /// Of an edge at the point, and a triangle that it is of.
   struct End
   {
@@ -376,7 +375,7 @@ vtkPointSplatMeshFaces::vtkPointSplatMeshFaces(
       const std::size_t triangle = around.Triangles[t];
       float* sum = this->Normals.data() + begin + 3 * around.Parts[t];
       const vtkIdType* own = joined.GetCorners().data() + 3 * triangle;
-      if (!normals || !IsThin(joined, own, NeedleShare))
+      if (!normals || !around.IsNeedle(triangle))
       {
         vtkMath::Add(sum, directions[triangle].data(), sum);
       }

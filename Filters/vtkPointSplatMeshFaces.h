@@ -17,8 +17,8 @@
  *    meet as if there were none in between.
  * 4. A face's normal at a corner is, as vtkPolyDataNormals', the mean of those of the triangles around it that are of one face.
  *    These are turned the same way as those beside them before; or, where points have normals, to the side that the order of
- *    corners tells, if that is the normals' side at nine of ten or they are a lattice's, and else to the normals'. A face of needles alone, which have
- *    the normals of rounding, has none where points do.
+ *    corners tells, if that is the normals' side at nine of ten or they are a lattice's, and else to the normals'. A face of
+ *    needles alone, which have the normals of rounding, has none where points do.
  */
 #ifndef vtkPointSplatMeshFaces_h
 #define vtkPointSplatMeshFaces_h
