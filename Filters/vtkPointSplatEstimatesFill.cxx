@@ -391,10 +391,12 @@ void vtkPointSplatEstimates::TurnPlanes()
       turn(this->GetNormal(id), this->Planes->GetPointer(3 * id), this->Curvatures->GetPointer(6 * id));
     }
   });
-  for (vtkPointSplatRefinement::Point& point : this->Fill)
-  {
-    turn(point.Normal, point.Plane, point.Curvature);
-  }
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(this->Fill.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      turn(this->Fill[i].Normal, this->Fill[i].Plane, this->Fill[i].Curvature);
+    }
+  });
 }
 
 VTK_ABI_NAMESPACE_END

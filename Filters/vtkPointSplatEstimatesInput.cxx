@@ -101,11 +101,7 @@ void vtkPointSplatEstimates::ReadMesh()
   {
     this->Fans.Clear();
   }
-  // What has no area anywhere is no part of the surface.
-  for (const vtkIdType id : this->Fans.GetCollapsed())
-  {
-    this->Used[id] = this->Used[id] && this->Fans.Has(id);
-  }
+  this->Fans.LeaveOutCollapsed(this->Used);
   if (this->OfLattice)
   {
     for (vtkIdType id = 0; id < this->NumberOfPoints; ++id)

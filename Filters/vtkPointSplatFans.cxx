@@ -282,6 +282,14 @@ void vtkPointSplatFans::Merge()
   this->Sort();
 }
 
+void vtkPointSplatFans::LeaveOutCollapsed(std::vector<unsigned char>& used) const
+{
+  for (const vtkIdType id : this->Collapsed)
+  {
+    used[id] = used[id] && this->Has(id);
+  }
+}
+
 /// Lists each point's triangles, in the order in which they were read.
 void vtkPointSplatFans::Sort()
 {

@@ -148,8 +148,8 @@ public:
   /// The point that takes part for a point, mostly itself.
   vtkIdType GetSame(vtkIdType id) const { return this->Same.empty() ? id : this->Same[id]; }
 
-  /// Points that were read as corners of triangles without area; they may be of others, too.
-  const std::vector<vtkIdType>& GetCollapsed() const { return this->Collapsed; }
+  /// Unmarks the points that are corners of triangles without area, and of no others: they are no part of the surface.
+  void LeaveOutCollapsed(std::vector<unsigned char>& used) const;
 
   /// By how much triangles of a flat face may be off its plane, as a sine (0.1 degrees).
   static constexpr double FlatSine = 1.75e-3;
@@ -205,7 +205,7 @@ private:
   std::vector<double> Positions;    // 3 a point
   std::vector<vtkIdType> Corners;   // 3 a triangle, of points that take part
   std::vector<vtkIdType> Same;      // GetSame(), empty where that is id of all
-  std::vector<vtkIdType> Collapsed;
+  std::vector<vtkIdType> Collapsed; // corners of triangles without area; they may be of others, too
   std::vector<vtkIdType> First;     // of a point's triangles: where they begin in Fans
   std::vector<vtkIdType> Triangles; // by points
   static constexpr std::size_t Inside = static_cast<std::size_t>(-1);

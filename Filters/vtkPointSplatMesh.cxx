@@ -212,10 +212,7 @@ bool vtkPointSplatMesh::Split()
     this->Fans.Join(this->Normals.data()); // as an isosurface's at a sample that is its value
   }
   const vtkIdType count = this->Fans.GetNumberOfPoints();
-  for (const vtkIdType id : this->Fans.GetCollapsed())
-  {
-    this->Used[id] = this->Used[id] && this->Fans.Has(id); // what has no area anywhere is no part of the surface
-  }
+  this->Fans.LeaveOutCollapsed(this->Used);
   for (vtkIdType id = 0; id < count; ++id)
   {
     if (this->Used[id] && !this->Fans.Has(id))

@@ -202,6 +202,10 @@ struct PackWorker
         if (a.Axis1)
         {
           vtkMath::Cross(axis1, axis2, plane);
+          if (vtkMath::Dot(plane, normal) < 0.0)
+          {
+            vtkMath::MultiplyScalar(plane, -1.0); // whatever side the product has, the plane shows the normal's
+          }
         }
         else if (a.Plane)
         {
@@ -211,11 +215,6 @@ struct PackWorker
         if (!(vtkMath::Normalize(plane) > 0.0) || !Finite(plane))
         {
           std::copy_n(normal, 3, plane);
-        }
-        else if (a.Axis1 && vtkMath::Dot(plane, normal) < 0.0)
-        {
-          // Whatever side the axes' product has, the plane shows the normal's.
-          vtkMath::MultiplyScalar(plane, -1.0);
         }
         uint32_t* out = splats + words * i;
         for (int k = 0; k < 3; ++k)
