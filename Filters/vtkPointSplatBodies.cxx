@@ -108,6 +108,13 @@ void vtkPointSplatBodies::AddRow(
   this->Rows.push_back(row);
 }
 
+void vtkPointSplatBodies::ForgetRows(const std::vector<unsigned char>& slots)
+{
+  this->Rows.erase(
+    std::remove_if(this->Rows.begin(), this->Rows.end(), [&slots](const Row& row) { return slots[row.At] != 0; }),
+    this->Rows.end());
+}
+
 bool vtkPointSplatBodies::Finish(vtkAlgorithm* self, double from, double to,
   const vtkPointSplatNeighbors& neighbors, int count, vtkPointSplatDisks& disks)
 {

@@ -54,6 +54,9 @@ public:
   /// the nearest.
   void AddRow(const Neighborhood& around, const vtkPointSplatSheet& sheet, float length);
 
+  /// Takes back what AddRow() was told of the slots that are marked, which are looked at once more.
+  void ForgetRows(const std::vector<unsigned char>& slots);
+
   /**
    * Makes disks of length 0 of the bodies, and of border rows' as large as those in the next row.
    * count: of neighbours, as in the looks. Returns false if aborted.

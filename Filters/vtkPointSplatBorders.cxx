@@ -60,17 +60,28 @@ vtkPointSplatBorders::vtkPointSplatBorders(const vtkPointSplatNeighbors& neighbo
   : Neighbors(neighbors)
   , Normals(normals)
   , Disks(disks)
-  , Limit(disks.Stretched ? disks.BorderLimit : std::min(disks.BorderLimit, LargestAlpha))
-  // What is no wider than gaps that are closed is one of these.
-  , LeastReach(disks.Regular
-        ? std::max(RegularReach, std::min(disks.HoleLimit, LargestAlpha) / this->Limit)
-        : SureReach)
-  , Wide(!disks.Regular || (!disks.Stretched && this->LeastReach * this->Limit > LargestAlpha))
 {
+}
+
+vtkPointSplatBorders::Gaps::Gaps(const vtkPointSplatSamplings::Sampling& sampling)
+  : Alpha(sampling.Stretched ? sampling.BorderLimit : std::min(sampling.BorderLimit, LargestAlpha))
+  // What is no wider than gaps that are closed is one of these.
+  , LeastReach(sampling.Regular
+        ? std::max(RegularReach, std::min(sampling.HoleLimit, LargestAlpha) / this->Alpha)
+        : SureReach)
+  , Wide(!sampling.Regular || (!sampling.Stretched && this->LeastReach * this->Alpha > LargestAlpha))
+{
+}
+
+float vtkPointSplatBorders::GetWidestGap(Slot slot) const
+{
+  const Gaps gaps = this->GetGaps(slot);
+  return this->Disks.GetSampling(slot).Regular ? gaps.LeastReach * gaps.Alpha : 0.0f;
 }
 
 float vtkPointSplatBorders::GetAlpha(const Neighborhood& around, float limit) const
 {
+  const bool stretched = this->Disks.GetSampling(around.Center).Stretched;
   std::vector<float> spacings, openings;
   for (int i = 0; i < around.Count; ++i)
   {
@@ -80,7 +91,7 @@ float vtkPointSplatBorders::GetAlpha(const Neighborhood& around, float limit) co
       spacings.push_back(spacing);
     }
     const float opening = this->Disks.Opening[around.Slots[i]];
-    if (this->Disks.Stretched && opening > 0)
+    if (stretched && opening > 0)
     {
       openings.push_back(opening);
     }
@@ -89,24 +100,26 @@ float vtkPointSplatBorders::GetAlpha(const Neighborhood& around, float limit) co
   {
     return 0;
   }
-  const float alpha = limit * vtkPointSplatDisks::GetQuantile(spacings, SpacingQuantile);
+  const float alpha = limit * vtkPointSplatVoronoiCells::GetQuantile(spacings, SpacingQuantile);
   return openings.empty()
     ? alpha
     : std::min(
-        alpha, StretchedReach * vtkPointSplatDisks::GetQuantile(openings, ReachQuantile));
+        alpha, StretchedReach * vtkPointSplatVoronoiCells::GetQuantile(openings, ReachQuantile));
 }
 
 bool vtkPointSplatBorders::FindEnd(
   const Neighborhood& around, const vtkPointSplatDisk& disk, End& end) const
 {
   int next[2];
-  const float alpha = this->GetAlpha(around, this->Limit);
+  const vtkPointSplatSamplings::Sampling& sampling = this->Disks.GetSampling(around.Center);
+  const Gaps gaps(sampling);
+  const float alpha = this->GetAlpha(around, gaps.Alpha);
   if (!(alpha > 0))
   {
     return false;
   }
   float reach = disk.FindBorder(alpha, next);
-  const bool bay = !(reach > 0) && !this->Disks.Regular;
+  const bool bay = !(reach > 0) && !sampling.Regular;
   if (bay)
   {
     reach = disk.FindBorder(this->GetAlpha(around, vtkPointSplatDisks::BayLimit), next);
@@ -147,16 +160,16 @@ bool vtkPointSplatBorders::FindEnd(
   float least = alpha;
   disk.VisitTriangles([&](int a, int b, float circumscribed) {
     // Where cells are long in one place and not in another a spacing does not tell how far they reach.
-    if (circumscribed >= FarthestShare * reach && !this->Disks.Stretched)
+    if (circumscribed >= FarthestShare * reach && !sampling.Stretched)
     {
       const float inside = std::max(this->Disks.GetSpacingInside(around.Slots[a]),
         this->Disks.GetSpacingInside(around.Slots[b]));
-      least = std::max(least, this->Limit * inside);
+      least = std::max(least, gaps.Alpha * inside);
     }
   });
   // Where points are at random, how far an open cell reaches is not known of so few neighbours.
-  const bool open = !this->Disks.Regular && disk.Opening == 0;
-  end.Sure = !bay && !open && reach > this->LeastReach * least;
+  const bool open = !sampling.Regular && disk.Opening == 0;
+  end.Sure = !bay && !open && reach > gaps.LeastReach * least;
   end.Bay = bay;
   for (int k = 0; k < 2; ++k)
   {
@@ -255,8 +268,8 @@ bool vtkPointSplatBorders::Find(
       return round > 1;
     }
     vtkPointSplatDisk disk;
-    const bool closed = disk.Estimate(
-      around, this->Normals, elliptical, this->Disks.Usual, this->Disks.BorderLimit);
+    const bool closed = disk.Estimate(around, this->Normals, elliptical, this->Disks.GetUsualOfPart(around.Center),
+      this->Disks.GetSampling(around.Center).BorderLimit);
     // A cell that more neighbours closed: these are denser, and to one side.
     if (round == 0 && !closed && this->Disks.Opening[around.Center] > 0)
     {
@@ -267,20 +280,24 @@ bool vtkPointSplatBorders::Find(
     {
       ends.push_back(end);
       // What is a gap may be wider than these neighbours are far.
-      return end.Sure || end.Bay || !this->Wide;
+      return end.Sure || end.Bay || !this->GetGaps(around.Center).Wide;
     }
     return round > 0 || !disk.InRow(NumberInRow);
   };
   const double progress = self->GetProgress();
   for (const bool bays : { false, true })
   {
-    const auto isWanted = [&](Slot s) {
-      return candidates[s] && (bays ? this->Disks.MayBeBay(s) : this->Disks.MayEnd(s));
-    };
-    if (!this->Neighbors.Visit(self, progress, progress, this->Wide ? NumberAtRandom : NumberOfNeighbors,
-          find, isWanted))
+    for (const bool wide : { false, true })
     {
-      return false;
+      const auto isWanted = [&](Slot s) {
+        return candidates[s] && this->GetGaps(s).Wide == wide &&
+          (bays ? this->Disks.MayBeBay(s) : this->Disks.MayEnd(s));
+      };
+      if (!this->Neighbors.Visit(
+            self, progress, progress, wide ? NumberAtRandom : NumberOfNeighbors, find, isWanted))
+      {
+        return false;
+      }
     }
     this->Take(found);
     this->Confirm();
@@ -325,7 +342,8 @@ bool vtkPointSplatBorders::IsOutside(Slot slot, const float direction[3]) const
 
 bool vtkPointSplatBorders::IsVoid(const Neighborhood& around, const End& end) const
 {
-  const float far = this->LeastReach * this->GetAlpha(around, this->Limit);
+  const Gaps gaps = this->GetGaps(around.Center);
+  const float far = gaps.LeastReach * this->GetAlpha(around, gaps.Alpha);
   if (around.Count == 0 || !(around.SquaredDistance[around.Count - 1] >= far * far))
   {
     return false;
@@ -487,15 +505,26 @@ bool vtkPointSplatBorders::Finish(vtkAlgorithm* self, vtkPointSplatDisks& disks)
   {
     return true;
   }
-  if (!disks.Regular)
-  {
-    return this->Straighten(self, disks);
-  }
+  const auto random = std::stable_partition(this->Ends.begin(), this->Ends.end(),
+    [this](const End& end) { return this->Disks.GetSampling(end.At).Regular; });
+  std::vector<End> others(random, this->Ends.end());
+  this->Ends.erase(random, this->Ends.end());
   for (const End& end : this->Ends)
   {
     disks.Gap[end.At] = std::max(disks.Gap[end.At], end.Gap);
   }
-  return this->ClipBeside(self);
+  if (!this->Ends.empty() && !this->ClipBeside(self))
+  {
+    return false;
+  }
+  this->Ends.swap(others);
+  if (!this->Ends.empty() && !this->Straighten(self))
+  {
+    return false;
+  }
+  this->Ends.insert(this->Ends.end(), others.begin(), others.end());
+  this->Sort();
+  return true;
 }
 
 void vtkPointSplatBorders::MakeLines(vtkFloatArray* clips, vtkIdType count)

@@ -109,7 +109,7 @@ public:
 
   /// From how many spacings on what is open is surely no gap of a regular sampling; 0 of a random one, whose gaps
   /// vtkPointSplatDisks::HoleLimit bounds.
-  float GetWidestGap() const { return this->Disks.Regular ? this->LeastReach * this->Limit : 0.0f; }
+  float GetWidestGap(Slot slot) const;
 
   /// Adds the lines, if any, of points that have none to the array of clip lines, of 6 components,
   /// which is made if it has no tuples. slotOf: of each point.
@@ -136,6 +136,16 @@ private:
     float Gap;     // what its disk must at least be to cover the triangles there
   };
 
+  /// What is a gap of some sampling.
+  struct Gaps
+  {
+    explicit Gaps(const vtkPointSplatSamplings::Sampling& sampling);
+    float Alpha;      // in spacings
+    float LeastReach; // in alphas, of a cell that is none
+    bool Wide;        // whether that may be farther than NumberOfNeighbors reach
+  };
+  Gaps GetGaps(Slot slot) const { return Gaps(this->Disks.GetSampling(slot)); }
+
   /// From which distance on a vertex of a Voronoi cell lies in a hole, of limits in spacings; 0 where none around has a cell.
   float GetAlpha(const Neighborhood& around, float limit) const;
   bool FindEnd(const Neighborhood& around, const vtkPointSplatDisk& disk, End& end) const;
@@ -155,15 +165,12 @@ private:
   /// False where the splat has no other lines than before.
   bool ClipAsNearest(const Neighborhood& around, End& clip) const;
   bool ClipBeside(vtkAlgorithm* self);
-  bool Straighten(vtkAlgorithm* self, const vtkPointSplatDisks& disks);
-  bool Cut(const Neighborhood& around, const vtkPointSplatDisks& disks, End& cut) const;
+  bool Straighten(vtkAlgorithm* self);
+  bool Cut(const Neighborhood& around, End& cut) const;
 
   const vtkPointSplatNeighbors& Neighbors;
   const float* Normals;
   const vtkPointSplatDisks& Disks;
-  float Limit;      // alpha in spacings
-  float LeastReach; // in alphas, of a cell that is no gap of the sampling
-  bool Wide;        // whether that may be farther than NumberOfNeighbors reach
   std::vector<End> Ends; // in order of slots
   std::vector<End> Rim;  // the same, as they were found
 };

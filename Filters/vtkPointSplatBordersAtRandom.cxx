@@ -69,10 +69,9 @@ float GetScatter(const std::vector<float>& along, const std::vector<float>& acro
 }
 }
 
-bool vtkPointSplatBorders::Cut(
-  const Neighborhood& around, const vtkPointSplatDisks& disks, End& cut) const
+bool vtkPointSplatBorders::Cut(const Neighborhood& around, End& cut) const
 {
-  const float reach = KernelReach * disks.Length[around.Center];
+  const float reach = KernelReach * this->Disks.Length[around.Center];
   const float* n = this->Normals + std::size_t(3) * around.Center;
   struct Near
   {
@@ -144,13 +143,13 @@ bool vtkPointSplatBorders::Cut(
   return true;
 }
 
-bool vtkPointSplatBorders::Straighten(vtkAlgorithm* self, const vtkPointSplatDisks& disks)
+bool vtkPointSplatBorders::Straighten(vtkAlgorithm* self)
 {
   std::vector<std::atomic<bool>> near(this->Disks.Spacing.size());
   vtkSMPThreadLocal<std::vector<End>> found;
   auto cut = [&](const Neighborhood& around, int) {
     End end;
-    if (!disks.IsAlone(around.Center) && this->Cut(around, disks, end))
+    if (!this->Disks.IsAlone(around.Center) && this->Cut(around, end))
     {
       found.Local().push_back(end);
     }

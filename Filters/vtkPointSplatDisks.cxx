@@ -18,31 +18,13 @@ namespace
 constexpr float LoneRadius = 0.1f;
 /// How much larger than its neighbours' disks one may be.
 constexpr float LargestRatio = 2.5f;
-/// Where samplings are as regular as meshes' (the 95th percentile of the disks' sizes, in
-/// spacings, is below RegularSpread medians), a disk of more than HoleFactor such percentiles
-/// reaches over a hole; where they are random (IrregularSpread medians), over a gap to be closed. Where splats are to end, that
-/// percentile of sizes over those next to them counts if it is less: it is 1.5 and more of random samplings alone.
-/// A mesh whose cells are long in one place and square in another is regular too: sizes next to one
-/// another have next to no spread (StretchedSpread).
-constexpr float RegularSpread = 1.25f;
-constexpr float IrregularSpread = 1.45f;
-constexpr float StretchedSpread = 1.15f;
-/// Where sizes are as even as that, what disks leave uncovered that are made smaller since the surface bends
-/// is no noise.
-constexpr float EvenSpread = 1.05f;
-/// ... if the normal would turn by as much on the way to the cell's farthest vertex: less is closed anyway.
+/// By how much the normal of a tube turns at least on the way to the cell's farthest vertex: less is closed anyway.
 constexpr float TubeBend = 0.7f;
 /// How far beside the axis of a tube disks reach at least, of the distance to what is nearest.
 constexpr float NearestShare = 0.6f;
 /// How many times as steeply as normals positions may turn. Where half of the points exceed it these are off the surface:
 /// it is 1 to 1.6 of scans and isosurfaces, 7 to 18 where points are off it by a thirtieth of their distance, as TestSplatFill's.
 constexpr float MostSteepness = 4;
-constexpr float HoleFactor = 1.3f;
-constexpr float GapFactor = 3.0f;
-/// Points that lie together in places, as the vertices of tetrahedra's isosurfaces do, have cells of up to a hundred of their own
-/// spacings, which say nothing of gaps. In the largest spacings around that percentile is a third for them, and for points at
-/// random less by this.
-constexpr float AroundShare = 1.17f; // Testing/Cxx/TestSplatBorders.cxx
 /// Of HoleLimit counts HoleShare at a border, and this with the least spacing around, which is that farther inside: where
 /// cells are even none reaches so far.
 constexpr float InsideShare = 0.9f;
@@ -67,27 +49,26 @@ constexpr float Denser = 3.0f;
 constexpr float BodyRadius = 0.5f;
 }
 
-vtkPointSplatDisks::vtkPointSplatDisks(Slot slots, bool elliptical)
-  : Distance(slots, 0.0f)
+vtkPointSplatDisks::vtkPointSplatDisks(Slot slots, float usual, bool elliptical)
+  : vtkPointSplatVoronoiCells(slots)
+  , Distance(slots, 0.0f)
   , Turn(slots, 0.0f)
   , Facing(slots, 0.0f)
   , Farthest(slots, 0.0f)
   , Length(slots, 0.0f)
   , Gap(slots, 0.0f)
-  , Opening(slots, 0.0f)
   , Whole(slots, 0)
   , Few(slots, 0)
-  , Spacing(slots, 0.0f)
   , NearSpacing(slots, std::numeric_limits<float>::max())
   , BodySpacing(slots, std::numeric_limits<float>::max())
   , Axes(elliptical ? std::size_t(6) * slots : 0, 0.0f)
   , Planes(std::size_t(3) * slots, 0.0f)
   , Curvatures(elliptical ? 0 : std::size_t(6) * slots, 0.0f)
+  , Samplings(usual)
   , Sparse(slots, 0)
   , Cut(slots, 0)
   , Graded(slots, 0)
   , Nearest(slots, 0.0f)
-  , Witnesses(std::size_t(NumberOfWitnesses) * slots, vtkPointSplatNeighbors::None)
 {
 }
 
@@ -127,7 +108,7 @@ void vtkPointSplatDisks::SetStar(
   const float* normals, float grain)
 {
   float turn2 = 0, facing2 = 0, squared = 0;
-  const float most = this->HoleLimit * disk.Spacing;
+  const float most = this->GetSampling(around.Center).HoleLimit * disk.Spacing;
   disk.VisitTriangles([&](int a, int b, float reach) {
     for (const int i : { a, b })
     {
@@ -211,74 +192,10 @@ void vtkPointSplatDisks::TrustNormals()
   });
 }
 
-void vtkPointSplatDisks::FindLimits()
-{
-  std::vector<float> sizes = GetSamples(this->Opening.size(), [this](std::size_t s) {
-    return this->Opening[s] > 0 ? this->Opening[s] / this->Spacing[s] : 0.0f;
-  });
-  if (sizes.size() < 100)
-  {
-    return;
-  }
-  const float usual = GetQuantile(sizes, 0.5), large = GetQuantile(sizes, 0.95);
-  const auto factor = [](float spread) {
-    const float t = (spread - RegularSpread) / (IrregularSpread - RegularSpread);
-    return HoleFactor + std::clamp(t, 0.0f, 1.0f) * (GapFactor - HoleFactor);
-  };
-  const float spread = large / usual, local = this->GetLocalSpread();
-  this->HoleLimit = large * factor(spread);
-  this->Even = local < EvenSpread;
-  this->Stretched = spread > RegularSpread && local < StretchedSpread;
-  // Of meshes whose sizes differ from place to place points next to one another are as regular as of others.
-  const float beside = this->Stretched ? spread : std::min(spread, local);
-  this->BorderLimit = large * factor(beside);
-  this->Regular = beside < IrregularSpread || this->Stretched;
-  if (!this->Regular)
-  {
-    std::vector<float> around = GetSamples(this->Opening.size(), [this](std::size_t s) {
-      return this->Opening[s] > 0 ? this->Opening[s] / this->GetSpacingAround(static_cast<Slot>(s)) : 0.0f;
-    });
-    this->BorderLimit = std::min(this->BorderLimit, AroundShare * GetQuantile(around, 0.95) * factor(beside));
-  }
-}
-
-/// Calls visit(witness) for each that a slot has.
-template <typename Visitor>
-void vtkPointSplatDisks::VisitWitnesses(Slot slot, const Visitor& visit) const
-{
-  const Slot* first = this->Witnesses.data() + std::size_t(NumberOfWitnesses) * slot;
-  for (const Slot* witness = first; witness != first + NumberOfWitnesses; ++witness)
-  {
-    if (*witness != vtkPointSplatNeighbors::None)
-    {
-      visit(*witness);
-    }
-  }
-}
-
-float vtkPointSplatDisks::GetLocalSpread() const
-{
-  std::vector<float> ratios = GetSamples(this->Opening.size(), [this](std::size_t s) {
-    float sum = 0;
-    int count = 0;
-    this->VisitWitnesses(static_cast<Slot>(s), [&](Slot witness) {
-      sum += this->Opening[witness];
-      count += this->Opening[witness] > 0 ? 1 : 0;
-    });
-    return count > 0 ? count * this->Opening[s] / sum : 0.0f;
-  });
-  if (ratios.empty())
-  {
-    return std::numeric_limits<float>::max();
-  }
-  const float usual = GetQuantile(ratios, 0.5);
-  return GetQuantile(ratios, 0.95) / usual;
-}
-
 bool vtkPointSplatDisks::GetTubeLines(Slot slot, float clip[6]) const
 {
   const float opening = this->Opening[slot];
-  if (!this->Even || !this->Cut[slot] || opening == 0 || this->MayReachHole(slot))
+  if (!this->GetSampling(slot).Even || !this->Cut[slot] || opening == 0 || this->MayReachHole(slot))
   {
     return false;
   }
@@ -324,7 +241,7 @@ void vtkPointSplatDisks::Close(Slot slot)
 {
   float lines[6];
   const float gap = this->GetTubeLines(slot, lines) ? this->Opening[slot] : this->Gap[slot];
-  if (gap <= this->HoleLimit * this->Spacing[slot])
+  if (gap <= this->GetSampling(slot).HoleLimit * this->Spacing[slot])
   {
     this->Length[slot] = std::max(this->Length[slot], gap);
   }
@@ -375,7 +292,7 @@ void vtkPointSplatDisks::FindSparse()
     for (Slot s = static_cast<Slot>(begin); s < static_cast<Slot>(end); ++s)
     {
       const float spacing = this->BodySpacing[s];
-      bool sparse = spacing / SparserThanUsual > this->Usual;
+      bool sparse = spacing / SparserThanUsual > this->GetUsualOfPart(s);
       int alone = this->IsAlone(s) ? 1 : 0;
       this->VisitWitnesses(s, [&](Slot witness) {
         sparse = sparse && AsSparse * this->BodySpacing[witness] > spacing;
@@ -410,22 +327,15 @@ bool vtkPointSplatDisks::HasClosedWitness(Slot slot) const
   return any;
 }
 
-float vtkPointSplatDisks::GetSpacingAround(Slot slot) const
-{
-  float spacing = this->Spacing[slot];
-  this->VisitWitnesses(
-    slot, [&](Slot witness) { spacing = std::max(spacing, this->Spacing[witness]); });
-  return spacing;
-}
-
 bool vtkPointSplatDisks::MayEnd(Slot slot) const
 {
   const float opening = this->Opening[slot];
+  const vtkPointSplatSamplings::Sampling& sampling = this->GetSampling(slot);
   if (this->IsAlone(slot))
   {
     return false;
   }
-  if (this->Stretched)
+  if (sampling.Stretched)
   {
     float least = std::numeric_limits<float>::max();
     this->VisitWitnesses(slot, [&](Slot witness) {
@@ -433,7 +343,7 @@ bool vtkPointSplatDisks::MayEnd(Slot slot) const
     });
     return opening == 0 || opening > LeastStretch * least;
   }
-  if (this->Regular)
+  if (sampling.Regular)
   {
     float inside = this->Spacing[slot];
     this->VisitWitnesses(slot, [&](Slot witness) {
@@ -441,14 +351,14 @@ bool vtkPointSplatDisks::MayEnd(Slot slot) const
       inside = spacing > 0 ? std::min(inside, spacing) : inside;
     });
     return opening == 0 ||
-      opening > this->BorderLimit * std::max(this->GetSpacingInside(slot), InsideShare * inside);
+      opening > sampling.BorderLimit * std::max(this->GetSpacingInside(slot), InsideShare * inside);
   }
   return opening == 0 && this->HasClosedWitness(slot);
 }
 
 bool vtkPointSplatDisks::MayBeBay(Slot slot) const
 {
-  return !this->Regular && this->Opening[slot] > BayLimit * this->GetSpacingAround(slot);
+  return !this->GetSampling(slot).Regular && this->Opening[slot] > BayLimit * this->GetSpacingAround(slot);
 }
 
 void vtkPointSplatDisks::Shrink(Slot slot, float length)
@@ -480,13 +390,6 @@ void vtkPointSplatDisks::GetBall(Slot slot, float tensor[6]) const
   {
     tensor[k] = k < 3 ? curvature : 0.0f;
   }
-}
-
-float vtkPointSplatDisks::GetQuantile(std::vector<float>& values, double q)
-{
-  auto at = values.begin() + static_cast<std::ptrdiff_t>(q * (values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
 }
 
 VTK_ABI_NAMESPACE_END

@@ -160,7 +160,7 @@ float vtkPointSplatEstimates::GetUsualSpacing() const
     std::copy_if(local.begin(), local.end(), std::back_inserter(spacings),
       [](float spacing) { return spacing != 0; });
   }
-  return spacings.empty() ? 0.0f : vtkPointSplatDisks::GetQuantile(spacings, 0.5);
+  return spacings.empty() ? 0.0f : vtkPointSplatVoronoiCells::GetQuantile(spacings, 0.5);
 }
 
 /// Whether points of other sheets may hide those of a slot's own: no neighbour counts, or most are of others.
@@ -178,7 +178,7 @@ bool vtkPointSplatEstimates::Measure(const Neighborhood& around, int round)
   const float* directions = this->Directions;
   vtkPointSplatDisk disk;
   const bool closed = disk.Estimate(
-    around, directions, this->Elliptical, this->Disks->GetUsual(s), this->Disks->HoleLimit);
+    around, directions, this->Elliptical, this->Disks->GetUsual(s), this->Disks->GetSampling(s).HoleLimit);
   this->Creased[s] = this->Creased[s] ||
     (disk.Sheet.Uneven &&
       vtkPointSplatCrease::IsLikely(
@@ -285,15 +285,15 @@ bool vtkPointSplatEstimates::FindSparseDisks(std::vector<unsigned char>& taken)
   });
   const vtkPointSplatSparsePart part(this->Neighbors, disks, this->Median, std::move(hemmed));
   auto look = [&](const Neighborhood& around, int round) {
+    const std::size_t s = around.Center;
     vtkPointSplatDisk disk;
-    const bool closed =
-      disk.Estimate(around, this->Directions, this->Elliptical, disks.Usual, disks.HoleLimit);
+    const bool closed = disk.Estimate(
+      around, this->Directions, this->Elliptical, disks.GetUsualOfPart(s), disks.GetSampling(s).HoleLimit);
     if (!closed && round == 0)
     {
       return false;
     }
     // Where a cell is open, nothing but the dense points tells how far the surface goes on.
-    const std::size_t s = around.Center;
     const float most = vtkPointSplatStars::GetRadius(disk.Distance);
     disk.Limit(closed ? most : std::min(most, disks.NearSpacing[s]));
     if (disk.Sheet.Count >= vtkPointSplatSheet::FewMembers && disk.Length1 > disks.Length[s])
@@ -346,6 +346,28 @@ bool vtkPointSplatEstimates::MendSeams(vtkPointSplatNormalSeams& seams)
   return true;
 }
 
+/// Those of parts, again, whose usual spacing is not the cloud's.
+bool vtkPointSplatEstimates::FindOtherDisks()
+{
+  std::vector<unsigned char> others(this->Neighbors.GetNumberOfSlots(), 0);
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(others.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (Slot s = static_cast<Slot>(begin); s < static_cast<Slot>(end); ++s)
+    {
+      others[s] = this->Searched[s] && this->Disks->GetUsualOfPart(s) != this->Median;
+      if (others[s])
+      {
+        this->Creased[s] = 0;
+        this->Misled[s].store(false, std::memory_order_relaxed);
+      }
+    }
+  });
+  this->Bodies->ForgetRows(others);
+  return this->Neighbors.Visit(
+    this->Self, 0.8, 0.8, this->Self->GetNumberOfNeighbors(),
+    [this](const Neighborhood& around, int round) { return this->Measure(around, round); },
+    [&others](Slot s) { return others[s] != 0; });
+}
+
 /// But for the corners of triangles, whose disks these tell.
 bool vtkPointSplatEstimates::FindDisks()
 {
@@ -353,8 +375,7 @@ bool vtkPointSplatEstimates::FindDisks()
   const std::vector<Slot>& slotOf = this->Neighbors.GetSlots();
   this->FindSearched();
   this->Median = this->GetUsualSpacing();
-  this->Disks = std::make_unique<vtkPointSplatDisks>(slots, this->Elliptical);
-  this->Disks->Usual = this->Median;
+  this->Disks = std::make_unique<vtkPointSplatDisks>(slots, this->Median, this->Elliptical);
   this->Bodies = std::make_unique<vtkPointSplatBodies>(slots);
   this->Creased.assign(slots, 0);
   this->Misled = std::vector<std::atomic<bool>>(slots);
@@ -369,13 +390,13 @@ bool vtkPointSplatEstimates::FindDisks()
   {
     return false;
   }
-  // Again where that tells more: neighbours across holes, normals that are not the surface's, and points that are all sparse.
-  disks.FindLimits();
-  if (disks.Stretched)
+  disks.Samplings.FindParts(disks, disks.BodySpacing);
+  if (!disks.Samplings.IsOne() && !this->FindOtherDisks())
   {
-    // Where points are sparse is no less known than where they are dense.
-    disks.Usual = std::numeric_limits<float>::max();
+    return false;
   }
+  // Again where that tells more: neighbours across holes, normals that are not the surface's, and points that are all sparse.
+  disks.Samplings.FindLimits(disks);
   disks.FindSparse();
   std::vector<unsigned char> taken(slots, 0); // what has its disk from a sparse part alone is not looked at again
   vtkPointSplatNormalSeams seams(this->Neighbors, this->SlotNormals.data(), disks.Planes.data());
@@ -391,7 +412,7 @@ bool vtkPointSplatEstimates::FindDisks()
       again[s] = this->Searched[s] && !taken[s] &&
         ((this->Misled[s] && !disks.Whole[s]) || seams.IsBeside(s) || this->IsHemmed(s) ||
           disks.MayReachHole(s) || disks.IsSparse(s) ||
-          (disks.Stretched && disks.Opening[s] == 0));
+          (disks.GetSampling(s).Stretched && disks.Opening[s] == 0));
       const bool planar = this->Searched[s] && !seams.IsMended(s);
       std::copy_n(planar ? disks.Planes.data() + std::size_t(3) * s : this->GetSlotNormal(s), 3,
         this->SheetNormals.data() + std::size_t(3) * s);

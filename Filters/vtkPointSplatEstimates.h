@@ -88,6 +88,7 @@ private:
   void FindSearched();
   bool MendSeams(vtkPointSplatNormalSeams& seams);
   bool FindDisks();
+  bool FindOtherDisks();
   bool IsHemmed(Slot s) const;
   bool Measure(const Neighborhood& around, int round);
   void SetDisk(const Neighborhood& around, const vtkPointSplatDisk& disk);
@@ -129,7 +130,10 @@ private:
   bool IsNoisy() const { return this->Self->IsNoisy(this->Noise, this->Contradiction); }
   /// Whether normals tell where the surface bends. What is rough at regular points, as of an isosurface of a noisy
   /// volume, is the surface's own.
-  bool MayBend() const { return (!this->Guessed || this->Clean) && (!this->IsNoisy() || this->Disks->Regular); }
+  bool MayBend(Slot s) const
+  {
+    return (!this->Guessed || this->Clean) && (!this->IsNoisy() || this->Disks->GetSampling(s).Regular);
+  }
   bool IsDrawn(vtkIdType id) const;
   float GetScaled(float length) const;
   const vtkPointSplatFans::Disk& GetCorner(vtkIdType id) const { return this->Corners[this->Fans.GetSame(id)]; }

@@ -47,7 +47,7 @@ bool vtkPointSplatEstimates::FindStars()
       {
         this->Stars->SetSize(s,
           { this->Disks->Distance[s], this->Disks->Turn[s], this->Disks->Farthest[s] },
-          this->MayBend());
+          this->MayBend(s));
       }
     }
   });
@@ -57,7 +57,7 @@ bool vtkPointSplatEstimates::FindStars()
     creased[splat.At] = &splat;
   }
   const vtkPointSplatStars::Cloud cloud{ &this->Neighbors, this->Directions, this->Disks.get(),
-    this->Borders.get(), this->Creases.get(), &creased, this->Self->GetNumberOfNeighbors(), this->MayBend() };
+    this->Borders.get(), this->Creases.get(), &creased, this->Self->GetNumberOfNeighbors(), [this](Slot s) { return this->MayBend(s); } };
   if (!this->Stars->Find(this->Self, cloud))
   {
     return false;

@@ -65,7 +65,7 @@
  * 4. *Disk.* Of the neighbours only those of the point's own sheet count: between two points of a
  *    sheet the surface runs about as a circle's arc, so that their normals are mirror images in the
  *    plane half way (vtkPointSplatSheet.h). Neighbours within two spacings, the point's own or the
- *    cloud's median, whichever is less, may be off by 0.6 spacings, for noise; farther ones only by a tenth of their
+ *    median of its part, whichever is less, may be off by 0.6 spacings, for noise; farther ones only by a tenth of their
  *    distance, and they count only where a third of them is of the sheet. Normals more than 78
  *    degrees apart are of two faces at an edge, unless there is nothing else, as on a body of a few
  *    points. Where the normal does not fit the neighbours' at all (as at seams of meshes whose
@@ -83,9 +83,10 @@
  *    less than its circumcentre's distance. Where the cell stays open, four times as
  *    many neighbours are looked at, and if the nearest lie in a row, one a leaf of the search tree,
  *    which reaches past it; what does not close the cell all around is left out then, but for rows
- *    at borders, which take the size of the points in the next row. Where the
- *    whole cloud is as regular as a mesh's vertices are, gaps much larger than usual are holes in
- *    the surface; in random samplings such are to be closed. What holes and normals that do not fit
+ *    at borders, which take the size of the points in the next row. Where a
+ *    part of the cloud is as regular as a mesh's vertices are, gaps much larger than usual are holes in
+ *    the surface; in random samplings such are to be closed. Parts are what neighbours connect that are as dense, if they have a
+ *    thousand points: what is beside them, however many points it has, says nothing of them (vtkPointSplatSamplings.h). What holes and normals that do not fit
  *    tell is known after all points are looked at; so those beside a hole are looked at once more
  *    without the neighbours across it, and those beside such a normal with the plane in its place;
  *    and points of more than twice the median's spacing whose neighbours are as sparse, and mostly found others on their sheet, with

@@ -44,7 +44,7 @@ vtkPointSplatSparsePart::vtkPointSplatSparsePart(const vtkPointSplatNeighbors& n
 std::vector<unsigned char> vtkPointSplatSparsePart::GetUsed() const
 {
   std::vector<float> spacings = this->Spacings;
-  const float least = SparseRatio * vtkPointSplatDisks::GetQuantile(spacings, 0.5);
+  const float least = SparseRatio * vtkPointSplatVoronoiCells::GetQuantile(spacings, 0.5);
   const std::vector<std::atomic<bool>> near = this->GetNearLeaves();
   std::vector<unsigned char> used(this->Neighbors.GetSlots().size(), 0);
   vtkPointSplatThreads::For(0, static_cast<vtkIdType>(this->Hemmed.size()), [&](vtkIdType begin, vtkIdType end) {

@@ -106,9 +106,9 @@ void vtkPointSplatStars::BoundTip(Site site, float radius)
 
 float vtkPointSplatStars::GetMedianSize() const
 {
-  std::vector<float> sizes = vtkPointSplatDisks::GetSamples(
+  std::vector<float> sizes = vtkPointSplatVoronoiCells::GetSamples(
     this->Sizes.size(), [this](std::size_t site) { return this->Sizes[site]; });
-  return sizes.empty() ? 0.0f : vtkPointSplatDisks::GetQuantile(sizes, 0.5);
+  return sizes.empty() ? 0.0f : vtkPointSplatVoronoiCells::GetQuantile(sizes, 0.5);
 }
 
 void vtkPointSplatStars::RaiseSizes(float least)
@@ -259,7 +259,7 @@ bool vtkPointSplatStars::IsBesideGap(const Cloud& cloud, Site site)
 {
   const vtkPointSplatDisks& disks = *cloud.Disks;
   return disks.MayReachHole(site) &&
-    disks.Opening[site] <= cloud.Borders->GetWidestGap() * disks.NearSpacing[site] && !cloud.Borders->IsEnd(site);
+    disks.Opening[site] <= cloud.Borders->GetWidestGap(site) * disks.NearSpacing[site] && !cloud.Borders->IsEnd(site);
 }
 
 /// Whether a triangle that is wide enough to reach over a hole lies in such a gap. Normals of its corners that part by
@@ -277,7 +277,7 @@ bool vtkPointSplatStars::IsOverGap(const Cloud& cloud, const Triangle& triangle,
     }
     densest = std::min(densest, cloud.Disks->NearSpacing[triangle[k]]);
   }
-  return circumscribed <= cloud.Borders->GetWidestGap() * densest;
+  return circumscribed <= cloud.Borders->GetWidestGap(triangle[0]) * densest;
 }
 
 void vtkPointSplatStars::FindUneven(const Cloud& cloud)
@@ -303,7 +303,7 @@ void vtkPointSplatStars::FindUneven(const Cloud& cloud)
       const bool gap = IsBesideGap(cloud, s);
       const bool uneven = this->Sizes[s] > 0 && !(*cloud.Creased)[s] && !disks.IsAlone(s) &&
         (this->Uneven[s] || gap || disks.HasSmallWitness(s, this->Sizes) ||
-          (cloud.MayBend && this->StandsOff(s, disks.Turn[s], reach)));
+          (cloud.MayBend(s) && this->StandsOff(s, disks.Turn[s], reach)));
       // Of an open cell it is not known how far its star reaches.
       bool flat = uneven && !bends && !gap && !disks.IsTooLarge(s) && disks.Opening[s] > 0;
       if (flat)
@@ -328,8 +328,9 @@ bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
   vtkPointSplatLargeArray<float> longest(this->Sizes.size(), 0.0f); // of the triangles' edges at an uneven site
   auto find = [&](const vtkPointSplatNeighbors::Neighborhood& around, int round) {
     vtkPointSplatDisk disk;
+    const float limit = disks.GetSampling(around.Center).HoleLimit;
     const bool closed =
-      disk.Estimate(around, cloud.Normals, false, disks.GetUsual(around.Center), disks.HoleLimit);
+      disk.Estimate(around, cloud.Normals, false, disks.GetUsual(around.Center), limit);
     // Neighbours that are not known of could lie in the triangles' circumcircles.
     float largest = 0;
     disk.VisitTriangles([&largest](int, int, float circumscribed) {
@@ -355,7 +356,7 @@ bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
         bends = bends || IsBent(disks.Turn[corner], reach);
       }
       // A hole has no points, and is no larger than usual where any corner's points are so sparse.
-      const bool wide = circumscribed > disks.HoleLimit * spacing;
+      const bool wide = circumscribed > limit * spacing;
       if (!wide || IsOverGap(cloud, triangle, circumscribed))
       {
         longest2 = std::max({ longest2, around.SquaredDistance[a], around.SquaredDistance[b] });
@@ -387,7 +388,7 @@ bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
     std::copy_if(local.begin(), local.end(), std::back_inserter(this->Triangles),
       [&](const Triangle& triangle) {
         return !IsOverCrease(cloud, triangle) && !this->IsOutside(cloud, triangle) &&
-          !(cloud.MayBend && this->HasTwoSides(cloud, triangle));
+          !(cloud.MayBend(triangle[0]) && this->HasTwoSides(cloud, triangle));
       });
   }
   // Neighbours may be those of another body in the same plane, as the soles of an animal's feet are: what no triangle

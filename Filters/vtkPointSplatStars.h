@@ -114,7 +114,7 @@ public:
     const vtkPointSplatCreases* Creases;
     const vtkPointSplatLargeArray<const vtkPointSplatCreases::Splat*>* Creased;
     int Count;
-    bool MayBend;
+    std::function<bool(Site)> MayBend;
   };
   bool Find(vtkAlgorithm* self, const Cloud& cloud);
 

@@ -89,8 +89,37 @@ def ribbed_block(spacing, height=1.0):
         append.AddInputData(wall(np.r_[hole, hole[:1]], height, spacing))
     for z in (0.0, height):
         append.AddInputData(lid(loops, z, spacing))
+    return joined(append, spacing)
+
+
+def joined(append, spacing):
     clean = vtkCleanPolyData()
     clean.SetInputConnection(append.GetOutputPort())
     clean.ToleranceIsAbsoluteOn()
     clean.SetAbsoluteTolerance(0.01 * spacing)
     return clean
+
+
+def graded_bar(spacing, ratio):
+    """What makes a bar whose edges are ratio times as long in its midst as at its ends."""
+    length, sizes = 3.0, (0.5, 0.4)
+    rows = [0.0]
+    while rows[-1] < length / 2:
+        share = min(1.0, rows[-1] / (0.3 * length))
+        rows.append(rows[-1] + spacing * (1 + (ratio - 1) * share ** 2))
+    rows = np.array(rows) * (0.5 * length / rows[-1])
+    rows = np.r_[rows, length - rows[-2::-1]]
+    steps = np.gradient(rows)
+    append = vtkAppendPolyData()
+    for across, width in enumerate(sizes):
+        plane = np.array([(x, y) for x, step in zip(rows, steps)
+                          for y in np.linspace(0, width, 1 + max(2, round(width / step)))])
+        triangles = triangulated(plane)
+        for other in (0.0, sizes[1 - across]):
+            places = np.insert(plane, 2 - across, other, 1)
+            append.AddInputData(polydata(places, None, triangles))
+    end = np.array([(y, z) for y, z in np.ndindex(*(1 + round(size / steps[0]) for size in sizes))], float)
+    end *= np.array(sizes) / end.max(0)
+    for x in (0.0, length):
+        append.AddInputData(polydata(np.insert(end, 0, x, 1), None, triangulated(end)))
+    return joined(append, spacing)

@@ -36,8 +36,9 @@ ISOSURFACES = ("tubes_points", "cut_points", "gear_points")
 LONG = ("can", "shaft", "arrow", "cog")
 FILLETS = ("plate", "wire", "dome", "meshes:drapery_vertices")
 WOUND = ("crossing_wound", "drapery_wound", "part_wound", "drapery_vertices")
-SPARSE = ("block_beside_ball", "belted", "graded_disc", "graded_dish", "thin_disc")
+SPARSE = ("graded_bar", "belted", "graded_disc", "graded_dish", "thin_disc")
 ROUGH = ("tubes_noisy", "tubes_edges", "cut_noisy")
+BESIDE = ("ring_beside_ball", "block_beside_ball", "belted_6", "tubes_points")
 # The file in Filters, the values to try, and the stand-ins that tell.
 CONSTANTS = {
     "AnglePerDeviation": ("vtkPointSplatCrease.cxx", (2, 3, 4, 6, 8), FOLDS + PARTS),
@@ -98,6 +99,9 @@ CONSTANTS = {
     "SparserThanUsual": ("vtkPointSplatDisks.cxx", (1.5, 2, 3, 4), SPARSE),
     "MostAlone": ("vtkPointSplatDisks.cxx", (0, 1, 2, 3), SPARSE),
     "AsSparse": ("vtkPointSplatDisks.cxx", (1.3, 2, 3), SPARSE),
+    "AsDense": ("vtkPointSplatSamplings.cxx", (1.5, 2, 3, 4), BESIDE),
+    "OtherSpacing": ("vtkPointSplatSamplings.cxx", (1.2, 1.5, 2, 3), BESIDE),
+    "LeastOfPart": ("vtkPointSplatSamplings.cxx", (300, 1000, 3000), BESIDE),
     "MostLikeOwn": ("vtkPointSplatNormalSeams.cxx", (1, 2, 8), WOUND),
     "MostOffSurface": ("vtkPointSplatNormalSeams.cxx", (0.05, 0.1, 0.2, 0.3), WOUND + PLATES),
     "AnotherCosine": ("vtkPointSplatNormalSeams.cxx", (0.966, 0.985, 0.996), WOUND),
@@ -140,7 +144,7 @@ CONSTANTS = {
 
 
 def pattern(constant):
-    return re.compile(r"(constexpr (?:float|double|int) %s = )([^;]+);" % constant)
+    return re.compile(r"(constexpr (?:float|double|int|Slot) %s = )([^;]+);" % constant)
 
 
 def number(text):

@@ -206,16 +206,21 @@ def ribbed_block(spacing=0.025):
     return StandIn("ribbed block", vertices(mesh), None, spacing, mesh)
 
 
-def block_beside_ball(ratio=4, spacing=0.025):
+def beside_ball(standin, place, radius, ratio=4):
     """The same with a ball beside it, whose vertices are ratio times as dense and most of all."""
-    block = elements.ribbed_block(spacing)
-    ball = sphere_mesh(4 * math.pi * (0.3 * ratio / spacing) ** 2, 0.3, (0.6, 0.25, 1.6))
+    ball = sphere_mesh(4 * math.pi * (radius * ratio / standin.spacing) ** 2, radius, place)
     ball.GetPointData().Initialize()
     append = vtkAppendPolyData()
-    append.AddInputConnection(block.GetOutputPort())
+    append.AddInputData(standin.mesh)
     append.AddInputData(ball)
     mesh = with_normals(append, False)
-    return StandIn("block beside a fine ball", vertices(mesh), None, spacing, mesh)
+    return StandIn(standin.name + " beside a fine ball", vertices(mesh), None, standin.spacing, mesh)
+
+
+def graded_bar(ratio=4, spacing=0.02):
+    """A bar that is meshed ratio times as finely at its ends, where most of its vertices are, as in its midst."""
+    mesh = with_normals(elements.graded_bar(spacing, ratio), False)
+    return StandIn("graded bar", vertices(mesh), None, spacing, mesh)
 
 
 # Drapery -------------------------------------------------------------------------------------
@@ -516,7 +521,9 @@ def turned(standin):
 
 ALL = {
     "ribbed_block": ribbed_block,
-    "block_beside_ball": block_beside_ball,
+    "block_beside_ball": lambda: beside_ball(ribbed_block(), (0.6, 0.25, 1.6), 0.3),
+    "ring_beside_ball": lambda: beside_ball(rounded_ring(), (0, 0.45, 0), 0.12),
+    "graded_bar": graded_bar,
     "tubes_edges": lambda: tubes_and_specks("edges"),
     "tubes_contour": lambda: tubes_and_specks("contour"),
     "tubes_points": lambda: tubes_and_specks("points"),
