@@ -354,11 +354,7 @@ bool vtkPointSplatEstimates::FindOtherDisks()
     for (Slot s = static_cast<Slot>(begin); s < static_cast<Slot>(end); ++s)
     {
       others[s] = this->Searched[s] && this->Disks->GetUsualOfPart(s) != this->Median;
-      if (others[s])
-      {
-        this->Creased[s] = 0;
-        this->Misled[s].store(false, std::memory_order_relaxed);
-      }
+      this->Creased[s] = this->Creased[s] && !others[s];
     }
   });
   this->Bodies->ForgetRows(others);
