@@ -207,9 +207,9 @@ void Spray()
   }
 }
 
-/// What has the disks that it has without the ball beside it, which has four times as many points and is finer; which of two
+/// What has, but for so many, the disks that it has without the ball beside it, which has four times as many points and is finer; which of two
 /// faces a point on their edge is of is up to rounding.
-void FinerBeside(const std::string& what, void (*add)(ScatteredFaces&))
+void FinerBeside(const std::string& what, void (*add)(ScatteredFaces&), vtkIdType most)
 {
   ScatteredFaces part, both;
   add(part);
@@ -234,7 +234,7 @@ void FinerBeside(const std::string& what, void (*add)(ScatteredFaces&))
     linesOff += ends != (beside.GetLine(id, 0, c) > 0);
   }
   std::cout << what << " beside a finer ball: " << off << " radii off, lines of " << linesOff << " of " << lines << "\n";
-  if (200 * off > count || linesOff > 0 || lines == 0)
+  if (off > most || linesOff > 0 || lines == 0)
   {
     std::cerr << "FAILED: " << what << " beside a finer ball has other disks than alone\n";
     ++failures;
@@ -276,7 +276,7 @@ int TestSplatSizes(int, char*[])
   ScanLines();
   Curves();
   Spray();
-  FinerBeside("cube", AddCube);
-  FinerBeside("cap", AddCap);
+  FinerBeside("cube", AddCube, 0);
+  FinerBeside("cap", AddCap, 10);
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
