@@ -6,6 +6,7 @@
 #include "vtkFloatArray.h"
 #include "vtkMath.h"
 #include "vtkPointSplatBorderPlane.h"
+#include "vtkPointSplatDisjointSets.h"
 #include "vtkPointSplatThreads.h"
 #include "vtkSMPThreadLocal.h"
 
@@ -13,7 +14,6 @@
 #include <atomic>
 #include <cmath>
 #include <iterator>
-#include <numeric>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -192,22 +192,10 @@ const vtkPointSplatBorders::End* vtkPointSplatBorders::FindAt(
 /// Leaves the chains that are borders.
 void vtkPointSplatBorders::Confirm()
 {
-  // Of each, the first of its chain as far as it is known; that one counts those that are sure.
-  std::vector<std::size_t> first(this->Ends.size());
-  std::vector<int> sure(this->Ends.size());
-  std::iota(first.begin(), first.end(), std::size_t(0));
-  std::transform(this->Ends.begin(), this->Ends.end(), sure.begin(),
-    [](const End& end) { return end.Sure ? 1 : 0; });
-  const auto find = [&first](std::size_t i) {
-    while (first[i] != i)
-    {
-      i = first[i] = first[first[i]];
-    }
-    return i;
-  };
+  vtkPointSplatDisjointSets chains(this->Ends.size());
   // Of each slot the ends that have to do with it.
-  std::vector<std::pair<Slot, std::size_t>> links;
-  for (std::size_t i = 0; i < this->Ends.size(); ++i)
+  std::vector<std::pair<Slot, Slot>> links;
+  for (Slot i = 0; i < this->Ends.size(); ++i)
   {
     const End& end = this->Ends[i];
     for (const Slot slot : { end.At, end.Next[0], end.Next[1] })
@@ -218,17 +206,20 @@ void vtkPointSplatBorders::Confirm()
   std::sort(links.begin(), links.end());
   for (std::size_t k = 1; k < links.size(); ++k)
   {
-    const std::size_t a = find(links[k - 1].second), b = find(links[k].second);
-    if (links[k - 1].first == links[k].first && a != b)
+    if (links[k - 1].first == links[k].first)
     {
-      first[b] = a;
-      sure[a] += sure[b];
+      chains.Join(chains.Find(links[k - 1].second), chains.Find(links[k].second));
     }
   }
-  std::vector<End> confirmed;
-  for (std::size_t i = 0; i < this->Ends.size(); ++i)
+  std::vector<int> sure(this->Ends.size(), 0); // of the chains, of what stands for them
+  for (Slot i = 0; i < this->Ends.size(); ++i)
   {
-    if (sure[find(i)] >= LeastSure)
+    sure[chains.Find(i)] += this->Ends[i].Sure ? 1 : 0;
+  }
+  std::vector<End> confirmed;
+  for (Slot i = 0; i < this->Ends.size(); ++i)
+  {
+    if (sure[chains.Find(i)] >= LeastSure)
     {
       confirmed.push_back(this->Ends[i]);
     }

@@ -7,7 +7,7 @@
  * An internal helper of vtkPointSplatEstimation; see the stages there. The border is that of the
  * alpha shape (Edelsbrunner, Kirkpatrick, Seidel 1983, On the Shape of a Set of Points in the
  * Plane), alpha being the distance from which on a vertex of a Voronoi cell lies in a hole
- * (vtkPointSplatDisks::BorderLimit, in the upper quartile of the spacings around). Where a regular sampling's
+ * (vtkPointSplatSamplings, in the upper quartile of the spacings around). Where a regular sampling's
  * cells are long in one place and square in another, it is no more than twice the median of what the cells around reach.
  *
  * 1. A candidate is looked at with its 32 nearest neighbours, or 128 where these lie in a row, or to one side alone of
@@ -108,7 +108,7 @@ public:
   static bool AddLine(const float line[3], const float place[3], const float n[3], Lines& lines);
 
   /// From how many spacings on what is open is surely no gap of a regular sampling; 0 of a random one, whose gaps
-  /// vtkPointSplatDisks::HoleLimit bounds.
+  /// its HoleLimit bounds.
   float GetWidestGap(Slot slot) const;
 
   /// Adds the lines, if any, of points that have none to the array of clip lines, of 6 components,

@@ -9,12 +9,12 @@
 #ifndef vtkPointSplatDisks_h
 #define vtkPointSplatDisks_h
 
-#include "vtkPointSplatVoronoiCells.h"
 #include "vtkPointSplatCreases.h"
 #include "vtkPointSplatDisk.h"
 #include "vtkPointSplatFans.h"
 #include "vtkPointSplatLargeArray.h"
 #include "vtkPointSplatSamplings.h"
+#include "vtkPointSplatVoronoiCells.h"
 
 #include <algorithm>
 #include <limits>

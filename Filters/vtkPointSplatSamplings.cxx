@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatSamplings.h"
 
+#include "vtkPointSplatDisjointSets.h"
 
 #include <algorithm>
-#include <numeric>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -114,87 +114,61 @@ struct Part
     return found;
   }
 };
-
-/// Slots that are connected; each is of one group.
-struct Groups
-{
-  std::vector<Slot> First; // another slot of the group, which is none of the later ones
-  std::vector<Slot> Sizes; // of the group, of that slot of it which stands for all
-
-  explicit Groups(Slot slots)
-    : First(slots)
-    , Sizes(slots, 1)
-  {
-    std::iota(this->First.begin(), this->First.end(), Slot(0));
-  }
-
-  /// The slot that stands for all of the group.
-  Slot Find(Slot s)
-  {
-    while (this->First[s] != s)
-    {
-      s = this->First[s] = this->First[this->First[s]];
-    }
-    return s;
-  }
-
-  void Join(Slot a, Slot b)
-  {
-    if (a != b)
-    {
-      const auto [first, second] = std::minmax(a, b);
-      this->First[second] = first;
-      this->Sizes[first] += this->Sizes[second];
-    }
-  }
-};
 }
 
 void vtkPointSplatSamplings::Connect(
   const vtkPointSplatVoronoiCells& cells, const vtkPointSplatLargeArray<float>& spacings)
 {
   const Slot slots = static_cast<Slot>(cells.Opening.size());
-  Groups groups(slots);
+  vtkPointSplatDisjointSets groups(slots);
+  std::vector<Slot> sizes(slots, 1); // of the groups, of what stands for them
+  const auto join = [&](Slot a, Slot b) {
+    if (a != b)
+    {
+      groups.Join(a, b);
+      sizes[std::min(a, b)] += sizes[std::max(a, b)];
+    }
+  };
   for (Slot s = 0; s < slots; ++s)
   {
     cells.VisitWitnesses(s, [&](Slot witness) {
       const auto [least, most] = std::minmax(spacings[s], spacings[witness]);
-      if (groups.First[s] != groups.First[witness] && most < AsDense * least)
+      if (!groups.AreNear(s, witness) && most < AsDense * least)
       {
-        groups.Join(groups.Find(s), groups.Find(witness));
+        join(groups.Find(s), groups.Find(witness));
       }
     });
   }
   // A few points that are denser than those beside them are no part.
   for (Slot s = 0; s < slots; ++s)
   {
-    if (groups.Sizes[groups.Find(s)] < LeastOfPart)
+    if (sizes[groups.Find(s)] < LeastOfPart)
     {
       cells.VisitWitnesses(s, [&](Slot witness) {
         const Slot a = groups.Find(s), b = groups.Find(witness);
-        if (std::min(groups.Sizes[a], groups.Sizes[b]) < LeastOfPart)
+        if (std::min(sizes[a], sizes[b]) < LeastOfPart)
         {
-          groups.Join(a, b);
+          join(a, b);
         }
       });
     }
   }
-  const auto isConnected = [&groups](Slot s) { return groups.Sizes[groups.Find(s)] > 1; };
+  const auto isConnected = [&](Slot s) { return sizes[groups.Find(s)] > 1; };
   Slot connected = 0, largest = 0;
   for (Slot s = 0; s < slots; ++s)
   {
     connected += isConnected(s) ? 1 : 0;
-    largest = std::max(largest, groups.Sizes[groups.Find(s)]);
+    largest = std::max(largest, sizes[groups.Find(s)]);
   }
-  if (connected == largest)
+  if (connected == largest || largest < LeastOfPart)
   {
-    return; // there is one part alone
+    return; // it is one part alone
   }
   this->PartOf.assign(slots, 0);
   for (Slot s = 0; s < slots; ++s)
   {
     const Slot first = groups.Find(s);
-    if (first == s && groups.Sizes[s] >= LeastOfPart)
+    if (first == s && sizes[s] >= LeastOfPart)
     {
       this->PartOf[s] = static_cast<Slot>(this->Parts.size());
       this->Parts.emplace_back();
@@ -211,26 +185,25 @@ void vtkPointSplatSamplings::FindParts(
   const vtkPointSplatVoronoiCells& cells, const vtkPointSplatLargeArray<float>& spacings)
 {
   this->Connect(cells, spacings);
-  if (this->Parts.size() == 1)
+  if (this->IsOne())
   {
-    this->Parts[0].clear();
-    this->PartOf.clear();
     return;
   }
   const auto areAlike = [](float a, float b) { return std::max(a, b) < OtherSpacing * std::min(a, b); };
   const Sampling all = this->Found[0];
   this->Found.assign(this->Parts.size(), all);
   std::vector<float> usual(this->Parts.size(), all.Usual);
-  for (std::size_t k = 0; k < this->Parts.size(); ++k)
+  const std::size_t first = this->Parts[0].empty() ? 1 : 0; // where there are no small ones
+  for (std::size_t k = first; k < this->Parts.size(); ++k)
   {
     std::vector<float> known;
     for (const Slot s : this->Parts[k])
     {
       known.push_back(spacings[s]);
     }
-    usual[k] = known.empty() ? all.Usual : vtkPointSplatVoronoiCells::GetQuantile(known, 0.5);
+    usual[k] = vtkPointSplatVoronoiCells::GetQuantile(known, 0.5);
     this->Found[k].Usual = areAlike(usual[k], all.Usual) ? all.Usual : usual[k];
-    if (k > 0 && areAlike(usual[k], usual[0]))
+    if (first == 0 && k > 0 && areAlike(usual[k], usual[0]))
     {
       this->Parts[0].insert(this->Parts[0].end(), this->Parts[k].begin(), this->Parts[k].end());
     }

@@ -7,15 +7,15 @@
  * An internal helper of vtkPointSplatEstimation. What a gap of the sampling is, and what a hole of the surface, most cells
  * tell, but not those of another body beside it, which may be sampled in another way.
  *
- * 1. Points are of one part if witnesses connect them (vtkPointSplatVoronoiCells.h) that are about as dense. Parts of fewer than a thousand points that touch a larger one are of it; the others,
- *    as droplets and specks, are one together.
+ * 1. Points are of one part if witnesses connect them (vtkPointSplatVoronoiCells.h) that are about as dense. Parts of fewer
+ *    than a thousand points that touch a larger one are of it; the others, as droplets and specks, are one together.
  * 2. The usual spacing is that of most points of the part, if it is not about the cloud's, which disks were looked at with
  *    before parts are known.
  * 3. Of each part the distance of the cells' farthest vertices, in spacings, is looked at, all over the part and over that of
  *    the cells around: how much both spread tells whether it is regular, and their 95th percentile the limits. Small bodies
  *    have those of all parts whose points are about as dense.
  *
- * Memory is 8 bytes a slot while parts are looked for, and 8 where there are several.
+ * Memory is 8 bytes a slot while parts are looked for, and 8 to 12 more where there are several, of which 4 stay.
  */
 #ifndef vtkPointSplatSamplings_h
 #define vtkPointSplatSamplings_h
@@ -65,7 +65,7 @@ private:
   void Connect(const vtkPointSplatVoronoiCells& cells, const vtkPointSplatLargeArray<float>& spacings);
 
   std::vector<Sampling> Found{ 1 };
-  std::vector<std::vector<Slot>> Parts{ 1 }; // the slots of each, those of the small ones first; none where there is one part alone
+  std::vector<std::vector<Slot>> Parts{ 1 }; // the slots of each, those of the small ones first; none if there is one alone
   std::vector<Slot> PartOf; // of each slot; empty where there is one part alone
 };
 

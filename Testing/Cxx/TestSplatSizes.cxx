@@ -207,8 +207,8 @@ void Spray()
   }
 }
 
-/// What has, but for so many, the disks that it has without the ball beside it, which has four times as many points and is finer; which of two
-/// faces a point on their edge is of is up to rounding.
+/// What has, but for so many, the disks that it has without the ball beside it, which is finer and has four times as many points;
+/// which of two faces a point on their edge is of is up to rounding.
 void FinerBeside(const std::string& what, void (*add)(ScatteredFaces&), vtkIdType most)
 {
   ScatteredFaces part, both;
