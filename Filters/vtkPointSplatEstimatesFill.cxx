@@ -25,6 +25,9 @@ namespace
 constexpr std::size_t MostPerPoint = 4;
 constexpr std::size_t MostOfFew = 4096;
 constexpr std::size_t MostOfMesh = 65536;
+/// Of an isosurface's vertices no size is less than this part of the median: where values differ by much from sample to sample,
+/// as labels do, up to six lie together at a voxel's corner, and are as good as one (Testing/Accuracy/fit_constants.py).
+constexpr float LatticeGrain = 0.1f;
 /// What part of the turn of normals that are shaded with counts as the surface's bend (Testing/Accuracy/fit_constants.py).
 constexpr float TurnShare = 0.6f;
 }
@@ -232,7 +235,8 @@ std::vector<float> vtkPointSplatEstimates::Refine(
   const std::size_t most =
     MostPerPoint * static_cast<std::size_t>(this->NumberOfPoints) + (this->MeshAlone ? MostOfMesh : MostOfFew);
   const float median = stars.GetMedianSize();
-  for (float least = vtkPointSplatSheet::Grain * median;; least = std::max(0.25f * median, 4 * least))
+  const float grain = this->OfLattice ? LatticeGrain : vtkPointSplatSheet::Grain;
+  for (float least = grain * median;; least = std::max(0.25f * median, 4 * least))
   {
     stars.RaiseSizes(least);
     vtkPointSplatRefinement fill(stars, normals, curvatures);

@@ -26,6 +26,10 @@ constexpr double MostWithout = 0.02;
 
 /// What is the same part of a voxel.
 constexpr double SamePart = 1e-3;
+/// Normals lie along the lattice's edges if their cosine is more than this (8 degrees): on boxes' faces all do, but of a mask's
+/// isosurface at least this part does not, where it bends.
+constexpr float AlongEdge = 0.99f;
+constexpr double LeastTilted = 1e-3;
 
 constexpr int AtSample = 3; // in place of an edge's axis
 
@@ -481,10 +485,11 @@ bool vtkPointSplatLattice::FindPlanes()
   return !samples[0].empty() && vtkPointSplatLatticePlanes::Choose(samples, this->Axes);
 }
 
-/// Whether points lie anywhere along edges.
-bool vtkPointSplatLattice::Vary() const
+/// Whether points lie equally far between planes, and normals along edges: as those of a grid on each of a box's faces do.
+bool vtkPointSplatLattice::IsGrid() const
 {
   std::vector<double> parts; // of a voxel, from the last plane
+  std::size_t tilted = 0;
   const vtkIdType count = static_cast<vtkIdType>(this->Crossings.size());
   for (vtkIdType i = 0; i < count; i += GetStride(count))
   {
@@ -493,7 +498,13 @@ bool vtkPointSplatLattice::Vary() const
     if (axis != AtSample)
     {
       parts.push_back(this->Axes[axis].GetPart(this->Points.Positions[3 * crossing.Id + axis]));
+      const float* normal = this->Points.Normals + 3 * crossing.Id;
+      tilted += !vtkPointSplatInput::IsZero(normal) && std::abs(normal[axis]) < AlongEdge ? 1 : 0;
     }
+  }
+  if (tilted > LeastTilted * parts.size())
+  {
+    return false;
   }
   std::sort(parts.begin(), parts.end());
   const std::size_t most = parts.size() / 2;
@@ -501,15 +512,15 @@ bool vtkPointSplatLattice::Vary() const
   {
     if (parts[i] - parts[i - most] < SamePart)
     {
-      return false;
+      return true;
     }
   }
-  return true;
+  return false;
 }
 
 bool vtkPointSplatLattice::Find()
 {
-  if (!this->FindPlanes() || !this->FindCrossings() || !this->Vary() || !this->JoinPoints())
+  if (!this->FindPlanes() || !this->FindCrossings() || this->IsGrid() || !this->JoinPoints())
   {
     return false;
   }

@@ -20,7 +20,8 @@
  * All points have to be such vertices, of all of the surface within the box that they span, or nothing is found: a voxel
  * around whose faces the sides contradict one another is one outside of the volume, or the points are no isosurface's. But
  * where all of its points are another process' (DUPLICATEPOINT), the rest is elsewhere. Points most of which lie equally far
- * between planes, as those of a grid on a box do, and of masks, are searched as others are.
+ * between planes are a mask's, unless all normals lie along their edges: those are of a grid on each of a box's faces, and
+ * are searched as others are.
  */
 #ifndef vtkPointSplatLattice_h
 #define vtkPointSplatLattice_h
@@ -80,7 +81,7 @@ private:
 
   bool FindPlanes();
   bool FindCrossings();
-  bool Vary() const;
+  bool IsGrid() const;
   bool JoinPoints();
   void FindRows();
   const Row* GetRow(std::int64_t index) const;

@@ -11,7 +11,8 @@ namespace
 {
 /// The part of coordinates, at least, that others share: of a flat body's isosurface few lie on planes along it.
 constexpr double LeastRepeated = 0.05;
-/// How many coordinates, at least, tell distances from plane to plane; how many of these are tried, from how many coordinates.
+/// How many coordinates, at least, tell distances from plane to plane; how many of these are tried, from how many coordinates
+/// that no planes tried before have.
 constexpr std::size_t LeastOften = 8;
 constexpr std::size_t MostDistances = 8;
 constexpr std::size_t MostTried = 4;
@@ -51,7 +52,8 @@ std::vector<double> GetOften(const std::vector<Value>& values, double power)
   return often;
 }
 
-/// The distances from a coordinate to the next that occur most often.
+/// The distances from a coordinate to the next that occur most often, and twice these: a mask's coordinates are those of planes
+/// and half way between.
 std::vector<double> GetSteps(std::vector<double> coordinates, double tolerance)
 {
   std::sort(coordinates.begin(), coordinates.end());
@@ -78,9 +80,16 @@ std::vector<double> GetSteps(std::vector<double> coordinates, double tolerance)
   std::vector<double> found;
   for (std::size_t i = 0; i < std::min(MostDistances, steps.size()); ++i)
   {
-    found.push_back(steps[i].X);
+    found.insert(found.end(), { steps[i].X, 2 * steps[i].X });
   }
   return found;
+}
+
+/// Whether a coordinate is one of the planes'.
+bool HasAny(const std::vector<vtkPointSplatLatticePlanes>& all, double x)
+{
+  std::int64_t plane;
+  return std::any_of(all.begin(), all.end(), [&](const auto& planes) { return planes.Has(x, plane); });
 }
 }
 
@@ -154,8 +163,13 @@ std::vector<vtkPointSplatLatticePlanes> vtkPointSplatLatticePlanes::Find(std::ve
     const std::vector<double> often = GetOften(values, power);
     for (const double distance : GetSteps(often, tolerance))
     {
-      for (std::size_t i = 0; i < std::min(MostTried, often.size()); ++i)
+      std::vector<vtkPointSplatLatticePlanes> tried;
+      for (std::size_t i = 0; i < often.size() && tried.size() < MostTried; ++i)
       {
+        if (HasAny(tried, often[i]))
+        {
+          continue;
+        }
         vtkPointSplatLatticePlanes planes;
         planes.First = often[i];
         planes.Distance = distance;
@@ -166,8 +180,9 @@ std::vector<vtkPointSplatLatticePlanes> vtkPointSplatLatticePlanes::Find(std::ve
         {
           planes.Points += planes.Has(value.X, plane) ? value.Count : 0;
         }
-        found.push_back(planes);
+        tried.push_back(planes);
       }
+      found.insert(found.end(), tried.begin(), tried.end());
     }
   }
   std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.Points > b.Points; });
@@ -175,7 +190,7 @@ std::vector<vtkPointSplatLatticePlanes> vtkPointSplatLatticePlanes::Find(std::ve
   for (const vtkPointSplatLatticePlanes& planes : found)
   {
     const bool known = std::any_of(kept.begin(), kept.end(), [&](const auto& other) {
-      return std::abs(other.Distance - planes.Distance) <= 2 * planes.Tolerance;
+      return std::abs(other.Distance - planes.Distance) <= 2 * planes.Tolerance && HasAny({ other }, planes.First);
     });
     if (!known && planes.Points >= LikeBest * found.front().Points)
     {

@@ -8,7 +8,8 @@
  * many have are planes': points on flat faces across an axis have one in common, too, and so have those of bodies that are
  * symmetric, or of volumes of few values.
  *
- * 1. The distances that are tried are those that are most often found between coordinates that many points have.
+ * 1. The distances that are tried are those that are most often found between coordinates that many points have, and twice
+ *    these, from several such coordinates: of a mask more points may lie half way between planes than on these.
  * 2. The lattice's are the widest, along the three axes, by which two coordinates of each point are planes'.
  */
 #ifndef vtkPointSplatLatticePlanes_h

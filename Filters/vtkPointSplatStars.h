@@ -13,7 +13,8 @@
  * 1. *Size.* About how far points are apart: the mean distance of the neighbours of a site's star that are
  *    no more than twice as far as the third. Where given normals turn by more than MostTurn (34 degrees)
  *    within that, it is the distance within which they turn by so much, and at least LeastBent of the former.
- *    No size is less than a Grain (vtkPointSplatSheet.h) of the median.
+ *    No size is less than a Grain (vtkPointSplatSheet.h) of the median; of an isosurface's vertices, of which several may lie
+ *    next to one sample, none is less than a tenth of it.
  * 2. *Uneven* sites are those with a neighbour in their star that is farther than FarNeighbor sizes, or, of
  *    a cloud, those beside a gap that their disk does not close (3.), those with some witness of less than half of their
  *    size, or, where normals tell that the surface bends, those with a disk of more than LargeDisk times the radius that

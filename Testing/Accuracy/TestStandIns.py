@@ -66,6 +66,18 @@ class TestStandIns(unittest.TestCase):
         self.assertEqual(found["holes"], 0)
         self.assertLess(found["spill"], 0.005)
 
+    def test_segmented_tubes(self):
+        # 21.6 dB and 0.004 of it spilt where all points lie half way from sample to sample, and neighbours were searched for.
+        found = likeness.compare(standins.ALL["tubes_mask"](), 300, 2)
+        self.assertGreater(min(found["psnr"]), 26)
+        self.assertEqual(found["holes"], 0)
+        self.assertLess(found["spill"], 0.001)
+        # 159,000 fill points between 13,000 where those next to one sample had disks as small as what is between them.
+        labels = standins.ALL["tubes_labels"]()
+        splats = likeness.estimated(labels.cloud, True).GetOutput().GetNumberOfPoints()
+        self.assertLess(splats, 10 * labels.cloud.GetNumberOfPoints())
+        self.assertGreater(min(likeness.compare(labels, 300, 2)["psnr"]), 25)
+
     def test_cut_by_volume(self):
         # 27 dB where splats of isosurfaces reached past the volume.
         for extraction in ("points", "edges"):

@@ -127,6 +127,7 @@ CONSTANTS = {
     "NearShare": ("vtkPointSplatFansDisk.cxx", (0.3, 0.5, 0.8), FILLETS),
     "LeastTurn": ("vtkPointSplatFansDisk.cxx", (0.02, 0.04, 0.1), FILLETS),
     "SharpTurn": ("vtkPointSplatFansDisk.cxx", (0.3, 0.52, 1.0), FILLETS),
+    "LatticeGrain": ("vtkPointSplatEstimatesFill.cxx", (0.004, 0.1, 0.2, 0.4), ("tubes_labels",) + ROUGH),
     "TurnShare": ("vtkPointSplatEstimatesFill.cxx", (0.0, 0.3, 0.6, 1.0), ROUGH + ("cog_means",)),
     "RoundAngle": ("vtkPointSplatMeshFaces.h", (30, 45, 60), ROUGH + ("meshes:drapery_vertices",)),
     "SliverShare": ("vtkPointSplatMeshFaces.cxx", (0.0, 0.02, 0.1, 0.2), ROUGH + ("meshes:cut_edges",)),

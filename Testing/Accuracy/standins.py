@@ -24,7 +24,7 @@ from scenes import polydata, sphere_mesh
 from standin import StandIn, vertices
 import tetrahedra
 from volumes import (
-    cut_by_volume, gear, holed_ball, noisy_vessels, thick_slices, tubes_and_specks)
+    cut_by_volume, gear, holed_ball, noisy_vessels, segmented_vessels, thick_slices, tubes_and_specks)
 
 
 # Surfaces that pierce one another ------------------------------------------------------------
@@ -528,6 +528,8 @@ ALL = {
     "tubes_contour": lambda: tubes_and_specks("contour"),
     "tubes_points": lambda: tubes_and_specks("points"),
     "tubes_noisy": noisy_vessels,
+    "tubes_mask": segmented_vessels,
+    "tubes_labels": lambda: segmented_vessels(100),
     "cut_points": cut_by_volume,
     "cut_edges": lambda: cut_by_volume("edges"),
     "cut_noisy": lambda: cut_by_volume("edges", 48, 0.15),

@@ -140,6 +140,18 @@ def noisy_vessels(noise=0.3):
     return StandIn("noisy vessels", vertices(mesh), lambda p: np.abs(body(p)), 0.7, mesh)
 
 
+def segmented_vessels(labels=1):
+    """The tubes and specks as a segmentation gives them: a volume of 0 and, inside, of as many labels from 1 on, in blocks
+    of 8 voxels a side. One's surface lies in the middle between samples, that of all of many next to samples, where up to
+    six of its vertices are nearly in one place. Its own isosurface is the truth."""
+    body = vessels(80, 10, 250)
+    blocks = np.random.default_rng(14).integers(1, labels + 1, (10,) * 3)
+    for axis in range(3):
+        blocks = np.repeat(blocks, 8, axis)
+    mesh = isosurface(np.where(body.sampled(80) < 0, 0.5 - blocks, 0.5), "edges")
+    return StandIn("segmented vessels, %d" % labels, vertices(mesh), lambda p: np.abs(body(p)), 0.7, mesh)
+
+
 def cut_by_volume(extraction="points", size=64, noise=0.0):
     """A surface with a thousand spacings of border, where the volume cuts it (a gyroid). noise: of the volume, whose
     slope is 0.4 a voxel; its own isosurface is the truth."""

@@ -16,6 +16,7 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -115,7 +116,7 @@ const std::vector<const char*> Faces = { vtkPointSplatArrays::PlaneNormal, vtkPo
 const std::vector<const char*> All = { vtkPointSplatArrays::Radius, vtkPointSplatArrays::PlaneNormal,
   vtkPointSplatArrays::Clip };
 
-/// The share of points that one estimation says of what the other does, of these arrays.
+/// The share of points that one estimation says of what the other does, of these arrays. What there is no array of is 0.
 double GetLikeness(vtkPolyData* a, vtkPolyData* b, const std::vector<const char*>& names = All)
 {
   const vtkIdType count = std::min(a->GetNumberOfPoints(), b->GetNumberOfPoints());
@@ -126,12 +127,13 @@ double GetLikeness(vtkPolyData* a, vtkPolyData* b, const std::vector<const char*
     for (const char* name : names)
     {
       vtkDataArray* values[2] = { a->GetPointData()->GetArray(name), b->GetPointData()->GetArray(name) };
-      for (int c = 0; values[0] && values[1] && c < values[0]->GetNumberOfComponents(); ++c)
+      vtkDataArray* any = values[0] ? values[0] : values[1];
+      for (int c = 0; any && c < any->GetNumberOfComponents(); ++c)
       {
-        const double x = values[0]->GetComponent(id, c), y = values[1]->GetComponent(id, c);
+        const double x = values[0] ? values[0]->GetComponent(id, c) : 0;
+        const double y = values[1] ? values[1]->GetComponent(id, c) : 0;
         same = same && std::abs(x - y) <= 1e-4 * std::max(std::abs(x), 0.01);
       }
-      same = same && !values[0] == !values[1];
     }
     like += same ? 1 : 0;
   }
@@ -226,6 +228,33 @@ vtkSmartPointer<vtkPolyData> MakeGrid(bool heights)
   cloud->GetPointData()->SetNormals(normals);
   return cloud;
 }
+
+/// The middles of the squares on a box's faces, which lie as a mask's isosurface does.
+vtkSmartPointer<vtkPolyData> MakeBoxGrid()
+{
+  constexpr int size = 20;
+  auto cloud = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  for (int face = 0; face < 6; ++face)
+  {
+    const int axis = face / 2;
+    for (int i = 0; i < size * size; ++i)
+    {
+      double x[3], n[3] = { 0, 0, 0 };
+      x[axis] = face % 2 ? size : 0;
+      x[(axis + 1) % 3] = i % size + 0.5;
+      x[(axis + 2) % 3] = i / size + 0.5;
+      n[axis] = face % 2 ? 1 : -1;
+      points->InsertNextPoint(x);
+      normals->InsertNextTuple(n);
+    }
+  }
+  cloud->SetPoints(points);
+  cloud->GetPointData()->SetNormals(normals);
+  return cloud;
+}
 }
 
 int TestSplatLattice(int, char*[])
@@ -254,6 +283,20 @@ int TestSplatLattice(int, char*[])
   noisyBytes.Noise = 8;
   IsKnown(MakeVolume(noisyBytes, [](const double p[3]) { return 20 * Gyroid(p); }), 3, 0.97, "noise of few values");
 
+  // All of whose points lie in the middle between samples: bodies that touch along edges, and what is a voxel thick. Where a
+  // mesh has creases that are these steps no lattice's disks are bounded. Searched for, none of the points is like.
+  const auto is = [](bool inside) { return inside ? 1.0 : 0.0; };
+  IsKnown(MakeVolume(Volume(), [&](const double p[3]) { return is(Ball(p) > 0); }), 0.5, 0.75, "a mask");
+  IsKnown(MakeVolume(Volume(), [&](const double p[3]) { return is(Box(p) > 0); }), 0.5, 0.45, "a box's mask");
+  IsKnown(MakeVolume(Volume(), [&](const double p[3]) { return is(std::abs(Gyroid(p)) < 0.15); }), 0.5, 0.999, "a thin mask");
+  Volume slices;
+  std::copy_n(std::array<double, 3>{ 0.25, 0.25, 1 }.data(), 3, slices.Spacing);
+  IsKnown(MakeVolume(slices, [&](const double p[3]) { return is(std::abs(Gyroid(p)) < 0.4); }), 0.5, 0.98, "a mask in slices");
+  Volume salt;
+  salt.Noise = 0.3;
+  salt.Bytes = true;
+  IsKnown(MakeVolume(salt, [&](const double p[3]) { return is(Gyroid(p) > 0); }), 0.5, 0.93, "a mask with noise");
+
   // A plate, most of whose points lie along one axis.
   Volume rough;
   rough.Noise = 0.2;
@@ -267,9 +310,8 @@ int TestSplatLattice(int, char*[])
     "an isosurface without one point");
   const auto two = Contour(volume, { 0.0, 0.05 });
   AtMost(GetLikeness(Estimate(MakeCloud(two)), Estimate(two)), 0.5, "two isosurfaces at once");
-  const auto mask = Contour(MakeVolume(bytes, [](const double p[3]) { return Ball(p) > 0 ? 1.0 : 0.0; }), { 0.5 });
-  AtMost(GetLikeness(Estimate(MakeCloud(mask)), Estimate(mask)), 0.5, "a mask");
   IsSearched(MakeGrid(false), "samples");
   IsSearched(MakeGrid(true), "heights in steps");
+  IsSearched(MakeBoxGrid(), "a box's squares");
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
