@@ -190,7 +190,8 @@ std::vector<vtkPointSplatLatticePlanes> vtkPointSplatLatticePlanes::Find(std::ve
   for (const vtkPointSplatLatticePlanes& planes : found)
   {
     const bool known = std::any_of(kept.begin(), kept.end(), [&](const auto& other) {
-      return std::abs(other.Distance - planes.Distance) <= 2 * planes.Tolerance && HasAny({ other }, planes.First);
+      std::int64_t plane;
+      return std::abs(other.Distance - planes.Distance) <= 2 * planes.Tolerance && other.Has(planes.First, plane);
     });
     if (!known && planes.Points >= LikeBest * found.front().Points)
     {
