@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSplatLattice.h"
 
-#include "vtkMarchingCubesTriangleCases.h"
 #include "vtkPointSplatInput.h"
+#include "vtkPointSplatLatticeLabels.h"
 #include "vtkPointSplatThreads.h"
 #include "vtkSMPTools.h"
 
@@ -31,16 +31,8 @@ constexpr double SamePart = 1e-3;
 constexpr float AlongEdge = 0.99f;
 constexpr double LeastTilted = 1e-3;
 
-constexpr int AtSample = 3; // in place of an edge's axis
-
-/// The corners of a voxel by bits, 1 further along x, 2 along y, 4 along z, in the order of marching cubes.
-constexpr int CornerBits[8] = { 0, 1, 3, 2, 4, 5, 7, 6 };
-/// The edges of a voxel in the order of marching cubes: the lower end, by bits, and the axis.
-constexpr int EdgeEnds[12] = { 0, 1, 2, 0, 4, 5, 6, 4, 0, 1, 2, 3 };
-constexpr int EdgeAxes[12] = { 0, 1, 0, 1, 0, 1, 0, 1, 2, 2, 2, 2 };
-/// The edge from a corner, by bits, along each axis, to the one or the other side.
-constexpr int EdgesOf[8][3] = { { 0, 3, 8 }, { 0, 1, 9 }, { 2, 3, 10 }, { 2, 1, 11 }, { 4, 7, 8 }, { 4, 5, 9 },
-  { 6, 7, 10 }, { 6, 5, 11 } };
+using LatticeCases = vtkPointSplatLatticeCases;
+constexpr int AtSample = LatticeCases::AtSample;
 
 /// One of so many is looked at, all over.
 vtkIdType GetStride(vtkIdType count)
@@ -71,7 +63,7 @@ struct vtkPointSplatLattice::Voxel
   void AddCut(int lower, int axis, vtkIdType id)
   {
     this->Any = true;
-    this->Cut[EdgesOf[lower][axis]] = id;
+    this->Cut[LatticeCases::EdgesOf[lower][axis]] = id;
   }
   void AddAt(int corner, vtkIdType id)
   {
@@ -92,7 +84,7 @@ struct vtkPointSplatLattice::Voxel
       for (int axis = 0; axis < 3; ++axis)
       {
         const int other = corner ^ (1 << axis);
-        const bool cut = this->Cut[EdgesOf[corner][axis]] != None;
+        const bool cut = this->Cut[LatticeCases::EdgesOf[corner][axis]] != None;
         if (!cut && (this->At[corner] != None || this->At[other] != None))
         {
           continue; // it may be cut at its end
@@ -121,7 +113,7 @@ struct vtkPointSplatLattice::Voxel
       for (int axis = 0; axis < 3 && (part & (1 << corner)); ++axis)
       {
         const int bit = 1 << axis;
-        const vtkIdType cut = this->Cut[EdgesOf[corner][axis]];
+        const vtkIdType cut = this->Cut[LatticeCases::EdgesOf[corner][axis]];
         const vtkIdType point = cut != None ? cut : this->At[corner ^ bit];
         if (point != None)
         {
@@ -178,7 +170,7 @@ struct vtkPointSplatLattice::Voxel
 
   vtkIdType GetPoint(int e) const
   {
-    const int a = EdgeEnds[e], b = a | (1 << EdgeAxes[e]);
+    const int a = LatticeCases::EdgeEnds[e], b = a | (1 << LatticeCases::EdgeAxes[e]);
     const int inside = this->Side[a] > 0 ? a : b, outside = this->Side[a] > 0 ? b : a;
     return this->Cut[e] != None ? this->Cut[e]
       : this->At[inside] != None ? this->At[inside]
@@ -187,19 +179,18 @@ struct vtkPointSplatLattice::Voxel
 
   void AddTriangles(std::vector<vtkIdType>& corners) const
   {
-    int index = 0;
+    int inside = 0;
     for (int corner = 0; corner < 8; ++corner)
     {
-      index |= this->Side[CornerBits[corner]] > 0 ? 1 << corner : 0;
+      inside |= this->Side[corner] > 0 ? 1 << corner : 0;
     }
-    for (const int* edge = vtkMarchingCubesTriangleCases::GetCases()[index].edges; *edge >= 0; edge += 3)
-    {
-      const vtkIdType a = this->GetPoint(edge[0]), b = this->GetPoint(edge[1]), c = this->GetPoint(edge[2]);
+    LatticeCases::VisitTriangles(inside, [&](const int edges[3]) {
+      const vtkIdType a = this->GetPoint(edges[0]), b = this->GetPoint(edges[1]), c = this->GetPoint(edges[2]);
       if (a != b && b != c && c != a)
       {
         corners.insert(corners.end(), { a, b, c });
       }
-    }
+    });
   }
 };
 
@@ -518,18 +509,61 @@ bool vtkPointSplatLattice::IsGrid() const
   return false;
 }
 
+/// Whether there are edges with two points in one place, but none with points in several, and none at a sample: as where labels
+/// touch.
+bool vtkPointSplatLattice::HasLabels() const
+{
+  bool any = false;
+  for (std::size_t i = 0; i < this->Crossings.size(); ++i)
+  {
+    const Crossing& crossing = this->Crossings[i];
+    const int axis = static_cast<int>(crossing.Key % 4);
+    if (axis == AtSample)
+    {
+      return false;
+    }
+    if (i > 0 && this->Crossings[i - 1].Key == crossing.Key)
+    {
+      const double between = this->Points.Positions[3 * crossing.Id + axis] -
+        this->Points.Positions[3 * this->Crossings[i - 1].Id + axis];
+      if (std::abs(between) > SamePart * this->Axes[axis].Distance)
+      {
+        return false;
+      }
+      any = true;
+    }
+  }
+  return any;
+}
+
 bool vtkPointSplatLattice::Find()
 {
-  if (!this->FindPlanes() || !this->FindCrossings() || this->IsGrid() || !this->JoinPoints())
+  if (!this->FindPlanes() || !this->FindCrossings() || this->IsGrid())
   {
     return false;
   }
-  this->FindRows();
-  if (!this->FindSides())
+  if (this->HasLabels())
   {
-    return false;
+    vtkPointSplatLatticeLabels labels(this->Crossings, this->Size, this->Points.Normals);
+    if (!labels.Find())
+    {
+      return false;
+    }
+    this->Corners = std::move(labels.Corners);
   }
-  this->FindTriangles();
+  else
+  {
+    if (!this->JoinPoints())
+    {
+      return false;
+    }
+    this->FindRows();
+    if (!this->FindSides())
+    {
+      return false;
+    }
+    this->FindTriangles();
+  }
   std::vector<unsigned char> cornered(this->Points.Used.size(), 0);
   for (const vtkIdType corner : this->Corners)
   {

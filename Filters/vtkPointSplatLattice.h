@@ -17,6 +17,8 @@
  * 4. *Triangles* are those of marching cubes (vtkMarchingCubesTriangleCases). Few points have none: where one sample alone
  *    is the isovalue and all around it are less, the surface has no area.
  *
+ * Of many labels' surfaces 3 and 4 are those of vtkPointSplatLatticeLabels.
+ *
  * All points have to be such vertices, of all of the surface within the box that they span, or nothing is found: a voxel
  * around whose faces the sides contradict one another is one outside of the volume, or the points are no isosurface's. But
  * where all of its points are another process' (DUPLICATEPOINT), the rest is elsewhere. Points most of which lie equally far
@@ -26,6 +28,7 @@
 #ifndef vtkPointSplatLattice_h
 #define vtkPointSplatLattice_h
 
+#include "vtkPointSplatLatticeCases.h"
 #include "vtkPointSplatLatticePlanes.h"
 #include "vtkPointSplatLatticeSides.h"
 #include "vtkType.h"
@@ -62,16 +65,7 @@ public:
   std::vector<vtkIdType> Same;
 
 private:
-  /// A point's place in the lattice, in the order of Key: row by row.
-  struct Crossing
-  {
-    std::int64_t Key;
-    vtkIdType Id;
-    bool operator<(const Crossing& other) const
-    {
-      return this->Key != other.Key ? this->Key < other.Key : this->Id < other.Id;
-    }
-  };
+  using Crossing = vtkPointSplatLatticeCases::Crossing;
   struct Voxel;
   struct Row
   {
@@ -82,6 +76,7 @@ private:
   bool FindPlanes();
   bool FindCrossings();
   bool IsGrid() const;
+  bool HasLabels() const;
   bool JoinPoints();
   void FindRows();
   const Row* GetRow(std::int64_t index) const;

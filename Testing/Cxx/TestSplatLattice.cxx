@@ -4,6 +4,7 @@
 // does of the mesh, and takes nothing else for such.
 #include "Expect.h"
 
+#include "vtkAppendPolyData.h"
 #include "vtkFloatArray.h"
 #include "vtkFlyingEdges3D.h"
 #include "vtkImageData.h"
@@ -167,6 +168,25 @@ void IsKnown(vtkImageData* image, double value, double least, const std::string&
   AtLeast(GetLikeness(Estimate(MakeCloud(mesh)), Estimate(mesh), names), least, what);
 }
 
+/// Labels inside of a ball: what the field is more than, of the others, and of a ball within.
+double GetLabel(const double p[3])
+{
+  return Ball(p) < 0 ? 0 : Ball(p) > 9 ? 3 : Gyroid(p) > 0.1 ? 2 : 1;
+}
+
+/// Each label's surface; where two touch there are points of both.
+vtkSmartPointer<vtkPolyData> ContourLabels(const Volume& volume)
+{
+  vtkNew<vtkAppendPolyData> all;
+  for (int label = 1; label <= 3; ++label)
+  {
+    all->AddInputData(
+      Contour(MakeVolume(volume, [&](const double p[3]) { return GetLabel(p) == label ? 1.0 : 0.0; }), { 0.5 }));
+  }
+  all->Update();
+  return all->GetOutput();
+}
+
 /// Whether planes face as they do by the triangles where normals are reversed in a place, as a volume's gradients are where its
 /// surface bends within a voxel.
 void FacesAsTriangles(vtkPolyData* mesh)
@@ -296,6 +316,10 @@ int TestSplatLattice(int, char*[])
   salt.Noise = 0.3;
   salt.Bytes = true;
   IsKnown(MakeVolume(salt, [&](const double p[3]) { return is(Gyroid(p) > 0); }), 0.5, 0.93, "a mask with noise");
+
+  // Labels that touch.
+  const auto labels = ContourLabels(Volume());
+  AtLeast(GetLikeness(Estimate(MakeCloud(labels)), Estimate(labels)), 0.97, "labels");
 
   // A plate, most of whose points lie along one axis.
   Volume rough;
