@@ -536,33 +536,37 @@ bool vtkPointSplatLattice::HasLabels() const
   return any;
 }
 
-bool vtkPointSplatLattice::Find()
+/// The triangles of one surface.
+bool vtkPointSplatLattice::FindSurface()
 {
-  if (!this->FindPlanes() || !this->FindCrossings() || this->IsGrid())
+  if (!this->JoinPoints())
   {
     return false;
   }
-  if (this->HasLabels())
+  this->FindRows();
+  if (!this->FindSides())
   {
-    vtkPointSplatLatticeLabels labels(this->Crossings, this->Size, this->Points.Normals);
-    if (!labels.Find())
-    {
-      return false;
-    }
-    this->Corners = std::move(labels.Corners);
+    return false;
   }
-  else
+  this->FindTriangles();
+  return true;
+}
+
+/// The triangles of each label's.
+bool vtkPointSplatLattice::FindLabels()
+{
+  vtkPointSplatLatticeLabels labels(this->Crossings, this->Size, this->Points.Normals);
+  const bool found = labels.Find();
+  this->Corners = std::move(labels.Corners);
+  return found;
+}
+
+bool vtkPointSplatLattice::Find()
+{
+  if (!this->FindPlanes() || !this->FindCrossings() || this->IsGrid() ||
+    !(this->HasLabels() ? this->FindLabels() : this->FindSurface()))
   {
-    if (!this->JoinPoints())
-    {
-      return false;
-    }
-    this->FindRows();
-    if (!this->FindSides())
-    {
-      return false;
-    }
-    this->FindTriangles();
+    return false;
   }
   std::vector<unsigned char> cornered(this->Points.Used.size(), 0);
   for (const vtkIdType corner : this->Corners)

@@ -80,6 +80,8 @@ private:
   bool JoinPoints();
   void FindRows();
   const Row* GetRow(std::int64_t index) const;
+  bool FindSurface();
+  bool FindLabels();
   bool FindSides();
   void FindTriangles();
   template <typename Visitor>
