@@ -17,8 +17,6 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-/// Of how many points, at most, the planes are found.
-constexpr vtkIdType MostSampled = 1 << 14;
 /// Points at samples of the volume, at most: where all are, they fill a grid.
 constexpr double MostAtSamples = 0.9;
 /// Points of no triangle, at most: of an isosurface those that are its samples' alone, where it has no area.
@@ -33,12 +31,6 @@ constexpr double LeastTilted = 1e-3;
 
 using LatticeCases = vtkPointSplatLatticeCases;
 constexpr int AtSample = LatticeCases::AtSample;
-
-/// One of so many is looked at, all over.
-vtkIdType GetStride(vtkIdType count)
-{
-  return std::max<vtkIdType>(1, count / MostSampled) | 1;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -463,17 +455,9 @@ bool vtkPointSplatLattice::IsElsewhere(const Voxel& voxel) const
 /// Finds the planes across all axes.
 bool vtkPointSplatLattice::FindPlanes()
 {
-  const vtkIdType count = static_cast<vtkIdType>(this->Points.Used.size());
-  const vtkIdType stride = GetStride(count);
   std::vector<double> samples[3];
-  for (vtkIdType id = 0; id < count; id += stride)
-  {
-    for (int c = 0; c < 3 && this->Points.Used[id]; ++c)
-    {
-      samples[c].push_back(this->Points.Positions[3 * id + c]);
-    }
-  }
-  return !samples[0].empty() && vtkPointSplatLatticePlanes::Choose(samples, this->Axes);
+  vtkPointSplatLatticePlanes::Sample(this->Points.Positions, this->Points.Used, samples);
+  return !samples[0].empty() && vtkPointSplatLatticePlanes::Choose(samples, this->Axes) > 0;
 }
 
 /// Whether points lie equally far between planes, and normals along edges: as those of a grid on each of a box's faces do.
@@ -481,8 +465,9 @@ bool vtkPointSplatLattice::IsGrid() const
 {
   std::vector<double> parts; // of a voxel, from the last plane
   std::size_t tilted = 0;
-  const vtkIdType count = static_cast<vtkIdType>(this->Crossings.size());
-  for (vtkIdType i = 0; i < count; i += GetStride(count))
+  const std::size_t count = this->Crossings.size();
+  const std::size_t stride = vtkPointSplatLatticePlanes::GetStride(count);
+  for (std::size_t i = 0; i < count; i += stride)
   {
     const Crossing& crossing = this->Crossings[i];
     const int axis = static_cast<int>(crossing.Key % 4);

@@ -9,6 +9,8 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
+/// So many points, about, are looked at.
+constexpr std::size_t MostSampled = 1 << 14;
 /// The part of coordinates, at least, that others share: of a flat body's isosurface few lie on planes along it.
 constexpr double LeastRepeated = 0.05;
 /// How many coordinates, at least, tell distances from plane to plane; how many of these are tried, from how many coordinates
@@ -134,21 +136,49 @@ void vtkPointSplatLatticePlanes::Refine(std::vector<double> often)
   }
 }
 
+std::size_t vtkPointSplatLatticePlanes::GetStride(std::size_t count)
+{
+  return std::max<std::size_t>(1, count / MostSampled) | 1;
+}
+
+void vtkPointSplatLatticePlanes::Sample(
+  const std::vector<double>& positions, const std::vector<unsigned char>& used, std::vector<double> samples[3])
+{
+  const std::size_t stride = vtkPointSplatLatticePlanes::GetStride(used.size());
+  for (std::size_t id = 0; id < used.size(); id += stride)
+  {
+    for (int c = 0; c < 3 && used[id]; ++c)
+    {
+      samples[c].push_back(positions[3 * id + c]);
+    }
+  }
+}
+
+double vtkPointSplatLatticePlanes::GetTolerance(const std::vector<double> samples[3])
+{
+  double largest = 0;
+  for (int c = 0; c < 3; ++c)
+  {
+    for (const double x : samples[c])
+    {
+      largest = std::max(largest, std::abs(x));
+    }
+  }
+  return Rounding * largest;
+}
+
 /// What may be the planes across an axis, those farthest apart first. sample: coordinates along it.
-std::vector<vtkPointSplatLatticePlanes> vtkPointSplatLatticePlanes::Find(std::vector<double> sample)
+std::vector<vtkPointSplatLatticePlanes> vtkPointSplatLatticePlanes::Find(std::vector<double> sample, double tolerance)
 {
   std::sort(sample.begin(), sample.end());
   std::vector<Value> values;
   std::size_t repeated = 0;
-  for (const double x : sample)
-  {
-    if (values.empty() || values.back().X != x)
-    {
-      values.push_back({ x, 0 });
-    }
-    ++values.back().Count;
-    repeated += values.back().Count == 1 ? 0 : (values.back().Count == 2 ? 2 : 1);
-  }
+  const auto getCoordinate = [](double x) { return x; };
+  vtkPointSplatLatticePlanes::Visit(sample, tolerance, getCoordinate, [&](auto first, auto last) {
+    const std::size_t count = last - first;
+    values.push_back({ first[count / 2], count });
+    repeated += count > 1 ? count : 0;
+  });
   std::vector<vtkPointSplatLatticePlanes> found;
   if (repeated < LeastRepeated * sample.size())
   {
@@ -156,7 +186,6 @@ std::vector<vtkPointSplatLatticePlanes> vtkPointSplatLatticePlanes::Find(std::ve
   }
   std::sort(values.begin(), values.end(),
     [](const Value& a, const Value& b) { return a.Count != b.Count ? a.Count > b.Count : a.X < b.X; });
-  const double tolerance = Rounding * std::max(std::abs(sample.front()), std::abs(sample.back()));
   // Flat faces have as many points as some planes, or as a lot of them.
   for (const double power : { 1.0, 0.5 })
   {
@@ -223,16 +252,17 @@ bool vtkPointSplatLatticePlanes::AreOnEdges(
 }
 
 /// The widest planes that two coordinates of each point are. samples: along each axis.
-bool vtkPointSplatLatticePlanes::Choose(
+double vtkPointSplatLatticePlanes::Choose(
   const std::vector<double> samples[3], vtkPointSplatLatticePlanes axes[3])
 {
   std::vector<vtkPointSplatLatticePlanes> found[3];
+  const double tolerance = vtkPointSplatLatticePlanes::GetTolerance(samples);
   for (int c = 0; c < 3; ++c)
   {
-    found[c] = Find(samples[c]);
+    found[c] = Find(samples[c], tolerance);
     if (found[c].empty())
     {
-      return false;
+      return 0;
     }
   }
   double largest = 0;
@@ -256,7 +286,7 @@ bool vtkPointSplatLatticePlanes::Choose(
       }
     }
   }
-  return largest > 0;
+  return largest;
 }
 
 VTK_ABI_NAMESPACE_END

@@ -4,8 +4,8 @@
  * @class   vtkPointSplatLatticePlanes
  * @brief   the planes of a lattice across an axis
  *
- * An internal helper of vtkPointSplatLattice. Planes are told by coordinates that many points have to the bit. Not all that
- * many have are planes': points on flat faces across an axis have one in common, too, and so have those of bodies that are
+ * An internal helper of vtkPointSplatLattice. Planes are told by coordinates that many points have, but
+ * for their rounding. Not all that many have are planes': points on flat faces across an axis have one in common, too, and so have those of bodies that are
  * symmetric, or of volumes of few values.
  *
  * 1. The distances that are tried are those that are most often found between coordinates that many points have, and twice
@@ -26,8 +26,31 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkPointSplatLatticePlanes
 {
 public:
-  /// Finds those across all axes. samples: coordinates of the same points along each; returns whether there are such.
-  static bool Choose(const std::vector<double> samples[3], vtkPointSplatLatticePlanes axes[3]);
+  /// Of many points it does to look at one of so many.
+  static std::size_t GetStride(std::size_t count);
+  /// The coordinates along each axis of points with used[id] not 0, of one of GetStride().
+  static void Sample(
+    const std::vector<double>& positions, const std::vector<unsigned char>& used, std::vector<double> samples[3]);
+  /// How far, at most, coordinates of one plane may be from one another, as they are rounded.
+  static double GetTolerance(const std::vector<double> samples[3]);
+  /// Calls visit(first, last) for the elements of one plane each. sorted: by getCoordinate(element).
+  template <typename Element, typename Getter, typename Visitor>
+  static void Visit(const std::vector<Element>& sorted, double tolerance, const Getter& getCoordinate, const Visitor& visit)
+  {
+    for (auto first = sorted.begin(); first != sorted.end();)
+    {
+      auto last = first + 1;
+      while (last != sorted.end() && getCoordinate(*last) - getCoordinate(*(last - 1)) <= tolerance)
+      {
+        ++last;
+      }
+      visit(first, last);
+      first = last;
+    }
+  }
+  /// Finds those across all axes. samples: coordinates of the same points along each; returns a voxel's volume, or 0 if there
+  /// are none.
+  static double Choose(const std::vector<double> samples[3], vtkPointSplatLatticePlanes axes[3]);
 
   double Distance = 0; // from one to the next
 
@@ -39,7 +62,7 @@ public:
   bool Has(double x, std::int64_t& plane) const;
 
 private:
-  static std::vector<vtkPointSplatLatticePlanes> Find(std::vector<double> sample);
+  static std::vector<vtkPointSplatLatticePlanes> Find(std::vector<double> sample, double tolerance);
   static bool AreOnEdges(const std::vector<double> samples[3], const vtkPointSplatLatticePlanes axes[3]);
   void Refine(std::vector<double> often);
 

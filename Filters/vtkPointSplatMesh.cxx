@@ -11,6 +11,7 @@
 #include "vtkPointSet.h"
 #include "vtkPointSplatInput.h"
 #include "vtkPointSplatLattice.h"
+#include "vtkPointSplatLatticeFrame.h"
 #include "vtkPointSplatMeshFaces.h"
 #include "vtkPointSplatMeshNormals.h"
 #include "vtkPoints.h"
@@ -91,14 +92,27 @@ void vtkPointSplatMesh::Read(vtkPointSet* input)
   }
   if (this->Fans.IsEmpty() && !this->Normals.empty())
   {
-    std::vector<double> positions = vtkPointSplatInput::ReadPositions(input->GetPoints()->GetData());
-    vtkPointSplatLattice lattice(
-      { positions, this->Used, this->Normals.data(), vtkPointSplatInput::GetGhosts(input) });
+    this->FindLattice();
+  }
+}
+
+/// Takes the triangles of the isosurface whose vertices the points are, if they are.
+void vtkPointSplatMesh::FindLattice()
+{
+  std::vector<double> positions = vtkPointSplatInput::ReadPositions(this->Input->GetPoints()->GetData());
+  const auto findAlong = [&](const std::vector<double>& places, const std::vector<float>& normals) {
+    vtkPointSplatLattice lattice({ places, this->Used, normals.data(), vtkPointSplatInput::GetGhosts(this->Input) });
     if (lattice.Find())
     {
       this->OfLattice = true;
       this->Fans.Take(std::move(positions), std::move(lattice.Corners), std::move(lattice.Same));
     }
+  };
+  findAlong(positions, this->Normals);
+  vtkPointSplatLatticeFrame frame;
+  if (!this->OfLattice && frame.Find(positions, this->Used))
+  {
+    findAlong(frame.Turn(positions), frame.Turn(this->Normals));
   }
 }
 

@@ -508,8 +508,15 @@ def without_normals(standin):
     return StandIn(standin.name + ", no normals", polydata(p, None), standin.distance, standin.spacing, standin.mesh)
 
 
+def without_one(standin):
+    """Without one vertex of a volume's isosurface, so that the volume's lattice tells nothing."""
+    p, n = (vtk_to_numpy(array)[1:] for array in
+            (standin.cloud.GetPoints().GetData(), standin.cloud.GetPointData().GetNormals()))
+    return StandIn(standin.name + ", without one", polydata(p, n), standin.distance, standin.spacing, standin.mesh)
+
+
 def turned(standin):
-    """By 20 degrees about two axes: no longer on the lattice of its volume."""
+    """By 20 degrees about two axes, as volumes of oblique scans are."""
     c, s = math.cos(math.radians(20)), math.sin(math.radians(20))
     turn = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]) @ np.array([[1, 0, 0], [0, c, -s], [0, s, c]])
     mesh = standin.mesh
@@ -534,6 +541,7 @@ ALL = {
     "cut_edges": lambda: cut_by_volume("edges"),
     "cut_noisy": lambda: cut_by_volume("edges", 48, 0.15),
     "cut_noisy_turned": lambda: turned(cut_by_volume("edges", 48, 0.25)),
+    "cut_noisy_searched": lambda: without_one(turned(cut_by_volume("edges", 48, 0.25))),
     "tetrahedra": tetrahedra.contoured,
     "tetrahedra_clipped": tetrahedra.clipped,
     "tetrahedra_clipped_means": lambda: tetrahedra.clipped(splitting=False),
