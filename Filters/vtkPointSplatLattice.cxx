@@ -4,6 +4,7 @@
 
 #include "vtkPointSplatInput.h"
 #include "vtkPointSplatLatticeLabels.h"
+#include "vtkPointSplatLatticeLevels.h"
 #include "vtkPointSplatThreads.h"
 #include "vtkSMPTools.h"
 
@@ -22,6 +23,9 @@ constexpr double MostAtSamples = 0.9;
 /// Points of no triangle, at most: of an isosurface those that are its samples' alone, where it has no area.
 constexpr double MostWithout = 0.02;
 
+/// Normals that contradict the sides of one surface, at most: noise makes up to a hundredth do so, but of two surfaces in one
+/// voxel all of one's do.
+constexpr double MostContradicting = 0.1;
 /// What is the same part of a voxel.
 constexpr double SamePart = 1e-3;
 /// Normals lie along the lattice's edges if their cosine is more than this (8 degrees): on boxes' faces all do, but of a mask's
@@ -187,7 +191,7 @@ struct vtkPointSplatLattice::Voxel
 };
 
 //------------------------------------------------------------------------------
-/// Of all points, but none where one is on no edge.
+/// Of all points, edge by edge along it; none where one is on no edge.
 bool vtkPointSplatLattice::FindCrossings()
 {
   const std::vector<double>& positions = this->Points.Positions;
@@ -237,8 +241,17 @@ bool vtkPointSplatLattice::FindCrossings()
       last[c] = std::max(last[c], place.Index[c] + (c == place.Axis ? 1 : 0));
     }
   }
+  // Where nothing but samples are on its border, the surface may have a face between them, and it goes on beyond.
   for (int c = 0; c < 3; ++c)
   {
+    const auto isClosed = [&](std::int64_t plane) {
+      return std::none_of(places.begin(), places.end(), [&](const Place& place) {
+        return place.Index[c] == plane && place.Axis != c && place.Axis != AtSample;
+      });
+    };
+    const bool before = isClosed(this->First[c]), after = isClosed(last[c]);
+    this->First[c] -= before ? 1 : 0;
+    last[c] += after ? 1 : 0;
     this->Size[c] = last[c] - this->First[c] + 3;
   }
   constexpr double most = 1e18;
@@ -259,27 +272,36 @@ bool vtkPointSplatLattice::FindCrossings()
       this->Crossings[i] = { 4 * (row * this->Size[0] + index[0]) + places[i].Axis, ids[i] };
     }
   });
-  vtkSMPTools::Sort(this->Crossings.begin(), this->Crossings.end());
+  vtkSMPTools::Sort(this->Crossings.begin(), this->Crossings.end(), [&](const Crossing& a, const Crossing& b) {
+    const auto getOrder = [&](const Crossing& crossing) {
+      const int axis = static_cast<int>(crossing.Key % 4);
+      return std::make_pair(axis == AtSample ? 0.0 : positions[3 * crossing.Id + axis], crossing.Id);
+    };
+    return a.Key != b.Key ? a.Key < b.Key : getOrder(a) < getOrder(b);
+  });
   return true;
 }
 
-/// Of points at the same place the first one stays. Returns false where they are of several surfaces.
+/// Of points at the same sample the first one stays. Returns false where others are at the same place.
 bool vtkPointSplatLattice::JoinPoints()
 {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < this->Crossings.size(); ++i)
   {
     const Crossing crossing = this->Crossings[i];
-    if (kept == 0 || this->Crossings[kept - 1].Key != crossing.Key)
+    const int axis = static_cast<int>(crossing.Key % 4);
+    const bool another = kept == 0 || this->Crossings[kept - 1].Key != crossing.Key;
+    if (another || axis != AtSample)
     {
       this->Crossings[kept++] = crossing;
+      this->Several = this->Several || !another;
+      if (!another && this->GetBetween(kept - 1, axis) == 0)
+      {
+        return false;
+      }
       continue;
     }
     const vtkIdType first = this->Crossings[kept - 1].Id;
-    if (crossing.Key % 4 != AtSample)
-    {
-      return false;
-    }
     if (this->Same.empty())
     {
       this->Same.resize(this->Points.Used.size());
@@ -433,6 +455,18 @@ bool vtkPointSplatLattice::FindSides()
   return true;
 }
 
+/// Whether normals tell that the sides are those of one surface.
+bool vtkPointSplatLattice::HasOneSurface() const
+{
+  double all = 0, against = 0;
+  for (const vtkPointSplatLatticeSides::Part& part : this->Sides)
+  {
+    all += std::abs(part.Agreement);
+    against += std::max(-part.Agreement, 0.0f);
+  }
+  return against <= MostContradicting * all;
+}
+
 void vtkPointSplatLattice::FindTriangles()
 {
   this->VisitVoxels(this->Corners, [&](Voxel& voxel, std::vector<vtkIdType>& corners) {
@@ -475,7 +509,8 @@ bool vtkPointSplatLattice::IsGrid() const
     {
       parts.push_back(this->Axes[axis].GetPart(this->Points.Positions[3 * crossing.Id + axis]));
       const float* normal = this->Points.Normals + 3 * crossing.Id;
-      tilted += !vtkPointSplatInput::IsZero(normal) && std::abs(normal[axis]) < AlongEdge ? 1 : 0;
+      const auto isAlong = [](float cosine) { return std::abs(cosine) >= AlongEdge; };
+      tilted += !vtkPointSplatInput::IsZero(normal) && std::none_of(normal, normal + 3, isAlong) ? 1 : 0;
     }
   }
   if (tilted > LeastTilted * parts.size())
@@ -494,6 +529,13 @@ bool vtkPointSplatLattice::IsGrid() const
   return false;
 }
 
+/// From the point before to one, along an edge.
+double vtkPointSplatLattice::GetBetween(std::size_t crossing, int axis) const
+{
+  const std::vector<double>& positions = this->Points.Positions;
+  return positions[3 * this->Crossings[crossing].Id + axis] - positions[3 * this->Crossings[crossing - 1].Id + axis];
+}
+
 /// Whether there are edges with two points in one place, but none with points in several, and none at a sample: as where labels
 /// touch.
 bool vtkPointSplatLattice::HasLabels() const
@@ -509,9 +551,7 @@ bool vtkPointSplatLattice::HasLabels() const
     }
     if (i > 0 && this->Crossings[i - 1].Key == crossing.Key)
     {
-      const double between = this->Points.Positions[3 * crossing.Id + axis] -
-        this->Points.Positions[3 * this->Crossings[i - 1].Id + axis];
-      if (std::abs(between) > SamePart * this->Axes[axis].Distance)
+      if (this->GetBetween(i, axis) > SamePart * this->Axes[axis].Distance)
       {
         return false;
       }
@@ -521,7 +561,7 @@ bool vtkPointSplatLattice::HasLabels() const
   return any;
 }
 
-/// The triangles of one surface.
+/// The triangles of one value's surface, or of several ones'.
 bool vtkPointSplatLattice::FindSurface()
 {
   if (!this->JoinPoints())
@@ -529,12 +569,21 @@ bool vtkPointSplatLattice::FindSurface()
     return false;
   }
   this->FindRows();
-  if (!this->FindSides())
+  const bool haveSides = !this->Several && this->FindSides();
+  if (this->Several || (haveSides && !this->HasOneSurface()))
   {
-    return false;
+    vtkPointSplatLatticeLevels levels(this->Crossings, this->Size, this->Points.Normals);
+    if (levels.Find())
+    {
+      this->Corners = std::move(levels.Corners);
+      return true;
+    }
   }
-  this->FindTriangles();
-  return true;
+  if (haveSides)
+  {
+    this->FindTriangles();
+  }
+  return haveSides;
 }
 
 /// The triangles of each label's.

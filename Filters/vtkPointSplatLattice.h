@@ -17,7 +17,8 @@
  * 4. *Triangles* are those of marching cubes (vtkMarchingCubesTriangleCases). Few points have none: where one sample alone
  *    is the isovalue and all around it are less, the surface has no area.
  *
- * Of many labels' surfaces 3 and 4 are those of vtkPointSplatLatticeLabels.
+ * Of many labels' surfaces 3 and 4 are those of vtkPointSplatLatticeLabels, of several isosurfaces of one volume those of
+ * vtkPointSplatLatticeLevels: where edges have several points, or normals contradict the sides of one.
  *
  * All points have to be such vertices, of all of the surface within the box that they span, or nothing is found: a voxel
  * around whose faces the sides contradict one another is one outside of the volume, or the points are no isosurface's. But
@@ -76,6 +77,7 @@ private:
   bool FindPlanes();
   bool FindCrossings();
   bool IsGrid() const;
+  double GetBetween(std::size_t crossing, int axis) const;
   bool HasLabels() const;
   bool JoinPoints();
   void FindRows();
@@ -83,6 +85,7 @@ private:
   bool FindSurface();
   bool FindLabels();
   bool FindSides();
+  bool HasOneSurface() const;
   void FindTriangles();
   template <typename Visitor>
   bool March(const Row& row, const Visitor& visit) const;
@@ -98,6 +101,7 @@ private:
   std::int64_t First[3] = { 0, 0, 0 }; // of the planes that points lie on
   std::int64_t Size[3] = { 0, 0, 0 }; // of the box in samples, and one on each side
   std::vector<Crossing> Crossings;
+  bool Several = false; // points on an edge
   std::vector<Row> Rows;
   std::vector<vtkPointSplatLatticeSides::Part> Sides; // of all voxels
 };

@@ -29,10 +29,6 @@ public:
   {
     std::int64_t Key;
     vtkIdType Id;
-    bool operator<(const Crossing& other) const
-    {
-      return this->Key != other.Key ? this->Key < other.Key : this->Id < other.Id;
-    }
   };
 
   /// The lower ends of a voxel's edges, and their axes.

@@ -39,6 +39,34 @@ constexpr double Same = 1e-3;
 /// Planes are fitted to so many points first, and then to four times as many, and so on, up to about so many.
 constexpr std::size_t FirstFitted = 256;
 constexpr std::size_t MostFitted = 4096; // this and the others: Testing/Cxx/TestSplatLattice.cxx
+
+template <typename Directions>
+void KeepBest(Directions& all)
+{
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.Score > b.Score; });
+  all.erase(all.begin() + std::min(all.size(), MostDirections), all.end());
+}
+
+/// Adds products of offsets of points from their middle.
+template <typename Iterator>
+void AddProducts(Iterator first, Iterator last, double sum[3][3])
+{
+  double mean[3] = { 0, 0, 0 };
+  for (auto at = first; at != last; ++at)
+  {
+    vtkMath::Add(mean, at->second->X, mean);
+  }
+  vtkMath::MultiplyScalar(mean, 1.0 / static_cast<double>(last - first));
+  for (auto at = first; at != last; ++at)
+  {
+    double offset[3];
+    vtkMath::Subtract(at->second->X, mean, offset);
+    for (int k = 0; k < 9; ++k)
+    {
+      sum[k / 3][k % 3] += offset[k / 3] * offset[k % 3];
+    }
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -55,106 +83,54 @@ vtkPointSplatLatticeFrame::Vector vtkPointSplatLatticeFrame::Vector::Cross(const
 }
 
 //------------------------------------------------------------------------------
-/// Across parallel planes that points lie on.
-struct vtkPointSplatLatticeFrame::Direction
+bool vtkPointSplatLatticeFrame::Direction::IsLike(const Vector& other) const
 {
-  Vector Across; // of unit length
-  Vector Near;   // where it was found
-  std::size_t Shared = 0;  // points on planes with others, but those that are by chance
-  std::size_t Planes = 0;  // these
-  std::size_t Largest = 0; // points on one of them
-  double Score = 0;        // of all windows
-
-  Direction(const Vector& across, const Vector& near)
-    : Across(across)
-    , Near(near)
-  {
-  }
-
-  bool IsLike(const Vector& other) const
-  {
-    const double cosine = this->Across.Dot(other);
-    return 1 - cosine * cosine < Same * Same;
-  }
-
-  /// Counts points on planes.
-  void Count(const std::vector<Vector>& points, double tolerance)
-  {
-    std::vector<std::pair<double, const Vector*>> along;
-    along.reserve(points.size());
-    for (const Vector& point : points)
-    {
-      along.push_back({ this->Across.Dot(point), &point });
-    }
-    std::sort(along.begin(), along.end());
-    this->Shared = this->Planes = this->Largest = 0;
-    std::fill_n(this->Products[0], 9, 0.0);
-    const auto getCoordinate = [](const auto& point) { return point.first; };
-    vtkPointSplatLatticePlanes::Visit(along, tolerance, getCoordinate, [this](auto first, auto last) {
-      const std::size_t count = last - first;
-      if (count > 1)
-      {
-        this->Shared += count;
-        this->Largest = std::max(this->Largest, count);
-        ++this->Planes;
-        this->AddProducts(first, last);
-      }
-    });
-    const double all = static_cast<double>(points.size());
-    const double extent = std::max(along.back().first - along.front().first, tolerance);
-    const double byChance = ByChance * all * all * 2 * tolerance / extent;
-    this->Shared -= static_cast<std::size_t>(std::min<double>(byChance, this->Shared));
-  }
-
-  bool HasPlanes(double least) const
-  {
-    return static_cast<double>(this->Shared) >= least && this->Planes >= LeastPlanes;
-  }
-
-  /// Turns it to where the counted points are nearest to their planes.
-  void Fit()
-  {
-    double variances[3], axes[3][3];
-    vtkMath::Diagonalize3x3(this->Products, variances, axes);
-    const int least = static_cast<int>(std::min_element(variances, variances + 3) - variances);
-    for (int c = 0; c < 3; ++c)
-    {
-      this->Across.X[c] = axes[c][least];
-    }
-  }
-
-private:
-  template <typename Iterator>
-  void AddProducts(Iterator first, Iterator last)
-  {
-    double mean[3] = { 0, 0, 0 };
-    for (auto at = first; at != last; ++at)
-    {
-      vtkMath::Add(mean, at->second->X, mean);
-    }
-    vtkMath::MultiplyScalar(mean, 1.0 / static_cast<double>(last - first));
-    for (auto at = first; at != last; ++at)
-    {
-      double offset[3];
-      vtkMath::Subtract(at->second->X, mean, offset);
-      for (int k = 0; k < 9; ++k)
-      {
-        this->Products[k / 3][k % 3] += offset[k / 3] * offset[k % 3];
-      }
-    }
-  }
-
-  double Products[3][3]; // sums of those of points' offsets from the middles of their planes
-};
-
-namespace
-{
-template <typename Directions>
-void KeepBest(Directions& all)
-{
-  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.Score > b.Score; });
-  all.erase(all.begin() + std::min(all.size(), MostDirections), all.end());
+  const double cosine = this->Across.Dot(other);
+  return 1 - cosine * cosine < Same * Same;
 }
+
+bool vtkPointSplatLatticeFrame::Direction::HasPlanes(double least) const
+{
+  return static_cast<double>(this->Shared) >= least && this->Planes >= LeastPlanes;
+}
+
+void vtkPointSplatLatticeFrame::Direction::Count(const std::vector<Vector>& points, double tolerance)
+{
+  std::vector<std::pair<double, const Vector*>> along;
+  along.reserve(points.size());
+  for (const Vector& point : points)
+  {
+    along.push_back({ this->Across.Dot(point), &point });
+  }
+  std::sort(along.begin(), along.end());
+  this->Shared = this->Planes = this->Largest = 0;
+  std::fill_n(this->Products[0], 9, 0.0);
+  const auto getCoordinate = [](const auto& point) { return point.first; };
+  vtkPointSplatLatticePlanes::Visit(along, tolerance, getCoordinate, [this](auto first, auto last) {
+    const std::size_t count = last - first;
+    if (count > 1)
+    {
+      this->Shared += count;
+      this->Largest = std::max(this->Largest, count);
+      ++this->Planes;
+      AddProducts(first, last, this->Products);
+    }
+  });
+  const double all = static_cast<double>(points.size());
+  const double extent = std::max(along.back().first - along.front().first, tolerance);
+  const double byChance = ByChance * all * all * 2 * tolerance / extent;
+  this->Shared -= static_cast<std::size_t>(std::min<double>(byChance, this->Shared));
+}
+
+void vtkPointSplatLatticeFrame::Direction::Fit()
+{
+  double variances[3], axes[3][3];
+  vtkMath::Diagonalize3x3(this->Products, variances, axes);
+  const int least = static_cast<int>(std::min_element(variances, variances + 3) - variances);
+  for (int c = 0; c < 3; ++c)
+  {
+    this->Across.X[c] = axes[c][least];
+  }
 }
 
 //------------------------------------------------------------------------------

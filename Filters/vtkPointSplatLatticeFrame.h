@@ -45,7 +45,29 @@ private:
     double Dot(const Vector& other) const;
     Vector Cross(const Vector& other) const;
   };
-  struct Direction;
+  /// Across parallel planes that points lie on.
+  struct Direction
+  {
+    Direction(const Vector& across, const Vector& near)
+      : Across(across)
+      , Near(near)
+    {
+    }
+    bool IsLike(const Vector& other) const;
+    bool HasPlanes(double least) const;
+    /// Counts points on planes.
+    void Count(const std::vector<Vector>& points, double tolerance);
+    /// Turns it to where the counted points are nearest to their planes.
+    void Fit();
+
+    Vector Across;           // of unit length
+    Vector Near;             // where it was found
+    std::size_t Shared = 0;  // points on planes with others, but those that are by chance
+    std::size_t Planes = 0;  // these
+    std::size_t Largest = 0; // points on one of them
+    double Score = 0;        // of all windows
+    double Products[3][3];   // sums of those of points' offsets from the middles of their planes
+  };
 
   static std::vector<Vector> GetWindow(
     const std::vector<double>& positions, const std::vector<unsigned char>& used, const Vector& center);

@@ -8,7 +8,7 @@
  * each label has a surface of its own, and where two labels touch there are two points in the middle of an edge, with normals to
  * both sides.
  *
- * 1. *Regions.* Samples between which no point lies have one label; those next to points are joined to regions.
+ * 1. *Regions.* Samples between which no point lies have one label (vtkPointSplatLatticeRegions.h).
  * 2. *Background.* A region has a surface of its own if its points' normals point out of it. Normals of the points of which
  *    an edge has but one say on which side the background is, and all around a region vote. A region
  *    that shares edges of two points is a label's.
@@ -21,7 +21,7 @@
 #ifndef vtkPointSplatLatticeLabels_h
 #define vtkPointSplatLatticeLabels_h
 
-#include "vtkPointSplatLatticeCases.h"
+#include "vtkPointSplatLatticeRegions.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -44,33 +44,15 @@ public:
   std::vector<vtkIdType> Corners; // 3 a triangle
 
 private:
-  /// Points on an edge.
-  struct Range
-  {
-    const Crossing* First;
-    const Crossing* Last;
-    std::size_t GetCount() const { return static_cast<std::size_t>(this->Last - this->First); }
-  };
+  using Range = vtkPointSplatLatticeRegions::Range;
 
-  Range Get(std::int64_t sample, int axis) const;
-  std::int64_t GetCorner(std::int64_t voxel, int corner) const;
-  std::size_t GetNumber(std::int64_t sample) const;
-  void FindVoxels();
-  void FindRegions();
-  template <typename Visitor>
-  bool VisitEdges(const Visitor& visit) const;
   bool Vote();
   void AddTriangles(std::int64_t voxel, std::vector<vtkIdType>& corners) const;
   vtkIdType GetPoint(std::int64_t voxel, int edge, int inside) const;
 
-  const std::vector<Crossing>& Crossings;
-  const std::int64_t Size[3];
-  const std::int64_t Strides[3];
+  vtkPointSplatLatticeRegions Regions;
   const float* Normals;
-  std::vector<std::int64_t> Voxels;  // next to points, by their lowest samples, in order
-  std::vector<std::int64_t> Samples; // of these, in order
-  std::vector<std::uint32_t> Regions; // of each
-  std::vector<float> Votes;           // of each region: more than 0 for a label's
+  std::vector<float> Votes; // of each region: more than 0 for a label's
 };
 
 VTK_ABI_NAMESPACE_END

@@ -6,7 +6,7 @@
  *
  * An internal helper of vtkPointSplatEstimation. A disk at a sharp edge is in the plane of one of the faces that end there.
  *
- * 1. *Triangles* are those of polygons and strips (vtkPointSplatFans.h), or, if there are none, of the isosurface whose vertices
+ * 1. *Triangles* are those of polygons and strips (vtkPointSplatFans.h), or, if there are none, of the isosurfaces whose vertices
  *    the points are (vtkPointSplatLattice.h), along the axes or turned (vtkPointSplatLatticeFrame.h). If they share no points, those of one place and normal count as shared.
  * 2. *Split.* Of a point where several faces end (vtkPointSplatMeshFaces.h) the first one has it, and each other one a copy.
  * 3. *Planes.* Each has its face's normal for its disk, and a point of one face alone its given one if that is within 10 degrees:

@@ -103,8 +103,8 @@ vtkSmartPointer<vtkPolyData> MakeIsosurface()
   return data;
 }
 
-/// The same points, none of which lies on the lattice any more.
-vtkSmartPointer<vtkPolyData> Turned(vtkPolyData* cloud)
+/// The same points, none of which lies on the lattice any more, and all but one, without which no turned lattice is known.
+vtkSmartPointer<vtkPolyData> OffLattice(vtkPolyData* cloud)
 {
   vtkNew<vtkTransform> turn;
   turn->RotateX(20);
@@ -113,7 +113,11 @@ vtkSmartPointer<vtkPolyData> Turned(vtkPolyData* cloud)
   filter->SetTransform(turn);
   filter->SetInputData(cloud);
   filter->Update();
-  return filter->GetOutput();
+  vtkPolyData* turned = filter->GetOutput();
+  const vtkIdType count = turned->GetNumberOfPoints() - 1;
+  turned->GetPoints()->SetNumberOfPoints(count);
+  turned->GetPointData()->GetNormals()->SetNumberOfTuples(count);
+  return turned;
 }
 
 /// A cloud's points alone.
@@ -180,7 +184,7 @@ int TestSplatsNoise(int, char*[])
   estimation->SetInputData(isosurface);
   estimation->Update();
   checks.Expect(estimation->IsRough() && estimation->GetContradiction() == 0, "the volume's noise is relief");
-  estimation->SetInputData(Turned(isosurface));
+  estimation->SetInputData(OffLattice(isosurface));
   estimation->Update();
   checks.Expect(estimation->IsNoisy(), "off the lattice it is noise");
   estimation->ReliefOn();
