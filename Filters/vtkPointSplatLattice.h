@@ -32,6 +32,7 @@
 #include "vtkPointSplatLatticeCases.h"
 #include "vtkPointSplatLatticePlanes.h"
 #include "vtkPointSplatLatticeSides.h"
+#include "vtkPointSplatLatticeVoxel.h"
 #include "vtkType.h"
 
 #include <cstddef>
@@ -67,7 +68,7 @@ public:
 
 private:
   using Crossing = vtkPointSplatLatticeCases::Crossing;
-  struct Voxel;
+  using Voxel = vtkPointSplatLatticeVoxel;
   struct Row
   {
     std::int64_t Index; // over all y and z
