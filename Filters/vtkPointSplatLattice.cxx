@@ -284,6 +284,7 @@ bool vtkPointSplatLattice::VisitVoxels(std::vector<Element>& all, const Visitor&
 /// False where some voxel within the box contradicts itself.
 bool vtkPointSplatLattice::FindSides()
 {
+  this->FindRows();
   const float distances[3] = { static_cast<float>(this->Axes[0].Distance),
     static_cast<float>(this->Axes[1].Distance), static_cast<float>(this->Axes[2].Distance) };
   using Part = vtkPointSplatLatticeSides::Part;
@@ -414,7 +415,6 @@ bool vtkPointSplatLattice::FindSurface()
   {
     return false;
   }
-  this->FindRows();
   const bool haveSides = !this->Several && this->FindSides();
   if (this->Several || (haveSides && !this->HasOneSurface()))
   {

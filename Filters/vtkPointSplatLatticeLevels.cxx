@@ -84,22 +84,14 @@ void vtkPointSplatLatticeLevels::AddLink(std::size_t a, std::size_t b, int step,
 /// Those by edges with points, and by edges without whose one end is a point's sample.
 void vtkPointSplatLatticeLevels::FindLinks()
 {
-  this->AtSample.assign(this->Regions.GetCount(), 0);
-  for (const Crossing& crossing : this->Crossings)
-  {
-    const std::size_t region = this->Regions.GetRegion(crossing.Key / 4);
-    if (crossing.Key % 4 == LatticeCases::AtSample && region != this->Regions.GetCount())
-    {
-      this->AtSample[region] = 1;
-    }
-  }
   this->Regions.VisitEdges([this](const Range& on, int axis, std::size_t a, std::size_t b) {
     float vote = 0;
     for (const Crossing* crossing = on.First; crossing != on.Last; ++crossing)
     {
       vote += this->Normals[3 * crossing->Id + axis];
     }
-    this->AddLink(a, b, 2 * static_cast<int>(on.GetCount()) + this->AtSample[a] + this->AtSample[b], vote);
+    const int atSamples = (this->Regions.IsAtSample(a) ? 1 : 0) + (this->Regions.IsAtSample(b) ? 1 : 0);
+    this->AddLink(a, b, 2 * static_cast<int>(on.GetCount()) + atSamples, vote);
     return true;
   });
   for (const Crossing& crossing : this->Crossings)
@@ -112,7 +104,7 @@ void vtkPointSplatLatticeLevels::FindLinks()
         const std::int64_t other = sample + way * this->Regions.GetStrides()[axis];
         const std::size_t a = this->Regions.GetRegion(sample), b = this->Regions.GetRegion(other);
         const bool within = a != this->Regions.GetCount() && b != this->Regions.GetCount();
-        if (within && !this->AtSample[b] && this->Regions.Get(std::min(sample, other), axis).GetCount() == 0)
+        if (within && !this->Regions.IsAtSample(b) && this->Regions.Get(std::min(sample, other), axis).GetCount() == 0)
         {
           this->AddLink(a, b, 1, way * this->Normals[3 * crossing.Id + axis]);
         }
@@ -181,7 +173,7 @@ bool vtkPointSplatLatticeLevels::FindDepths()
   {
     if (!known[start])
     {
-      setDepth(start, this->AtSample[start]);
+      setDepth(start, this->Regions.IsAtSample(start) ? 1 : 0);
     }
     while (!guesses.empty())
     {
@@ -199,19 +191,15 @@ bool vtkPointSplatLatticeLevels::FindDepths()
   });
 }
 
-int vtkPointSplatLatticeLevels::GetDepth(std::int64_t voxel, int corner) const
-{
-  return this->Depths[this->Regions.GetRegion(this->Regions.GetCorner(voxel, corner))];
-}
-
 /// An edge's point that is of a surface, which is inside of so many others.
-vtkIdType vtkPointSplatLatticeLevels::GetPoint(std::int64_t voxel, int edge, int surface) const
+vtkIdType vtkPointSplatLatticeLevels::GetPoint(
+  std::int64_t voxel, int edge, const int depths[8], int surface) const
 {
   const int lower = LatticeCases::EdgeEnds[edge], axis = LatticeCases::EdgeAxes[edge], upper = lower | (1 << axis);
-  const int a = this->GetDepth(voxel, lower), b = this->GetDepth(voxel, upper);
+  const int a = depths[lower], b = depths[upper];
   for (const int corner : { lower, upper })
   {
-    if ((corner == lower ? a : b) == 2 * surface + 1)
+    if (depths[corner] == 2 * surface + 1)
     {
       return this->Regions.Get(this->Regions.GetCorner(voxel, corner), LatticeCases::AtSample).First->Id;
     }
@@ -230,7 +218,7 @@ void vtkPointSplatLatticeLevels::AddTriangles(std::int64_t voxel, std::vector<vt
   int depths[8];
   for (int corner = 0; corner < 8; ++corner)
   {
-    depths[corner] = this->GetDepth(voxel, corner);
+    depths[corner] = this->Depths[this->Regions.GetRegion(this->Regions.GetCorner(voxel, corner))];
   }
   const auto [least, most] = std::minmax_element(depths, depths + 8);
   for (int surface = (*least + 1) / 2; 2 * surface < *most; ++surface)
@@ -244,7 +232,7 @@ void vtkPointSplatLatticeLevels::AddTriangles(std::int64_t voxel, std::vector<vt
       vtkIdType points[3];
       for (int k = 0; k < 3; ++k)
       {
-        points[k] = this->GetPoint(voxel, edges[k], surface);
+        points[k] = this->GetPoint(voxel, edges[k], depths, surface);
       }
       const bool whole = std::find(points, points + 3, None) == points + 3;
       if (whole && points[0] != points[1] && points[1] != points[2] && points[2] != points[0])

@@ -58,16 +58,14 @@ private:
   void FindLinks();
   void JoinLinks();
   bool FindDepths();
-  vtkIdType GetPoint(std::int64_t voxel, int edge, int surface) const;
+  vtkIdType GetPoint(std::int64_t voxel, int edge, const int depths[8], int surface) const;
   void AddTriangles(std::int64_t voxel, std::vector<vtkIdType>& corners) const;
-  int GetDepth(std::int64_t voxel, int corner) const;
 
   const std::vector<Crossing>& Crossings;
   vtkPointSplatLatticeRegions Regions;
   const float* Normals;
   std::vector<Link> Links;
-  std::vector<unsigned char> AtSample; // whether a region is a point's sample
-  std::vector<int> Depths;             // of each region
+  std::vector<int> Depths; // of each region
 };
 
 VTK_ABI_NAMESPACE_END

@@ -103,22 +103,22 @@ bool vtkPointSplatLatticeRegions::Find()
   {
     return false;
   }
-  std::vector<unsigned char> alone(this->Samples.size(), 0); // a point is there
+  this->AtSample.assign(this->Samples.size(), 0);
   for (const Crossing& crossing : this->Crossings)
   {
     const std::size_t number = this->GetNumber(crossing.Key / 4);
     if (crossing.Key % 4 == LatticeCases::AtSample && number != this->Samples.size())
     {
-      alone[number] = 1;
+      this->AtSample[number] = 1;
     }
   }
   vtkPointSplatDisjointSets regions(this->Samples.size());
   for (std::size_t i = 0; i < this->Samples.size(); ++i)
   {
-    for (int axis = 0; axis < 3 && !alone[i]; ++axis)
+    for (int axis = 0; axis < 3 && !this->AtSample[i]; ++axis)
     {
       const std::size_t next = this->GetNumber(this->Samples[i] + this->Strides[axis]);
-      if (next != this->Samples.size() && !alone[next] && this->Get(this->Samples[i], axis).GetCount() == 0)
+      if (next != this->Samples.size() && !this->AtSample[next] && this->Get(this->Samples[i], axis).GetCount() == 0)
       {
         regions.Join(regions.Find(static_cast<std::uint32_t>(i)), regions.Find(static_cast<std::uint32_t>(next)));
       }

@@ -49,6 +49,9 @@ public:
   /// A sample's region, or GetCount() if it is not next to a point.
   std::size_t GetRegion(std::int64_t sample) const;
 
+  /// Whether a region is one sample that a point lies at.
+  bool IsAtSample(std::size_t region) const { return this->AtSample[region] != 0; }
+
   /// Visits the edges of voxels that have points, and the regions of their ends, until visit(on, axis, a, b) returns false, as
   /// is returned.
   template <typename Visitor>
@@ -106,6 +109,7 @@ private:
   const std::int64_t Strides[3];
   std::vector<std::int64_t> Voxels;  // next to points, by their lowest samples, in order
   std::vector<std::int64_t> Samples; // of these, in order
+  std::vector<unsigned char> AtSample; // whether a point lies at each
   std::vector<std::uint32_t> Regions; // of each
 };
 
