@@ -66,7 +66,8 @@
  *    sheet the surface runs about as a circle's arc, so that their normals are mirror images in the
  *    plane half way (vtkPointSplatSheet.h). Neighbours within two spacings, the point's own or the
  *    median of its part, whichever is less, may be off by 0.6 spacings, for noise; farther ones only by a tenth of their
- *    distance, and they count only where a third of them is of the sheet. Normals more than 78
+ *    distance, and they count only where a third of them is of the sheet, or a tenth and these are on exact arcs, as the next ring
+ *    of a tube among other tubes. Normals more than 78
  *    degrees apart are of two faces at an edge, unless there is nothing else, as on a body of a few
  *    points. Where the normal does not fit the neighbours' at all (as at seams of meshes whose
  *    triangles are not oriented consistently), the plane that fits them takes its place, if their own

@@ -42,9 +42,13 @@ constexpr float UnevenCosine = 0.974f;
 constexpr float UnevenOffset = 0.11f;
 /// What is farther counts only where this part of it is of the sheet: some always is, by chance.
 constexpr float LeastFarShare = 0.34f;
-/// ... or this part has normals that part by less than this cosine (14 degrees).
-constexpr float LeastFlatShare = 0.1f;
+/// ... or this part has normals that part by less than this cosine (14 degrees), ...
+constexpr float LeastAlikeShare = 0.1f;
 constexpr float FlatCosine = 0.97f;
+/// ... or by no more than near ones' do, but for rounding, if the surfaces pass each other by less than this part of their
+/// distance.
+constexpr float TurnRounding = 1e-3f;
+constexpr float AlikeOffset = 0.03f;
 }
 
 float vtkPointSplatSheet::GetSpacing(const vtkPointSplatNeighbors::Neighborhood& around)
@@ -142,6 +146,34 @@ bool vtkPointSplatSheet::IsAcross(const vtkPointSplatNeighbors::Neighborhood& ar
     arc.Offset * arc.Offset <= FarOffset * FarOffset * squared && !IsEdge(arc, turn, squared);
 }
 
+/**
+ * Leaves of the members that are far those that are not there by chance, if there are enough: with the centre's normal, as on a
+ * sparse flat face beside a dense edge, or on an arc that turns no more than near ones do, as of the next ring of a tube, about
+ * which all others are of the tube's far side and of other tubes.
+ */
+void vtkPointSplatSheet::KeepAlike(const vtkPointSplatNeighbors::Neighborhood& around, int countFar)
+{
+  float turned = FlatCosine;
+  for (int k = 0; k < this->Near; ++k)
+  {
+    turned = std::min(turned, this->Arcs[this->Members[k]].Cosine);
+  }
+  int kept = this->Near;
+  for (int k = this->Near; k < this->Count; ++k)
+  {
+    const int i = this->Members[k];
+    const Arc& arc = this->Arcs[i];
+    if (arc.Cosine > FlatCosine ||
+      (arc.Cosine > turned - TurnRounding &&
+        arc.Offset * arc.Offset < AlikeOffset * AlikeOffset * around.SquaredDistance[i]))
+    {
+      this->Members[kept++] = i;
+    }
+  }
+  const int alike = kept - this->Near;
+  this->Count = alike >= FewMembers && alike >= LeastAlikeShare * countFar ? kept : this->Near;
+}
+
 void vtkPointSplatSheet::Select(
   const vtkPointSplatNeighbors::Neighborhood& around, int countNear, float spacing)
 {
@@ -192,17 +224,7 @@ void vtkPointSplatSheet::Select(
   this->IsFewAfar = false;
   if (this->Count - this->Near < LeastFarShare * countFar)
   {
-    // Few are on a sparse flat face beside a dense edge; that many with the same normal are not by chance.
-    int kept = this->Near;
-    for (int k = this->Near; k < this->Count; ++k)
-    {
-      if (this->Arcs[this->Members[k]].Cosine > FlatCosine)
-      {
-        this->Members[kept++] = this->Members[k];
-      }
-    }
-    const int flat = kept - this->Near;
-    this->Count = flat >= FewMembers && flat >= LeastFlatShare * countFar ? kept : this->Near;
+    this->KeepAlike(around, countFar);
     this->IsFewAfar = this->Count > this->Near;
   }
   this->IsFlatAfar =

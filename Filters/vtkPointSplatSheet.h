@@ -81,7 +81,7 @@ public:
   int Near = 0;
   /// Whether those that are not near have the centre's normal, all of them: the sheet is a plane there.
   bool IsFlatAfar = false;
-  /// Whether these are few of those that are far: the others are of other sheets.
+  /// Whether these are few of those that are far, but too much alike to be there by chance: the others are of other sheets.
   bool IsFewAfar = false;
   /// Whether all neighbours are of the sheet.
   bool Whole = false;
@@ -93,6 +93,7 @@ public:
 private:
   static bool MeetsEdge(const Arc& arc, float squared);
   static bool IsEdge(const Arc& arc, float turn, float squared);
+  void KeepAlike(const vtkPointSplatNeighbors::Neighborhood& around, int countFar);
 
   Arc Arcs[vtkPointSplatNeighbors::MaximumNumberOfNeighbors];
 };

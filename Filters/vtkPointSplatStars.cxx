@@ -43,8 +43,42 @@ constexpr float EndsCosine = 0.5f;
 /// coarse isosurfaces that are the mesh's one in 300 is lost, of those that lead off it a fifth to a half.
 constexpr double LeastFacing = 0.1;
 constexpr double FacingCosine = 0.5;
+/// Where a row ends at gaps on both sides, their directions part by more than 120 degrees, and neither is much wider.
+constexpr double OppositeCosine = -0.5;
+constexpr float MostWider = 2;
 /// From how many times the spacing on points beside the border of a denser part say that the surface goes on there.
 constexpr float Sparser = 2;
+
+/// A triangle of a star that is too wide for what the nearest points of its corners tell.
+struct WideTriangle
+{
+  int Others[2];    // corners: their places in the neighbourhood
+  float Reach;      // to the circumcentre
+  double Middle[3]; // the way there, of unit length
+
+  WideTriangle(const vtkPointSplatNeighbors::Neighborhood& around, int a, int b, float reach)
+    : Others{ a, b }
+    , Reach(reach)
+  {
+    const double x[3] = { around.X[a], around.Y[a], around.Z[a] }, y[3] = { around.X[b], around.Y[b], around.Z[b] };
+    double across[3], along[3];
+    vtkMath::Cross(x, y, across);
+    for (int c = 0; c < 3; ++c)
+    {
+      along[c] = static_cast<double>(around.SquaredDistance[a]) * y[c] - static_cast<double>(around.SquaredDistance[b]) * x[c];
+    }
+    vtkMath::Cross(along, across, this->Middle);
+    vtkMath::Normalize(this->Middle);
+  }
+
+  /// Whether another one on the other side of the centre is about as wide.
+  bool HasOpposite(const std::vector<WideTriangle>& all) const
+  {
+    return std::any_of(all.begin(), all.end(), [this](const WideTriangle& other) {
+      return vtkMath::Dot(this->Middle, other.Middle) < OppositeCosine && this->Reach < MostWider * other.Reach;
+    });
+  }
+};
 
 /// Whether the surface bends on the way to a disk's rim. turn: as in vtkPointSplatDisks.
 bool IsBent(float turn, float reach)
@@ -347,6 +381,12 @@ bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
     const std::size_t before = local.size();
     std::vector<Triangle> uncovered; // those that one large disk does not cover
     float longest2 = 0;
+    const auto add = [&](Triangle triangle, int a, int b) {
+      longest2 = std::max({ longest2, around.SquaredDistance[a], around.SquaredDistance[b] });
+      std::sort(triangle.begin(), triangle.end());
+      local.push_back(triangle);
+    };
+    std::vector<WideTriangle> wide;
     disk.VisitTriangles([&](int a, int b, float circumscribed) {
       Triangle triangle{ { around.Center, around.Slots[a], around.Slots[b] } };
       float spacing = 0;
@@ -356,18 +396,26 @@ bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
         bends = bends || IsBent(disks.Turn[corner], reach);
       }
       // A hole has no points, and is no larger than usual where any corner's points are so sparse.
-      const bool wide = circumscribed > limit * spacing;
-      if (!wide || IsOverGap(cloud, triangle, circumscribed))
+      const bool isWide = circumscribed > limit * spacing;
+      if (isWide && !IsOverGap(cloud, triangle, circumscribed))
       {
-        longest2 = std::max({ longest2, around.SquaredDistance[a], around.SquaredDistance[b] });
-        std::sort(triangle.begin(), triangle.end());
-        local.push_back(triangle);
-        if (wide || this->IsHalfCovered(cloud, triangle))
-        {
-          uncovered.push_back(triangle);
-        }
+        wide.emplace_back(around, a, b, circumscribed);
+        return;
+      }
+      add(triangle, a, b);
+      if (isWide || this->IsHalfCovered(cloud, triangle))
+      {
+        uncovered.push_back(local.back());
       }
     });
+    for (const WideTriangle& triangle : wide)
+    {
+      if (!disks.MayReachHole(around.Center) && triangle.HasOpposite(wide))
+      {
+        const auto [a, b] = triangle.Others;
+        add({ { around.Center, around.Slots[a], around.Slots[b] } }, a, b);
+      }
+    }
     longest[around.Center] = longest2 > 0 ? std::sqrt(longest2) : disks.NearSpacing[around.Center];
     this->Uneven[around.Center] = bends;
     if (!bends)

@@ -57,6 +57,15 @@ class TestStandIns(unittest.TestCase):
         standin.fine = None
         self.assertEqual(likeness.compare(standin, 300, 1)["holes"], 0)
 
+    def test_streamtubes(self):
+        # Rings of points were 95 and 144 pixels of holes and 18.7 dB where the next ring was few among other tubes' points, and
+        # of one tube alone 1,845 where it was a hole's other side.
+        for name, view, psnr, holes in (("streamtubes", 0, 19.5, 0), ("streamtubes_8", 0, 19, 10), ("streamtube", 1, 33, 0)):
+            found = likeness.compare(standins.ALL[name](), 300, 2)
+            self.assertGreater(found["psnr"][view], psnr, name)
+            self.assertLessEqual(found["holes"], holes, name)
+            self.assertLess(found["spill"], 0.005, name)
+
     def test_noisy_tubes(self):
         # A gap of 5 dB and a spill of 0.03 where noise was no bend for disks, ...
         # ... of 4.7 and 0.009 where neighbours across a tube counted, which noise hides, but not the lattice.

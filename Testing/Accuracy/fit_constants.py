@@ -38,6 +38,7 @@ FILLETS = ("plate", "wire", "dome", "meshes:drapery_vertices")
 WOUND = ("crossing_wound", "drapery_wound", "part_wound", "drapery_vertices")
 SPARSE = ("graded_bar", "belted", "graded_disc", "graded_dish", "thin_disc")
 ROUGH = ("tubes_noisy", "tubes_edges", "cut_noisy")
+STREAMS = ("streamtubes", "streamtubes_8")
 BESIDE = ("ring_beside_ball", "block_beside_ball", "belted_6", "tubes_points")
 # The file in Filters, the values to try, and the stand-ins that tell.
 CONSTANTS = {
@@ -77,6 +78,8 @@ CONSTANTS = {
     "FarTurn": ("vtkPointSplatSheet.cxx", (0.3, 0.4, 0.5, 0.65), ("thick_slices", "shell_03")),
     "EdgeTurn": ("vtkPointSplatSheet.cxx", (0.2, 0.3, 0.5), ("thick_slices", "shell_03")),
     "FarOffset": ("vtkPointSplatSheet.cxx", (0.05, 0.1, 0.2), ("tubes_edges", "grid_lines")),
+    "AlikeOffset": ("vtkPointSplatSheet.cxx", (0.01, 0.02, 0.03, 0.06), STREAMS + BESIDE),
+    "MostWider": ("vtkPointSplatStars.cxx", (1.2, 2.0, 4.0), STREAMS + ("streamtube", "rounded_ring")),
     "LargestShadingResidual": ("vtkPointSplatDisk.cxx", (0.015, 0.03, 0.06, 0.25), SHADED),
     "FlatPerResidual": ("vtkPointSplatDisk.cxx", (0.005, 0.02, 0.06), SHADED),
     "PlaneReach": ("vtkPointSplatRows.cxx", (1.5, 2.1, 3.0), ROWS),
