@@ -386,7 +386,8 @@ bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
       std::sort(triangle.begin(), triangle.end());
       local.push_back(triangle);
     };
-    std::vector<WideTriangle> wide;
+    const bool reachesHole = disks.MayReachHole(around.Center);
+    std::vector<WideTriangle> wide; // none where they may be over a hole
     disk.VisitTriangles([&](int a, int b, float circumscribed) {
       Triangle triangle{ { around.Center, around.Slots[a], around.Slots[b] } };
       float spacing = 0;
@@ -399,7 +400,10 @@ bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
       const bool isWide = circumscribed > limit * spacing;
       if (isWide && !IsOverGap(cloud, triangle, circumscribed))
       {
-        wide.emplace_back(around, a, b, circumscribed);
+        if (!reachesHole)
+        {
+          wide.emplace_back(around, a, b, circumscribed);
+        }
         return;
       }
       add(triangle, a, b);
@@ -410,7 +414,7 @@ bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
     });
     for (const WideTriangle& triangle : wide)
     {
-      if (!disks.MayReachHole(around.Center) && triangle.HasOpposite(wide))
+      if (triangle.HasOpposite(wide))
       {
         const auto [a, b] = triangle.Others;
         add({ { around.Center, around.Slots[a], around.Slots[b] } }, a, b);

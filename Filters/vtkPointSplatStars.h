@@ -31,9 +31,8 @@
  *    the spacing of the corner whose nearest points are sparsest: a ring of dense points has no lid. But a ring around a tube,
  *    all of whose nearest points may be its own, has such triangles on both sides, about as wide: they count, unless the
  *    spacing of the site's sheet tells of a hole. And what no border surrounds (vtkPointSplatBorders.h), and is no wider than a
- *    border is sure to be by the densest corner's, is a gap of a regular sampling, as where a scanner saw nothing and its mesh was closed; normals of the corners part by
- *    less than 60 degrees there. Nor does a triangle
- *    count whose corners face both of its sides, where normals tell that: it leads from a body to the next one. No size is
+ *    border is sure to be by the densest corner's, is a gap of a regular sampling, as where a scanner saw nothing and its mesh
+ *    was closed; normals of the corners part by less than 60 degrees there. Nor does a triangle count whose corners face both of its sides, where normals tell that: it leads from a body to the next one. No size is
  *    more than the longest edge of its triangles, or if there are none than its spacing: a star may reach to another body in
  *    the same plane, as from an animal's sole to the next.
  * 4. *Grading.* No size is larger than that of a site next to it in such a triangle and Slope of the way to that:
