@@ -33,6 +33,10 @@ constexpr double SamePart = 1e-3;
 constexpr float AlongEdge = 0.99f;
 constexpr double LeastTilted = 1e-3;
 
+/// Voxels whose samples contradict one another and that have no point of a cut, at most, of such points: where the cut goes
+/// through a vertex.
+constexpr double MostTorn = 0.1;
+
 constexpr int AtSample = vtkPointSplatLatticeCases::AtSample;
 }
 
@@ -73,20 +77,36 @@ bool vtkPointSplatLattice::FindCrossings()
   std::int64_t last[3];
   std::fill_n(this->First, 3, std::numeric_limits<std::int64_t>::max());
   std::fill_n(last, 3, std::numeric_limits<std::int64_t>::min());
-  std::vector<Place> places(ids.size());
-  for (std::size_t i = 0; i < ids.size(); ++i)
+  const std::size_t mostOff = static_cast<std::size_t>(vtkPointSplatLatticePlanes::MostOff * ids.size());
+  std::vector<Place> places;
+  places.reserve(ids.size());
+  for (const vtkIdType id : ids)
   {
-    Place& place = places[i];
-    if (!getPlace(ids[i], place))
+    Place place;
+    if (!getPlace(id, place))
     {
-      return false;
+      this->Off.push_back(id);
+      if (this->Off.size() > mostOff)
+      {
+        return false;
+      }
+      for (int c = 0; c < 3; ++c)
+      {
+        const std::int64_t floor = this->Axes[c].GetFloor(positions[3 * id + c]);
+        this->First[c] = std::min(this->First[c], floor);
+        last[c] = std::max(last[c], floor + 1);
+      }
+      continue;
     }
+    ids[places.size()] = id;
+    places.push_back(place);
     for (int c = 0; c < 3; ++c)
     {
       this->First[c] = std::min(this->First[c], place.Index[c]);
       last[c] = std::max(last[c], place.Index[c] + (c == place.Axis ? 1 : 0));
     }
   }
+  ids.resize(places.size());
   // Where nothing but samples are on its border, the surface may have a face between them, and it goes on beyond.
   for (int c = 0; c < 3; ++c)
   {
@@ -118,6 +138,13 @@ bool vtkPointSplatLattice::FindCrossings()
       this->Crossings[i] = { 4 * (row * this->Size[0] + index[0]) + places[i].Axis, ids[i] };
     }
   });
+  for (const vtkIdType id : this->Off)
+  {
+    this->AddLoose(id);
+  }
+  vtkSMPTools::Sort(this->LoosePoints.begin(), this->LoosePoints.end(), [](const Loose& a, const Loose& b) {
+    return a.Voxel != b.Voxel ? a.Voxel < b.Voxel : a.Place.Id < b.Place.Id;
+  });
   vtkSMPTools::Sort(this->Crossings.begin(), this->Crossings.end(), [&](const Crossing& a, const Crossing& b) {
     const auto getOrder = [&](const Crossing& crossing) {
       const int axis = static_cast<int>(crossing.Key % 4);
@@ -128,7 +155,43 @@ bool vtkPointSplatLattice::FindCrossings()
   return true;
 }
 
-/// Of points at the same sample the first one stays. Returns false where others are at the same place.
+/// Adds a point on no edge to the voxels that it lies in: two, if it is in the face between them.
+void vtkPointSplatLattice::AddLoose(vtkIdType id)
+{
+  std::int64_t index[3];
+  int across = -1; // the axis of its face
+  for (int c = 0; c < 3; ++c)
+  {
+    const double x = this->Points.Positions[3 * id + c];
+    const bool has = this->Axes[c].Has(x, index[c]);
+    across = has ? c : across;
+    index[c] = (has ? index[c] : this->Axes[c].GetFloor(x)) - this->First[c] + 1;
+  }
+  const std::int64_t strides[3] = { 1, this->Size[0], this->Size[0] * this->Size[1] };
+  const std::int64_t voxel = index[0] + index[1] * strides[1] + index[2] * strides[2];
+  if (across < 0)
+  {
+    this->LoosePoints.push_back({ voxel, { id, 0 } });
+    return;
+  }
+  this->LoosePoints.push_back({ voxel, { id, 1u << (2 * across) } });
+  this->LoosePoints.push_back({ voxel - strides[across], { id, 2u << (2 * across) } });
+}
+
+std::vector<vtkPointSplatLatticeTorn::Point> vtkPointSplatLattice::GetLoose(std::int64_t voxel) const
+{
+  auto at = std::lower_bound(this->LoosePoints.begin(), this->LoosePoints.end(), voxel,
+    [](const Loose& point, std::int64_t v) { return point.Voxel < v; });
+  std::vector<vtkPointSplatLatticeTorn::Point> found;
+  for (; at != this->LoosePoints.end() && at->Voxel == voxel; ++at)
+  {
+    found.push_back(at->Place);
+  }
+  return found;
+}
+
+/// Of points at the same sample the first one stays, and of those of a cut through a vertex. Returns false where others are at
+/// the same place.
 bool vtkPointSplatLattice::JoinPoints()
 {
   std::size_t kept = 0;
@@ -137,14 +200,15 @@ bool vtkPointSplatLattice::JoinPoints()
     const Crossing crossing = this->Crossings[i];
     const int axis = static_cast<int>(crossing.Key % 4);
     const bool another = kept == 0 || this->Crossings[kept - 1].Key != crossing.Key;
-    if (another || axis != AtSample)
+    const bool coincides = !another && axis != AtSample && this->GetBetween(i, axis) == 0;
+    if (coincides && this->Off.empty())
+    {
+      return false;
+    }
+    if (another || (axis != AtSample && !coincides))
     {
       this->Crossings[kept++] = crossing;
       this->Several = this->Several || !another;
-      if (!another && this->GetBetween(kept - 1, axis) == 0)
-      {
-        return false;
-      }
       continue;
     }
     const vtkIdType first = this->Crossings[kept - 1].Id;
@@ -288,11 +352,21 @@ bool vtkPointSplatLattice::FindSides()
   const float distances[3] = { static_cast<float>(this->Axes[0].Distance),
     static_cast<float>(this->Axes[1].Distance), static_cast<float>(this->Axes[2].Distance) };
   using Part = vtkPointSplatLatticeSides::Part;
+  const std::size_t mostTorn = static_cast<std::size_t>(MostTorn * this->Off.size());
+  std::atomic<std::size_t> torn{ 0 };
   if (!this->VisitVoxels(this->Sides, [&](Voxel& voxel, std::vector<Part>& parts) {
         const std::size_t before = parts.size();
         const bool found = voxel.FindParts(this->Points.Normals, distances, parts);
-        parts.resize(found ? parts.size() : before);
-        return found || this->IsElsewhere(voxel);
+        if (!found)
+        {
+          parts.resize(before);
+          if (!this->IsElsewhere(voxel))
+          {
+            parts.push_back(Part::MakeTorn(voxel.Index));
+            return !this->GetLoose(voxel.Index).empty() || ++torn <= mostTorn;
+          }
+        }
+        return true;
       }))
   {
     return false;
@@ -316,8 +390,15 @@ bool vtkPointSplatLattice::HasOneSurface() const
 
 void vtkPointSplatLattice::FindTriangles()
 {
+  const vtkPointSplatLatticeTorn torn(this->Points.Positions, this->Points.Normals);
   this->VisitVoxels(this->Corners, [&](Voxel& voxel, std::vector<vtkIdType>& corners) {
-    voxel.SetSides(vtkPointSplatLatticeSides::Find(this->Sides, voxel.Index));
+    const vtkPointSplatLatticeSides::Range sides = vtkPointSplatLatticeSides::Find(this->Sides, voxel.Index);
+    if (sides.First != sides.Last && sides.First->IsTorn())
+    {
+      torn.AddTriangles(voxel, this->GetLoose(voxel.Index), corners);
+      return true;
+    }
+    voxel.SetSides(sides);
     voxel.AddTriangles(corners);
     return true;
   });
@@ -416,7 +497,12 @@ bool vtkPointSplatLattice::FindSurface()
     return false;
   }
   const bool haveSides = !this->Several && this->FindSides();
-  if (this->Several || (haveSides && !this->HasOneSurface()))
+  const bool isOne = haveSides && this->HasOneSurface();
+  if (!this->Off.empty() && !isOne)
+  {
+    return false; // a surface that was cut off is one alone
+  }
+  if (this->Several || (haveSides && !isOne))
   {
     vtkPointSplatLatticeLevels levels(this->Crossings, this->Size, this->Points.Normals);
     if (levels.Find())
@@ -444,7 +530,7 @@ bool vtkPointSplatLattice::FindLabels()
 bool vtkPointSplatLattice::Find()
 {
   if (!this->FindPlanes() || !this->FindCrossings() || this->IsGrid() ||
-    !(this->HasLabels() ? this->FindLabels() : this->FindSurface()))
+    !(this->Off.empty() && this->HasLabels() ? this->FindLabels() : this->FindSurface()))
   {
     return false;
   }

@@ -32,6 +32,7 @@
 #include "vtkPointSplatLatticeCases.h"
 #include "vtkPointSplatLatticePlanes.h"
 #include "vtkPointSplatLatticeSides.h"
+#include "vtkPointSplatLatticeTorn.h"
 #include "vtkPointSplatLatticeVoxel.h"
 #include "vtkType.h"
 
@@ -75,7 +76,16 @@ private:
     std::size_t First, Last;
   };
 
+  /// A point on no edge, in one of the voxels that it lies in.
+  struct Loose
+  {
+    std::int64_t Voxel;
+    vtkPointSplatLatticeTorn::Point Place;
+  };
+
   bool FindPlanes();
+  void AddLoose(vtkIdType id);
+  std::vector<vtkPointSplatLatticeTorn::Point> GetLoose(std::int64_t voxel) const;
   bool FindCrossings();
   bool IsGrid() const;
   double GetBetween(std::size_t crossing, int axis) const;
@@ -102,6 +112,8 @@ private:
   std::int64_t First[3] = { 0, 0, 0 }; // of the planes that points lie on
   std::int64_t Size[3] = { 0, 0, 0 }; // of the box in samples, and one on each side
   std::vector<Crossing> Crossings;
+  std::vector<vtkIdType> Off;      // points on no edge
+  std::vector<Loose> LoosePoints;  // these, by voxel
   bool Several = false; // points on an edge
   std::vector<Row> Rows;
   std::vector<vtkPointSplatLatticeSides::Part> Sides; // of all voxels

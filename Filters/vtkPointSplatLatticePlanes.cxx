@@ -25,6 +25,9 @@ constexpr double LikeBest = 0.3; // this and the others: Testing/Cxx/TestSplatLa
 /// is as much as the distance to the next.
 constexpr double Rounding = 4e-7;
 constexpr double LeastStep = 100;
+/// Of a surface that was cut half way between planes half of the cut's points are on planes half as far apart; what leaves out more
+/// than so many times what others do is no lattice.
+constexpr std::size_t LikeLeastOff = 4;
 /// A coordinate that is farther from the first plane, in distances, is none.
 constexpr double MostPlanes = 1e9;
 
@@ -231,11 +234,12 @@ std::vector<vtkPointSplatLatticePlanes> vtkPointSplatLatticePlanes::Find(std::ve
   return kept;
 }
 
-/// Whether two coordinates of each point, or all three, are planes'.
-bool vtkPointSplatLatticePlanes::AreOnEdges(
-  const std::vector<double> samples[3], const vtkPointSplatLatticePlanes axes[3])
+/// Of how many points not two coordinates, or all three, are planes', up to more than most.
+std::size_t vtkPointSplatLatticePlanes::CountOff(
+  const std::vector<double> samples[3], const vtkPointSplatLatticePlanes axes[3], std::size_t most)
 {
-  for (std::size_t i = 0; i < samples[0].size(); ++i)
+  std::size_t off = 0;
+  for (std::size_t i = 0; i < samples[0].size() && off <= most; ++i)
   {
     int on = 0;
     for (int c = 0; c < 3; ++c)
@@ -243,15 +247,12 @@ bool vtkPointSplatLatticePlanes::AreOnEdges(
       std::int64_t plane;
       on += axes[c].Has(samples[c][i], plane) ? 1 : 0;
     }
-    if (on < 2)
-    {
-      return false;
-    }
+    off += on < 2 ? 1 : 0;
   }
-  return true;
+  return off;
 }
 
-/// The widest planes that two coordinates of each point are. samples: along each axis.
+/// The widest planes that two coordinates of each point are, or of about as many as of any. samples: along each axis.
 double vtkPointSplatLatticePlanes::Choose(
   const std::vector<double> samples[3], vtkPointSplatLatticePlanes axes[3])
 {
@@ -265,24 +266,43 @@ double vtkPointSplatLatticePlanes::Choose(
       return 0;
     }
   }
-  double largest = 0;
+  struct Tried
+  {
+    const vtkPointSplatLatticePlanes* Axes[3];
+    double Voxel;
+    std::size_t Off;
+  };
+  std::vector<Tried> all;
+  std::size_t most = static_cast<std::size_t>(MostOff * samples[0].size());
   for (const vtkPointSplatLatticePlanes& x : found[0])
   {
     for (const vtkPointSplatLatticePlanes& y : found[1])
     {
       for (const vtkPointSplatLatticePlanes& z : found[2])
       {
-        const double voxel = x.Distance * y.Distance * z.Distance;
-        if (voxel <= largest)
+        if (x.Points + y.Points + z.Points + 2 * most < 2 * samples[0].size())
         {
-          continue;
+          continue; // too few coordinates are planes' for two of nearly each point to be
         }
         const vtkPointSplatLatticePlanes tried[3] = { x, y, z };
-        if (AreOnEdges(samples, tried))
+        const std::size_t off = CountOff(samples, tried, most);
+        if (off <= most)
         {
-          std::copy_n(tried, 3, axes);
-          largest = voxel;
+          all.push_back({ { &x, &y, &z }, x.Distance * y.Distance * z.Distance, off });
+          most = std::min(most, LikeLeastOff * off);
         }
+      }
+    }
+  }
+  double largest = 0;
+  for (const Tried& tried : all)
+  {
+    if (tried.Off <= most && tried.Voxel > largest)
+    {
+      largest = tried.Voxel;
+      for (int c = 0; c < 3; ++c)
+      {
+        axes[c] = *tried.Axes[c];
       }
     }
   }

@@ -10,7 +10,8 @@
  *
  * 1. The distances that are tried are those that are most often found between coordinates that many points have, and twice
  *    these, from several such coordinates: of a mask more points may lie half way between planes than on these.
- * 2. The lattice's are the widest, along the three axes, by which two coordinates of each point are planes'.
+ * 2. The lattice's are the widest, along the three axes, by which two coordinates of each point are planes', or
+ *    where the surface was cut of about as many points as by any.
  */
 #ifndef vtkPointSplatLatticePlanes_h
 #define vtkPointSplatLatticePlanes_h
@@ -48,6 +49,9 @@ public:
       first = last;
     }
   }
+  /// Points that are on no edge, at most, of all: those of a cut.
+  static constexpr double MostOff = 0.25;
+
   /// Finds those across all axes. samples: coordinates of the same points along each; returns a voxel's volume, or 0 if there
   /// are none.
   static double Choose(const std::vector<double> samples[3], vtkPointSplatLatticePlanes axes[3]);
@@ -63,7 +67,8 @@ public:
 
 private:
   static std::vector<vtkPointSplatLatticePlanes> Find(std::vector<double> sample, double tolerance);
-  static bool AreOnEdges(const std::vector<double> samples[3], const vtkPointSplatLatticePlanes axes[3]);
+  static std::size_t CountOff(
+    const std::vector<double> samples[3], const vtkPointSplatLatticePlanes axes[3], std::size_t most);
   void Refine(std::vector<double> often);
 
   double First = 0;

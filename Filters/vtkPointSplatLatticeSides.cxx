@@ -121,8 +121,16 @@ void vtkPointSplatLatticeSides::Settle(std::vector<Part>& parts, const std::int6
     return;
   }
   Links links(parts.size());
-  VisitShared(parts, strides, 0, parts.size(),
-    [&](std::size_t a, std::size_t b, bool contradict) { links.Add(a, b, contradict); });
+  // Where the surface was cut off sides may be those of what is not there: such links contradict what others agree on.
+  for (const bool against : { false, true })
+  {
+    VisitShared(parts, strides, 0, parts.size(), [&](std::size_t a, std::size_t b, bool contradict) {
+      if (contradict == against)
+      {
+        links.Add(a, b, contradict);
+      }
+    });
+  }
   std::vector<double> votes(parts.size(), 0.0); // of those that stand for others
   for (std::size_t i = 0; i < parts.size(); ++i)
   {

@@ -34,6 +34,10 @@ public:
     unsigned char Inside;  // of these
     float Agreement;       // how much normals agree with that; less than 0 if they contradict it
 
+    /// What stands for a voxel whose corners contradict one another.
+    static Part MakeTorn(std::int64_t voxel) { return { voxel, 0, 0, 0 }; }
+    bool IsTorn() const { return this->Corners == 0; }
+
     void Turn()
     {
       this->Inside ^= this->Corners;
