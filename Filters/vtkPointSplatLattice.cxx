@@ -41,122 +41,81 @@ constexpr int AtSample = vtkPointSplatLatticeCases::AtSample;
 }
 
 //------------------------------------------------------------------------------
-/// Of all points, edge by edge along it; none where one is on no edge.
-bool vtkPointSplatLattice::FindCrossings()
+/// Returns false for a point that is neither on an edge nor at a sample.
+bool vtkPointSplatLattice::GetPlace(vtkIdType id, Place& place) const
 {
-  const std::vector<double>& positions = this->Points.Positions;
-  const vtkIdType count = static_cast<vtkIdType>(this->Points.Used.size());
-  struct Place
-  {
-    std::int64_t Index[3];
-    int Axis; // of the edge, or AtSample
-  };
-  const auto getPlace = [&](vtkIdType id, Place& place) {
-    int on = 0, axis = AtSample;
-    for (int c = 0; c < 3; ++c)
-    {
-      const bool has = this->Axes[c].Has(positions[3 * id + c], place.Index[c]);
-      on += has ? 1 : 0;
-      axis = has ? axis : c;
-    }
-    place.Axis = axis;
-    if (axis != AtSample)
-    {
-      place.Index[axis] = this->Axes[axis].GetFloor(positions[3 * id + axis]);
-    }
-    return on >= 2;
-  };
-  std::vector<vtkIdType> ids;
-  for (vtkIdType id = 0; id < count; ++id)
-  {
-    if (this->Points.Used[id])
-    {
-      ids.push_back(id);
-    }
-  }
-  std::int64_t last[3];
-  std::fill_n(this->First, 3, std::numeric_limits<std::int64_t>::max());
-  std::fill_n(last, 3, std::numeric_limits<std::int64_t>::min());
-  const std::size_t mostOff = static_cast<std::size_t>(vtkPointSplatLatticePlanes::MostOff * ids.size());
-  std::vector<Place> places;
-  places.reserve(ids.size());
-  for (const vtkIdType id : ids)
-  {
-    Place place;
-    if (!getPlace(id, place))
-    {
-      this->Off.push_back(id);
-      if (this->Off.size() > mostOff)
-      {
-        return false;
-      }
-      for (int c = 0; c < 3; ++c)
-      {
-        const std::int64_t floor = this->Axes[c].GetFloor(positions[3 * id + c]);
-        this->First[c] = std::min(this->First[c], floor);
-        last[c] = std::max(last[c], floor + 1);
-      }
-      continue;
-    }
-    ids[places.size()] = id;
-    places.push_back(place);
-    for (int c = 0; c < 3; ++c)
-    {
-      this->First[c] = std::min(this->First[c], place.Index[c]);
-      last[c] = std::max(last[c], place.Index[c] + (c == place.Axis ? 1 : 0));
-    }
-  }
-  ids.resize(places.size());
-  // Where nothing but samples are on its border, the surface may have a face between them, and it goes on beyond.
+  const double* x = this->Points.Positions.data() + 3 * id;
+  int on = 0;
+  place.Id = id;
+  place.Axis = AtSample;
   for (int c = 0; c < 3; ++c)
   {
+    const bool has = this->Axes[c].Has(x[c], place.Index[c]);
+    on += has ? 1 : 0;
+    place.Axis = has ? place.Axis : c;
+  }
+  if (place.Axis != AtSample)
+  {
+    place.Index[place.Axis] = this->Axes[place.Axis].GetFloor(x[place.Axis]);
+  }
+  return on >= 2;
+}
+
+/// Of all points on edges and at samples, and which are off these; returns false where too many are.
+bool vtkPointSplatLattice::FindPlaces(std::vector<Place>& places, std::vector<vtkIdType>& off) const
+{
+  const vtkIdType count = static_cast<vtkIdType>(this->Points.Used.size());
+  for (vtkIdType id = 0; id < count; ++id)
+  {
+    Place place;
+    if (this->Points.Used[id] && this->GetPlace(id, place))
+    {
+      places.push_back(place);
+    }
+    else if (this->Points.Used[id])
+    {
+      off.push_back(id);
+    }
+  }
+  return off.size() <= vtkPointSplatLatticePlanes::MostOff * (places.size() + off.size());
+}
+
+/// Returns false where a box in samples that contains all points has too many.
+bool vtkPointSplatLattice::FindBox(const std::vector<Place>& places, const std::vector<vtkIdType>& off)
+{
+  for (int c = 0; c < 3; ++c)
+  {
+    std::int64_t first = std::numeric_limits<std::int64_t>::max(), last = std::numeric_limits<std::int64_t>::min();
+    const auto add = [&](std::int64_t from, std::int64_t to) {
+      first = std::min(first, from);
+      last = std::max(last, to);
+    };
+    for (const Place& place : places)
+    {
+      add(place.Index[c], place.Index[c] + (c == place.Axis ? 1 : 0));
+    }
+    for (const vtkIdType id : off)
+    {
+      std::int64_t plane;
+      const double x = this->Points.Positions[3 * id + c];
+      const bool has = this->Axes[c].Has(x, plane);
+      add(has ? plane : this->Axes[c].GetFloor(x), has ? plane : this->Axes[c].GetFloor(x) + 1);
+    }
+    // Where nothing but samples are on its border, the surface may have a face between them, and it goes on beyond.
     const auto isClosed = [&](std::int64_t plane) {
       return std::none_of(places.begin(), places.end(), [&](const Place& place) {
         return place.Index[c] == plane && place.Axis != c && place.Axis != AtSample;
       });
     };
-    const bool before = isClosed(this->First[c]), after = isClosed(last[c]);
-    this->First[c] -= before ? 1 : 0;
-    last[c] += after ? 1 : 0;
-    this->Size[c] = last[c] - this->First[c] + 3;
+    this->First[c] = first - (isClosed(first) ? 1 : 0);
+    this->Size[c] = last + (isClosed(last) ? 1 : 0) - this->First[c] + 3;
   }
   constexpr double most = 1e18;
-  if (4.0 * this->Size[0] * this->Size[1] * this->Size[2] > most)
-  {
-    return false;
-  }
-  this->Crossings.resize(ids.size());
-  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(ids.size()), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType i = begin; i < end; ++i)
-    {
-      std::int64_t index[3];
-      for (int c = 0; c < 3; ++c)
-      {
-        index[c] = places[i].Index[c] - this->First[c] + 1;
-      }
-      const std::int64_t row = index[2] * this->Size[1] + index[1];
-      this->Crossings[i] = { 4 * (row * this->Size[0] + index[0]) + places[i].Axis, ids[i] };
-    }
-  });
-  for (const vtkIdType id : this->Off)
-  {
-    this->AddLoose(id);
-  }
-  vtkSMPTools::Sort(this->LoosePoints.begin(), this->LoosePoints.end(), [](const Loose& a, const Loose& b) {
-    return a.Voxel != b.Voxel ? a.Voxel < b.Voxel : a.Place.Id < b.Place.Id;
-  });
-  vtkSMPTools::Sort(this->Crossings.begin(), this->Crossings.end(), [&](const Crossing& a, const Crossing& b) {
-    const auto getOrder = [&](const Crossing& crossing) {
-      const int axis = static_cast<int>(crossing.Key % 4);
-      return std::make_pair(axis == AtSample ? 0.0 : positions[3 * crossing.Id + axis], crossing.Id);
-    };
-    return a.Key != b.Key ? a.Key < b.Key : getOrder(a) < getOrder(b);
-  });
-  return true;
+  return 4.0 * this->Size[0] * this->Size[1] * this->Size[2] <= most;
 }
 
 /// Adds a point on no edge to the voxels that it lies in: two, if it is in the face between them.
-void vtkPointSplatLattice::AddLoose(vtkIdType id)
+void vtkPointSplatLattice::AddOff(vtkIdType id)
 {
   std::int64_t index[3];
   int across = -1; // the axis of its face
@@ -171,23 +130,48 @@ void vtkPointSplatLattice::AddLoose(vtkIdType id)
   const std::int64_t voxel = index[0] + index[1] * strides[1] + index[2] * strides[2];
   if (across < 0)
   {
-    this->LoosePoints.push_back({ voxel, { id, 0 } });
+    this->Torn.Add(voxel, { id, 0 });
     return;
   }
-  this->LoosePoints.push_back({ voxel, { id, 1u << (2 * across) } });
-  this->LoosePoints.push_back({ voxel - strides[across], { id, 2u << (2 * across) } });
+  this->Torn.Add(voxel, { id, vtkPointSplatLatticeTorn::GetFace(across, 0) });
+  this->Torn.Add(voxel - strides[across], { id, vtkPointSplatLatticeTorn::GetFace(across, 1) });
 }
 
-std::vector<vtkPointSplatLatticeTorn::Point> vtkPointSplatLattice::GetLoose(std::int64_t voxel) const
+/// Of all points, edge by edge along it; none where too many are on no edge.
+bool vtkPointSplatLattice::FindCrossings()
 {
-  auto at = std::lower_bound(this->LoosePoints.begin(), this->LoosePoints.end(), voxel,
-    [](const Loose& point, std::int64_t v) { return point.Voxel < v; });
-  std::vector<vtkPointSplatLatticeTorn::Point> found;
-  for (; at != this->LoosePoints.end() && at->Voxel == voxel; ++at)
+  std::vector<Place> places;
+  std::vector<vtkIdType> off;
+  if (!this->FindPlaces(places, off) || !this->FindBox(places, off))
   {
-    found.push_back(at->Place);
+    return false;
   }
-  return found;
+  this->Crossings.resize(places.size());
+  vtkPointSplatThreads::For(0, static_cast<vtkIdType>(places.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      std::int64_t index[3];
+      for (int c = 0; c < 3; ++c)
+      {
+        index[c] = places[i].Index[c] - this->First[c] + 1;
+      }
+      const std::int64_t row = index[2] * this->Size[1] + index[1];
+      this->Crossings[i] = { 4 * (row * this->Size[0] + index[0]) + places[i].Axis, places[i].Id };
+    }
+  });
+  vtkSMPTools::Sort(this->Crossings.begin(), this->Crossings.end(), [&](const Crossing& a, const Crossing& b) {
+    const auto getOrder = [&](const Crossing& crossing) {
+      const int axis = static_cast<int>(crossing.Key % 4);
+      return std::make_pair(axis == AtSample ? 0.0 : this->Points.Positions[3 * crossing.Id + axis], crossing.Id);
+    };
+    return a.Key != b.Key ? a.Key < b.Key : getOrder(a) < getOrder(b);
+  });
+  for (const vtkIdType id : off)
+  {
+    this->AddOff(id);
+  }
+  this->Torn.Sort();
+  return true;
 }
 
 /// Of points at the same sample the first one stays, and of those of a cut through a vertex. Returns false where others are at
@@ -201,7 +185,7 @@ bool vtkPointSplatLattice::JoinPoints()
     const int axis = static_cast<int>(crossing.Key % 4);
     const bool another = kept == 0 || this->Crossings[kept - 1].Key != crossing.Key;
     const bool coincides = !another && axis != AtSample && this->GetBetween(i, axis) == 0;
-    if (coincides && this->Off.empty())
+    if (coincides && this->Torn.IsEmpty())
     {
       return false;
     }
@@ -352,7 +336,7 @@ bool vtkPointSplatLattice::FindSides()
   const float distances[3] = { static_cast<float>(this->Axes[0].Distance),
     static_cast<float>(this->Axes[1].Distance), static_cast<float>(this->Axes[2].Distance) };
   using Part = vtkPointSplatLatticeSides::Part;
-  const std::size_t mostTorn = static_cast<std::size_t>(MostTorn * this->Off.size());
+  const std::size_t mostTorn = static_cast<std::size_t>(MostTorn * this->Torn.GetSize());
   std::atomic<std::size_t> torn{ 0 };
   if (!this->VisitVoxels(this->Sides, [&](Voxel& voxel, std::vector<Part>& parts) {
         const std::size_t before = parts.size();
@@ -363,7 +347,7 @@ bool vtkPointSplatLattice::FindSides()
           if (!this->IsElsewhere(voxel))
           {
             parts.push_back(Part::MakeTorn(voxel.Index));
-            return !this->GetLoose(voxel.Index).empty() || ++torn <= mostTorn;
+            return this->Torn.Has(voxel.Index) || ++torn <= mostTorn;
           }
         }
         return true;
@@ -390,12 +374,11 @@ bool vtkPointSplatLattice::HasOneSurface() const
 
 void vtkPointSplatLattice::FindTriangles()
 {
-  const vtkPointSplatLatticeTorn torn(this->Points.Positions, this->Points.Normals);
   this->VisitVoxels(this->Corners, [&](Voxel& voxel, std::vector<vtkIdType>& corners) {
     const vtkPointSplatLatticeSides::Range sides = vtkPointSplatLatticeSides::Find(this->Sides, voxel.Index);
     if (sides.First != sides.Last && sides.First->IsTorn())
     {
-      torn.AddTriangles(voxel, this->GetLoose(voxel.Index), corners);
+      this->Torn.AddTriangles(voxel, corners);
       return true;
     }
     voxel.SetSides(sides);
@@ -498,7 +481,7 @@ bool vtkPointSplatLattice::FindSurface()
   }
   const bool haveSides = !this->Several && this->FindSides();
   const bool isOne = haveSides && this->HasOneSurface();
-  if (!this->Off.empty() && !isOne)
+  if (!this->Torn.IsEmpty() && !isOne)
   {
     return false; // a surface that was cut off is one alone
   }
@@ -530,7 +513,7 @@ bool vtkPointSplatLattice::FindLabels()
 bool vtkPointSplatLattice::Find()
 {
   if (!this->FindPlanes() || !this->FindCrossings() || this->IsGrid() ||
-    !(this->Off.empty() && this->HasLabels() ? this->FindLabels() : this->FindSurface()))
+    !(this->Torn.IsEmpty() && this->HasLabels() ? this->FindLabels() : this->FindSurface()))
   {
     return false;
   }

@@ -10,21 +10,24 @@
  *
  * 1. *Lattice.* Two coordinates of each vertex are those of planes of the lattice (vtkPointSplatLatticePlanes.h).
  * 2. *Crossings.* Each point is assigned to its edge; or to a sample of the volume where all three coordinates are planes',
- *    as where a sample is the isovalue. Points that share one are one.
+ *    as where a sample is the isovalue. Points that share one are one. Up to a quarter of the points may be on no edge, as
+ *    those are along which a surface was clipped.
  * 3. *Samples.* From one end of an edge to the other the side of the surface changes where a point lies on it, and stays
  *    where none does. Of an edge that has a point at an end that is not known. Of what stays apart by this
  *    normals say which side is outside (vtkPointSplatLatticeSides.h).
- * 4. *Triangles* are those of marching cubes (vtkMarchingCubesTriangleCases). Few points have none: where one sample alone
- *    is the isovalue and all around it are less, the surface has no area.
+ * 4. *Triangles* are those of marching cubes (vtkMarchingCubesTriangleCases), and where the surface was clipped those of
+ *    vtkPointSplatLatticeTorn. Few points have none: where one sample alone is the isovalue and all around it are less, the
+ *    surface has no area.
  *
  * Of many labels' surfaces 3 and 4 are those of vtkPointSplatLatticeLabels, of several isosurfaces of one volume those of
  * vtkPointSplatLatticeLevels: where edges have several points, or normals contradict the sides of one.
  *
- * All points have to be such vertices, of all of the surface within the box that they span, or nothing is found: a voxel
- * around whose faces the sides contradict one another is one outside of the volume, or the points are no isosurface's. But
- * where all of its points are another process' (DUPLICATEPOINT), the rest is elsewhere. Points most of which lie equally far
- * between planes are a mask's, unless all normals lie along their edges: those are of a grid on each of a box's faces, and
- * are searched as others are.
+ * All points have to be such vertices, or on a cut, of all of the surface within the box that they span, or nothing is found: a
+ * voxel around whose faces the sides contradict one another is one outside of the volume, or one through which a cut goes, or
+ * the points are no isosurface's. But where all of its points are another process' (DUPLICATEPOINT), the rest is elsewhere.
+ * What was clipped has to be one surface, not several ones' or labels'. Points most of which lie equally far between planes
+ * are a mask's, unless all normals lie along their edges: those are of a grid on each of a box's faces, and are searched as
+ * others are.
  */
 #ifndef vtkPointSplatLattice_h
 #define vtkPointSplatLattice_h
@@ -57,6 +60,7 @@ public:
 
   explicit vtkPointSplatLattice(const Cloud& cloud)
     : Points(cloud)
+    , Torn(cloud.Positions, cloud.Normals)
   {
   }
 
@@ -76,16 +80,19 @@ private:
     std::size_t First, Last;
   };
 
-  /// A point on no edge, in one of the voxels that it lies in.
-  struct Loose
+  /// Where a point lies: on an edge along an axis, from a sample on, or AtSample.
+  struct Place
   {
-    std::int64_t Voxel;
-    vtkPointSplatLatticeTorn::Point Place;
+    vtkIdType Id;
+    std::int64_t Index[3];
+    int Axis;
   };
 
   bool FindPlanes();
-  void AddLoose(vtkIdType id);
-  std::vector<vtkPointSplatLatticeTorn::Point> GetLoose(std::int64_t voxel) const;
+  bool GetPlace(vtkIdType id, Place& place) const;
+  bool FindPlaces(std::vector<Place>& places, std::vector<vtkIdType>& off) const;
+  bool FindBox(const std::vector<Place>& places, const std::vector<vtkIdType>& off);
+  void AddOff(vtkIdType id);
   bool FindCrossings();
   bool IsGrid() const;
   double GetBetween(std::size_t crossing, int axis) const;
@@ -112,8 +119,7 @@ private:
   std::int64_t First[3] = { 0, 0, 0 }; // of the planes that points lie on
   std::int64_t Size[3] = { 0, 0, 0 }; // of the box in samples, and one on each side
   std::vector<Crossing> Crossings;
-  std::vector<vtkIdType> Off;      // points on no edge
-  std::vector<Loose> LoosePoints;  // these, by voxel
+  vtkPointSplatLatticeTorn Torn; // with the points on no edge
   bool Several = false; // points on an edge
   std::vector<Row> Rows;
   std::vector<vtkPointSplatLatticeSides::Part> Sides; // of all voxels

@@ -25,8 +25,8 @@ constexpr double LikeBest = 0.3; // this and the others: Testing/Cxx/TestSplatLa
 /// is as much as the distance to the next.
 constexpr double Rounding = 4e-7;
 constexpr double LeastStep = 100;
-/// Of a surface that was cut half way between planes half of the cut's points are on planes half as far apart; what leaves out more
-/// than so many times what others do is no lattice.
+/// All points of a mask, and more of its cut's, are on planes half as far apart as well; what leaves out more than so many times what
+/// others do is no lattice.
 constexpr std::size_t LikeLeastOff = 4;
 /// A coordinate that is farther from the first plane, in distances, is none.
 constexpr double MostPlanes = 1e9;

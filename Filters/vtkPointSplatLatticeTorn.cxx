@@ -4,6 +4,7 @@
 
 #include "vtkMath.h"
 #include "vtkPointSplatDisjointSets.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +14,10 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-using Point = vtkPointSplatLatticeTorn::Point;
+using Cases = vtkPointSplatLatticeCases;
 using Index = vtkPointSplatDisjointSets::Index;
+
+constexpr int NumberOfFaces = 6;
 
 /// The faces that a corner lies in.
 unsigned int GetFaces(int corner)
@@ -22,16 +25,38 @@ unsigned int GetFaces(int corner)
   unsigned int faces = 0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    faces |= 1u << (2 * axis + ((corner >> axis) & 1));
+    faces |= vtkPointSplatLatticeTorn::GetFace(axis, (corner >> axis) & 1);
   }
   return faces;
 }
 }
 
-void vtkPointSplatLatticeTorn::AddTriangles(
-  const vtkPointSplatLatticeVoxel& voxel, std::vector<Point> points, std::vector<vtkIdType>& corners) const
+void vtkPointSplatLatticeTorn::Sort()
 {
-  using Cases = vtkPointSplatLatticeCases;
+  vtkSMPTools::Sort(this->Loose.begin(), this->Loose.end(), [](const LoosePoint& a, const LoosePoint& b) {
+    return a.Voxel != b.Voxel ? a.Voxel < b.Voxel : a.At.Id < b.At.Id;
+  });
+}
+
+std::vector<vtkPointSplatLatticeTorn::LoosePoint>::const_iterator vtkPointSplatLatticeTorn::FindFirst(std::int64_t voxel) const
+{
+  return std::lower_bound(this->Loose.begin(), this->Loose.end(), voxel,
+    [](const LoosePoint& point, std::int64_t at) { return point.Voxel < at; });
+}
+
+bool vtkPointSplatLatticeTorn::Has(std::int64_t voxel) const
+{
+  const auto first = this->FindFirst(voxel);
+  return first != this->Loose.end() && first->Voxel == voxel;
+}
+
+std::vector<vtkPointSplatLatticeTorn::Point> vtkPointSplatLatticeTorn::GetPoints(const vtkPointSplatLatticeVoxel& voxel) const
+{
+  std::vector<Point> points;
+  for (auto at = this->FindFirst(voxel.Index); at != this->Loose.end() && at->Voxel == voxel.Index; ++at)
+  {
+    points.push_back(at->At);
+  }
   for (int e = 0; e < 12; ++e)
   {
     if (voxel.Cut[e] != vtkPointSplatLatticeVoxel::None)
@@ -47,49 +72,62 @@ void vtkPointSplatLatticeTorn::AddTriangles(
       points.push_back({ voxel.At[corner], GetFaces(corner) });
     }
   }
-  const std::size_t count = points.size();
-  vtkPointSplatDisjointSets sheets(count);
-  for (unsigned int face = 1; face < 64; face <<= 1)
+  return points;
+}
+
+/// The nearest point in a face, or the point itself if there is none.
+std::size_t vtkPointSplatLatticeTorn::FindNearest(const std::vector<Point>& points, std::size_t of) const
+{
+  double nearest2 = std::numeric_limits<double>::max();
+  std::size_t nearest = of;
+  for (std::size_t i = 0; i < points.size(); ++i)
   {
-    std::vector<std::size_t> in;
-    for (std::size_t i = 0; i < count; ++i)
+    const double distance2 = vtkMath::Distance2BetweenPoints(
+      this->Positions.data() + 3 * points[of].Id, this->Positions.data() + 3 * points[i].Id);
+    if (points[i].Faces != 0 && distance2 < nearest2)
     {
-      if (points[i].Faces & face)
+      nearest2 = distance2;
+      nearest = i;
+    }
+  }
+  return nearest;
+}
+
+void vtkPointSplatLatticeTorn::AddTriangles(const vtkPointSplatLatticeVoxel& voxel, std::vector<vtkIdType>& corners) const
+{
+  const std::vector<Point> points = this->GetPoints(voxel);
+  const Index count = static_cast<Index>(points.size());
+  vtkPointSplatDisjointSets sheets(count);
+  const auto join = [&sheets](Index a, Index b) { sheets.Join(sheets.Find(a), sheets.Find(b)); };
+  for (int face = 0; face < NumberOfFaces; ++face)
+  {
+    std::vector<Index> in;
+    for (Index i = 0; i < count; ++i)
+    {
+      if (points[i].Faces & (1u << face))
       {
         in.push_back(i);
       }
     }
     if (in.size() == 2)
     {
-      sheets.Join(sheets.Find(static_cast<Index>(in[0])), sheets.Find(static_cast<Index>(in[1])));
+      join(in[0], in[1]);
     }
   }
-  for (std::size_t i = 0; i < count; ++i)
+  for (Index i = 0; i < count; ++i)
   {
-    double nearest2 = std::numeric_limits<double>::max();
-    std::size_t nearest = i;
-    for (std::size_t j = 0; j < count && points[i].Faces == 0; ++j)
+    if (points[i].Faces == 0)
     {
-      const double distance2 = vtkMath::Distance2BetweenPoints(
-        this->Positions.data() + 3 * points[i].Id, this->Positions.data() + 3 * points[j].Id);
-      if (points[j].Faces != 0 && distance2 < nearest2)
-      {
-        nearest2 = distance2;
-        nearest = j;
-      }
+      join(i, static_cast<Index>(this->FindNearest(points, i)));
     }
-    sheets.Join(sheets.Find(static_cast<Index>(i)), sheets.Find(static_cast<Index>(nearest)));
   }
-  for (Index first = 0; first < count; ++first)
+  std::vector<std::vector<vtkIdType>> ofSheet(count);
+  for (Index i = 0; i < count; ++i)
   {
-    std::vector<vtkIdType> sheet;
-    for (Index i = first; i < count && sheets.Find(first) == first; ++i)
-    {
-      if (sheets.Find(i) == first)
-      {
-        sheet.push_back(points[i].Id);
-      }
-    }
+    ofSheet[sheets.Find(i)].push_back(points[i].Id);
+  }
+  for (std::vector<vtkIdType>& sheet : ofSheet)
+  {
     if (sheet.size() >= 3)
     {
       this->AddPolygon(sheet, corners);
@@ -99,12 +137,13 @@ void vtkPointSplatLatticeTorn::AddTriangles(
 
 void vtkPointSplatLatticeTorn::AddPolygon(std::vector<vtkIdType>& sheet, std::vector<vtkIdType>& corners) const
 {
+  const double* positions = this->Positions.data();
   double middle[3] = { 0, 0, 0 }, normal[3] = { 0, 0, 0 };
   for (const vtkIdType id : sheet)
   {
     for (int c = 0; c < 3; ++c)
     {
-      middle[c] += this->Positions[3 * id + c] / static_cast<double>(sheet.size());
+      middle[c] += positions[3 * id + c] / static_cast<double>(sheet.size());
       normal[c] += this->Normals[3 * id + c];
     }
   }
@@ -116,30 +155,24 @@ void vtkPointSplatLatticeTorn::AddPolygon(std::vector<vtkIdType>& sheet, std::ve
   vtkMath::Perpendiculars(normal, u, v, 0);
   const auto getAngle = [&](vtkIdType id) {
     double way[3];
-    vtkMath::Subtract(this->Positions.data() + 3 * id, middle, way);
+    vtkMath::Subtract(positions + 3 * id, middle, way);
     return std::atan2(vtkMath::Dot(way, v), vtkMath::Dot(way, u));
   };
   std::sort(sheet.begin(), sheet.end(), [&](vtkIdType a, vtkIdType b) { return getAngle(a) < getAngle(b); });
-  const std::size_t count = sheet.size();
-  std::size_t from = 0;
-  double shortest = std::numeric_limits<double>::max();
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    double longest = 0;
-    for (std::size_t j = 0; j < count; ++j)
+  const auto getLongest2 = [&](vtkIdType from) {
+    double longest2 = 0;
+    for (const vtkIdType to : sheet)
     {
-      longest = std::max(longest, vtkMath::Distance2BetweenPoints(
-                                    this->Positions.data() + 3 * sheet[i], this->Positions.data() + 3 * sheet[j]));
+      longest2 = std::max(longest2, vtkMath::Distance2BetweenPoints(positions + 3 * from, positions + 3 * to));
     }
-    if (longest < shortest)
-    {
-      shortest = longest;
-      from = i;
-    }
-  }
-  for (std::size_t k = 1; k + 1 < count; ++k)
+    return longest2;
+  };
+  const auto from = std::min_element(
+    sheet.begin(), sheet.end(), [&](vtkIdType a, vtkIdType b) { return getLongest2(a) < getLongest2(b); });
+  std::rotate(sheet.begin(), from, sheet.end());
+  for (std::size_t i = 1; i + 1 < sheet.size(); ++i)
   {
-    corners.insert(corners.end(), { sheet[from], sheet[(from + k) % count], sheet[(from + k + 1) % count] });
+    corners.insert(corners.end(), { sheet[0], sheet[i], sheet[i + 1] });
   }
 }
 

@@ -149,6 +149,11 @@ class TestStandIns(unittest.TestCase):
         found = likeness.compare(standins.ALL["cut_noisy_turned"](), 300, 3)
         self.assertGreater(min(found["psnr"]), 26.3)
         self.assertEqual(found["holes"], 0)
+        # 24.4 dB and a spill of 0.0085 while one point of a cut was enough for no lattice to be known.
+        found = likeness.compare(standins.ALL["cut_noisy_clipped"](), 300, 3)
+        self.assertGreater(min(found["psnr"]), 28)
+        self.assertEqual(found["holes"], 0)
+        self.assertLess(found["spill"], 0.002)
         # A spill of 0.0106 where what smoothing crumples had no borders.
         found = likeness.compare(standins.ALL["cut_noisy_searched"](), 300, 3)
         self.assertGreater(min(found["psnr"][:2]), 20.7)

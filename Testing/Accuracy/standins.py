@@ -11,7 +11,8 @@ import math
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkCleanPolyData, vtkPolyDataNormals
+from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkCleanPolyData, vtkClipPolyData, vtkPolyDataNormals
 from vtkmodules.vtkFiltersSources import vtkSuperquadricSource
 
 import cad
@@ -494,6 +495,22 @@ def turned(standin):
     return StandIn(standin.name + ", turned", vertices(mesh), lambda p: standin.distance(p @ turn), standin.spacing, mesh)
 
 
+def clipped(standin):
+    """What of it is on one side of a plane through its middle, with new vertices along that."""
+    bounds = np.reshape(standin.mesh.GetBounds(), (3, 2))
+    origin, normal = bounds.mean(1), unit(np.array([0.3, -0.5, 0.8]))
+    clip = vtkClipPolyData()
+    clip.SetInputData(standin.mesh)
+    plane = vtkPlane()
+    plane.SetOrigin(origin)
+    plane.SetNormal(normal)
+    clip.SetClipFunction(plane)
+    clip.Update()
+    mesh = clip.GetOutput()
+    return StandIn(standin.name + ", clipped", vertices(mesh),
+                   lambda p: np.maximum(standin.distance(p), (origin - p) @ normal), standin.spacing, mesh)
+
+
 ALL = {
     "ribbed_block": ribbed_block,
     "block_beside_ball": lambda: beside_ball(ribbed_block(), (0.6, 0.25, 1.6), 0.3),
@@ -509,6 +526,7 @@ ALL = {
     "cut_edges": lambda: cut_by_volume("edges"),
     "cut_noisy": lambda: cut_by_volume("edges", 48, 0.15),
     "cut_noisy_turned": lambda: turned(cut_by_volume("edges", 48, 0.25)),
+    "cut_noisy_clipped": lambda: clipped(cut_by_volume("edges", 48, 0.15)),
     "cut_noisy_searched": lambda: without_one(turned(cut_by_volume("edges", 48, 0.25))),
     "tetrahedra": tetrahedra.contoured,
     "tetrahedra_clipped": tetrahedra.clipped,
