@@ -33,8 +33,8 @@ constexpr double SamePart = 1e-3;
 constexpr float AlongEdge = 0.99f;
 constexpr double LeastTilted = 1e-3;
 
-/// Voxels whose samples contradict one another and that have no point of a cut, at most, of such points: where the cut goes
-/// through a vertex.
+/// Voxels whose samples contradict one another though no point of a cut is in them, at most, of all points: of an isosurface
+/// that a plane through its middle crops these are up to 7 hundredths.
 constexpr double MostTorn = 0.1;
 
 constexpr int AtSample = vtkPointSplatLatticeCases::AtSample;
@@ -329,14 +329,14 @@ bool vtkPointSplatLattice::VisitVoxels(std::vector<Element>& all, const Visitor&
   return whole;
 }
 
-/// False where some voxel within the box contradicts itself.
+/// False where too many voxels within the box contradict themselves.
 bool vtkPointSplatLattice::FindSides()
 {
   this->FindRows();
   const float distances[3] = { static_cast<float>(this->Axes[0].Distance),
     static_cast<float>(this->Axes[1].Distance), static_cast<float>(this->Axes[2].Distance) };
   using Part = vtkPointSplatLatticeSides::Part;
-  const std::size_t mostTorn = static_cast<std::size_t>(MostTorn * this->Torn.GetSize());
+  const std::size_t mostTorn = static_cast<std::size_t>(MostTorn * this->Crossings.size());
   std::atomic<std::size_t> torn{ 0 };
   if (!this->VisitVoxels(this->Sides, [&](Voxel& voxel, std::vector<Part>& parts) {
         const std::size_t before = parts.size();
@@ -481,7 +481,9 @@ bool vtkPointSplatLattice::FindSurface()
   }
   const bool haveSides = !this->Several && this->FindSides();
   const bool isOne = haveSides && this->HasOneSurface();
-  if (!this->Torn.IsEmpty() && !isOne)
+  const bool isTorn = !this->Torn.IsEmpty() ||
+    std::any_of(this->Sides.begin(), this->Sides.end(), [](const vtkPointSplatLatticeSides::Part& part) { return part.IsTorn(); });
+  if (isTorn && !isOne)
   {
     return false; // a surface that was cut off is one alone
   }

@@ -15,17 +15,18 @@
  * 3. *Samples.* From one end of an edge to the other the side of the surface changes where a point lies on it, and stays
  *    where none does. Of an edge that has a point at an end that is not known. Of what stays apart by this
  *    normals say which side is outside (vtkPointSplatLatticeSides.h).
- * 4. *Triangles* are those of marching cubes (vtkMarchingCubesTriangleCases), and where the surface was clipped those of
+ * 4. *Triangles* are those of marching cubes (vtkMarchingCubesTriangleCases), and where the surface was cut off those of
  *    vtkPointSplatLatticeTorn. Few points have none: where one sample alone is the isovalue and all around it are less, the
  *    surface has no area.
  *
  * Of many labels' surfaces 3 and 4 are those of vtkPointSplatLatticeLabels, of several isosurfaces of one volume those of
  * vtkPointSplatLatticeLevels: where edges have several points, or normals contradict the sides of one.
  *
- * All points have to be such vertices, or on a cut, of all of the surface within the box that they span, or nothing is found: a
- * voxel around whose faces the sides contradict one another is one outside of the volume, or one through which a cut goes, or
- * the points are no isosurface's. But where all of its points are another process' (DUPLICATEPOINT), the rest is elsewhere.
- * What was clipped has to be one surface, not several ones' or labels'. Points most of which lie equally far between planes
+ * All points have to be such vertices, or on a cut, of nearly all of the surface within the box that they span, or nothing is
+ * found: a voxel around whose faces the sides contradict one another is one outside of the volume, or one of which points are
+ * missing, beside a cut or where the surface was cropped, or the points are no isosurface's. Of such voxels there may be a tenth
+ * as many as points. But where all of its points are another process' (DUPLICATEPOINT), the rest is elsewhere.
+ * What was cut off has to be one surface, not several ones' or labels'. Points most of which lie equally far between planes
  * are a mask's, unless all normals lie along their edges: those are of a grid on each of a box's faces, and are searched as
  * others are.
  */

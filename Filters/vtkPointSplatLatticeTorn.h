@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPointSplatLatticeTorn
- * @brief   the triangles in voxels through which an isosurface was cut off
+ * @brief   the triangles in voxels in which an isosurface was cut off
  *
- * An internal helper of vtkPointSplatLattice. Where a surface was clipped, the sides of a voxel's samples contradict one
- * another, and some of its points lie on no edge, but in its faces or within it, on the cut. What is left of the surface in
- * such a voxel is about flat:
+ * An internal helper of vtkPointSplatLattice. Where a surface was clipped or cropped, or lacks points, the sides of a voxel's
+ * samples contradict one another. If it was clipped some of the voxel's points lie on no edge, but in its faces or within it,
+ * on the cut. What is left of the surface in such a voxel is about flat:
  *
  * 1. Points in one face of the voxel are next to one another if there are two of them, since the surface meets a face in one
  *    line. What is linked so is one sheet; a point within the voxel is of the sheet whose points are nearest.

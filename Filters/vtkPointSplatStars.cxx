@@ -43,9 +43,8 @@ constexpr float EndsCosine = 0.5f;
 /// coarse isosurfaces that are the mesh's one in 300 is lost, of those that lead off it a fifth to a half.
 constexpr double LeastFacing = 0.1;
 constexpr double FacingCosine = 0.5;
-/// Where a row ends at gaps on both sides, their directions part by more than 120 degrees, and neither is much wider.
+/// Where a row ends at gaps on both sides, their directions part by more than 120 degrees.
 constexpr double OppositeCosine = -0.5;
-constexpr float MostWider = 2;
 /// From how many times the spacing on points beside the border of a denser part say that the surface goes on there.
 constexpr float Sparser = 2;
 
@@ -53,12 +52,10 @@ constexpr float Sparser = 2;
 struct WideTriangle
 {
   int Others[2];    // corners: their places in the neighbourhood
-  float Reach;      // to the circumcentre
-  double Middle[3]; // the way there, of unit length
+  double Middle[3]; // the way to the circumcentre, of unit length
 
-  WideTriangle(const vtkPointSplatNeighbors::Neighborhood& around, int a, int b, float reach)
+  WideTriangle(const vtkPointSplatNeighbors::Neighborhood& around, int a, int b)
     : Others{ a, b }
-    , Reach(reach)
   {
     const double x[3] = { around.X[a], around.Y[a], around.Z[a] }, y[3] = { around.X[b], around.Y[b], around.Z[b] };
     double across[3], along[3];
@@ -71,11 +68,11 @@ struct WideTriangle
     vtkMath::Normalize(this->Middle);
   }
 
-  /// Whether another one on the other side of the centre is about as wide.
+  /// Whether there is another one on the other side of the centre.
   bool HasOpposite(const std::vector<WideTriangle>& all) const
   {
     return std::any_of(all.begin(), all.end(), [this](const WideTriangle& other) {
-      return vtkMath::Dot(this->Middle, other.Middle) < OppositeCosine && this->Reach < MostWider * other.Reach;
+      return vtkMath::Dot(this->Middle, other.Middle) < OppositeCosine;
     });
   }
 };
@@ -402,7 +399,7 @@ bool vtkPointSplatStars::Find(vtkAlgorithm* self, const Cloud& cloud)
       {
         if (!reachesHole)
         {
-          wide.emplace_back(around, a, b, circumscribed);
+          wide.emplace_back(around, a, b);
         }
         return;
       }

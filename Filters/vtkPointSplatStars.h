@@ -29,7 +29,7 @@
  *    that such a disk covers by half, since a corner's own disk is small where all points that it was made from lie to one
  *    side and the surface does not end there, and those over gaps. What is a hole goes by
  *    the spacing of the corner whose nearest points are sparsest: a ring of dense points has no lid. But a ring around a tube,
- *    all of whose nearest points may be its own, has such triangles on both sides, about as wide: they count, unless the
+ *    all of whose nearest points may be its own, has such triangles on both sides: they count, unless the
  *    spacing of the site's sheet tells of a hole. And what no border surrounds (vtkPointSplatBorders.h), and is no wider than a
  *    border is sure to be by the densest corner's, is a gap of a regular sampling, as where a scanner saw nothing and its mesh
  *    was closed; normals of the corners part by less than 60 degrees there. Nor does a triangle count whose corners face both of its sides, where normals tell that: it leads from a body to the next one. No size is

@@ -79,7 +79,6 @@ CONSTANTS = {
     "EdgeTurn": ("vtkPointSplatSheet.cxx", (0.2, 0.3, 0.5), ("thick_slices", "shell_03")),
     "FarOffset": ("vtkPointSplatSheet.cxx", (0.05, 0.1, 0.2), ("tubes_edges", "grid_lines")),
     "AlikeOffset": ("vtkPointSplatSheet.cxx", (0.01, 0.02, 0.03, 0.06), STREAMS + BESIDE),
-    "MostWider": ("vtkPointSplatStars.cxx", (1.2, 2.0, 4.0), STREAMS + ("streamtube", "rounded_ring")),
     "LargestShadingResidual": ("vtkPointSplatDisk.cxx", (0.015, 0.03, 0.06, 0.25), SHADED),
     "FlatPerResidual": ("vtkPointSplatDisk.cxx", (0.005, 0.02, 0.06), SHADED),
     "PlaneReach": ("vtkPointSplatRows.cxx", (1.5, 2.1, 3.0), ROWS),

@@ -477,11 +477,12 @@ def without_normals(standin):
     return StandIn(standin.name + ", no normals", polydata(p, None), standin.distance, standin.spacing, standin.mesh)
 
 
-def without_one(standin):
-    """Without one vertex of a volume's isosurface, so that the volume's lattice tells nothing."""
-    p, n = (vtk_to_numpy(array)[1:] for array in
+def off_lattice(standin):
+    """With vertices that were moved by up to a hundredth of a voxel, so that the volume's lattice tells nothing."""
+    p, n = (vtk_to_numpy(array) for array in
             (standin.cloud.GetPoints().GetData(), standin.cloud.GetPointData().GetNormals()))
-    return StandIn(standin.name + ", without one", polydata(p, n), standin.distance, standin.spacing, standin.mesh)
+    return StandIn(standin.name + ", off its lattice", polydata(p + 0.01 * np.sin(p[:, [1, 2, 0]]), n), standin.distance,
+                   standin.spacing, standin.mesh)
 
 
 def turned(standin):
@@ -527,7 +528,7 @@ ALL = {
     "cut_noisy": lambda: cut_by_volume("edges", 48, 0.15),
     "cut_noisy_turned": lambda: turned(cut_by_volume("edges", 48, 0.25)),
     "cut_noisy_clipped": lambda: clipped(cut_by_volume("edges", 48, 0.15)),
-    "cut_noisy_searched": lambda: without_one(turned(cut_by_volume("edges", 48, 0.25))),
+    "cut_noisy_searched": lambda: off_lattice(turned(cut_by_volume("edges", 48, 0.25))),
     "tetrahedra": tetrahedra.contoured,
     "tetrahedra_clipped": tetrahedra.clipped,
     "tetrahedra_clipped_means": lambda: tetrahedra.clipped(splitting=False),
@@ -567,7 +568,8 @@ ALL = {
     "shell_01": lambda: thin_shell(0.1),
     "shell_03": lambda: thin_shell(0.3),
     "shell_1": lambda: thin_shell(1.0),
-    "holed_ball": holed_ball,
+    "holed_isosurface": holed_ball,
+    "holed_ball": lambda: off_lattice(holed_ball()),
     "gappy_ball": gappy_ball,
     "drapery": drapery,
     "drapery_vertices": drapery_vertices,

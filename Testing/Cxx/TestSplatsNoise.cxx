@@ -10,8 +10,6 @@
 #include "vtkMath.h"
 #include "vtkPlatonicSolidSource.h"
 #include "vtkPointSplatEstimation.h"
-#include "vtkTransform.h"
-#include "vtkTransformPolyDataFilter.h"
 
 #include <cmath>
 #include <string>
@@ -103,21 +101,19 @@ vtkSmartPointer<vtkPolyData> MakeIsosurface()
   return data;
 }
 
-/// The same points, none of which lies on the lattice any more, and all but one, without which no turned lattice is known.
+/// The same points, moved by up to a fiftieth of a voxel, so that they lie on no lattice.
 vtkSmartPointer<vtkPolyData> OffLattice(vtkPolyData* cloud)
 {
-  vtkNew<vtkTransform> turn;
-  turn->RotateX(20);
-  turn->RotateZ(20);
-  vtkNew<vtkTransformPolyDataFilter> filter;
-  filter->SetTransform(turn);
-  filter->SetInputData(cloud);
-  filter->Update();
-  vtkPolyData* turned = filter->GetOutput();
-  const vtkIdType count = turned->GetNumberOfPoints() - 1;
-  turned->GetPoints()->SetNumberOfPoints(count);
-  turned->GetPointData()->GetNormals()->SetNumberOfTuples(count);
-  return turned;
+  auto moved = vtkSmartPointer<vtkPolyData>::New();
+  moved->DeepCopy(cloud);
+  for (vtkIdType id = 0; id < moved->GetNumberOfPoints(); ++id)
+  {
+    double x[3];
+    cloud->GetPoint(id, x);
+    moved->GetPoints()->SetPoint(
+      id, x[0] + 0.02 * std::sin(x[1]), x[1] + 0.02 * std::sin(x[2]), x[2] + 0.02 * std::sin(x[0]));
+  }
+  return moved;
 }
 
 /// A cloud's points alone.
