@@ -50,7 +50,6 @@ public:
   void Sort();
 
   bool IsEmpty() const { return this->Loose.empty(); }
-  std::size_t GetSize() const { return this->Loose.size(); }
   bool Has(std::int64_t voxel) const;
 
   /// Adds the triangles, 3 corners each, of a voxel's points on edges, at samples and on none.
