@@ -40,7 +40,7 @@
  * vtkPointSplatFans.h: the triangles' other corners are the neighbours, the radius follows from
  * the edges and from what covering each triangle by its three disks asks for, and nothing is
  * searched for if all points are such and have normals. Points with normals that are all vertices of
- * isosurfaces of one volume, turned or not, or of one that was clipped, tell its triangles by where they lie, vtkPointSplatLattice.h):
+ * isosurfaces of one volume, turned or not, or of one that was cut off, tell its triangles by where they lie, vtkPointSplatLattice.h):
  * 1. *Neighbours.* For each point the NumberOfNeighbors nearest ones, found for all points at
  *    once. Of points at the same position one takes part, and the others share its result.
  * 2. *Normals*, where the input has none, or triangles that run the same way along an edge made them cancel

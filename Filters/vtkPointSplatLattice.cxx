@@ -41,70 +41,53 @@ constexpr int AtSample = vtkPointSplatLatticeCases::AtSample;
 }
 
 //------------------------------------------------------------------------------
-/// Returns false for a point that is neither on an edge nor at a sample.
-bool vtkPointSplatLattice::GetPlace(vtkIdType id, Place& place) const
+vtkPointSplatLattice::Place vtkPointSplatLattice::GetPlace(vtkIdType id) const
 {
-  const double* x = this->Points.Positions.data() + 3 * id;
-  int on = 0;
+  Place place;
   place.Id = id;
-  place.Axis = AtSample;
   for (int c = 0; c < 3; ++c)
   {
-    const bool has = this->Axes[c].Has(x[c], place.Index[c]);
-    on += has ? 1 : 0;
-    place.Axis = has ? place.Axis : c;
+    const double x = this->Points.Positions[3 * id + c];
+    place.IsPlane[c] = this->Axes[c].Has(x, place.Index[c]);
+    place.Index[c] = place.IsPlane[c] ? place.Index[c] : this->Axes[c].GetFloor(x);
   }
-  if (place.Axis != AtSample)
-  {
-    place.Index[place.Axis] = this->Axes[place.Axis].GetFloor(x[place.Axis]);
-  }
-  return on >= 2;
+  return place;
 }
 
-/// Of all points on edges and at samples, and which are off these; returns false where too many are.
-bool vtkPointSplatLattice::FindPlaces(std::vector<Place>& places, std::vector<vtkIdType>& off) const
+/// Of points on edges and at samples, and of those off these; returns false where too many are.
+bool vtkPointSplatLattice::FindPlaces(std::vector<Place>& places, std::vector<Place>& off) const
 {
   const vtkIdType count = static_cast<vtkIdType>(this->Points.Used.size());
+  places.reserve(count);
   for (vtkIdType id = 0; id < count; ++id)
   {
-    Place place;
-    if (this->Points.Used[id] && this->GetPlace(id, place))
+    if (this->Points.Used[id])
     {
-      places.push_back(place);
-    }
-    else if (this->Points.Used[id])
-    {
-      off.push_back(id);
+      const Place place = this->GetPlace(id);
+      (place.IsOnEdge() ? places : off).push_back(place);
     }
   }
   return off.size() <= vtkPointSplatLatticePlanes::MostOff * (places.size() + off.size());
 }
 
 /// Returns false where a box in samples that contains all points has too many.
-bool vtkPointSplatLattice::FindBox(const std::vector<Place>& places, const std::vector<vtkIdType>& off)
+bool vtkPointSplatLattice::FindBox(const std::vector<Place>& places, const std::vector<Place>& off)
 {
   for (int c = 0; c < 3; ++c)
   {
     std::int64_t first = std::numeric_limits<std::int64_t>::max(), last = std::numeric_limits<std::int64_t>::min();
-    const auto add = [&](std::int64_t from, std::int64_t to) {
-      first = std::min(first, from);
-      last = std::max(last, to);
-    };
-    for (const Place& place : places)
+    for (const std::vector<Place>* some : { &places, &off })
     {
-      add(place.Index[c], place.Index[c] + (c == place.Axis ? 1 : 0));
-    }
-    for (const vtkIdType id : off)
-    {
-      std::int64_t plane;
-      const double x = this->Points.Positions[3 * id + c];
-      const bool has = this->Axes[c].Has(x, plane);
-      add(has ? plane : this->Axes[c].GetFloor(x), has ? plane : this->Axes[c].GetFloor(x) + 1);
+      for (const Place& place : *some)
+      {
+        first = std::min(first, place.Index[c]);
+        last = std::max(last, place.Index[c] + (place.IsPlane[c] ? 0 : 1));
+      }
     }
     // Where nothing but samples are on its border, the surface may have a face between them, and it goes on beyond.
     const auto isClosed = [&](std::int64_t plane) {
       return std::none_of(places.begin(), places.end(), [&](const Place& place) {
-        return place.Index[c] == plane && place.Axis != c && place.Axis != AtSample;
+        return place.Index[c] == plane && place.IsPlane[c] && place.GetAxis() != AtSample;
       });
     };
     this->First[c] = first - (isClosed(first) ? 1 : 0);
@@ -114,34 +97,37 @@ bool vtkPointSplatLattice::FindBox(const std::vector<Place>& places, const std::
   return 4.0 * this->Size[0] * this->Size[1] * this->Size[2] <= most;
 }
 
-/// Adds a point on no edge to the voxels that it lies in: two, if it is in the face between them.
-void vtkPointSplatLattice::AddOff(vtkIdType id)
+/// The sample from which a point's edge or voxel goes on, row by row.
+std::int64_t vtkPointSplatLattice::GetSample(const Place& place) const
 {
   std::int64_t index[3];
-  int across = -1; // the axis of its face
   for (int c = 0; c < 3; ++c)
   {
-    const double x = this->Points.Positions[3 * id + c];
-    const bool has = this->Axes[c].Has(x, index[c]);
-    across = has ? c : across;
-    index[c] = (has ? index[c] : this->Axes[c].GetFloor(x)) - this->First[c] + 1;
+    index[c] = place.Index[c] - this->First[c] + 1;
   }
+  return (index[2] * this->Size[1] + index[1]) * this->Size[0] + index[0];
+}
+
+/// Adds a point on no edge to the voxels that it lies in: two, if it is in the face between them.
+void vtkPointSplatLattice::AddOff(const Place& place)
+{
+  const std::int64_t voxel = this->GetSample(place);
   const std::int64_t strides[3] = { 1, this->Size[0], this->Size[0] * this->Size[1] };
-  const std::int64_t voxel = index[0] + index[1] * strides[1] + index[2] * strides[2];
-  if (across < 0)
+  const bool* across = std::find(place.IsPlane, place.IsPlane + 3, true);
+  if (across == place.IsPlane + 3)
   {
-    this->Torn.Add(voxel, { id, 0 });
+    this->Torn.Add(voxel, { place.Id, 0 });
     return;
   }
-  this->Torn.Add(voxel, { id, vtkPointSplatLatticeTorn::GetFace(across, 0) });
-  this->Torn.Add(voxel - strides[across], { id, vtkPointSplatLatticeTorn::GetFace(across, 1) });
+  const int axis = static_cast<int>(across - place.IsPlane);
+  this->Torn.Add(voxel, { place.Id, vtkPointSplatLatticeTorn::GetFace(axis, 0) });
+  this->Torn.Add(voxel - strides[axis], { place.Id, vtkPointSplatLatticeTorn::GetFace(axis, 1) });
 }
 
 /// Of all points, edge by edge along it; none where too many are on no edge.
 bool vtkPointSplatLattice::FindCrossings()
 {
-  std::vector<Place> places;
-  std::vector<vtkIdType> off;
+  std::vector<Place> places, off;
   if (!this->FindPlaces(places, off) || !this->FindBox(places, off))
   {
     return false;
@@ -150,13 +136,7 @@ bool vtkPointSplatLattice::FindCrossings()
   vtkPointSplatThreads::For(0, static_cast<vtkIdType>(places.size()), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
-      std::int64_t index[3];
-      for (int c = 0; c < 3; ++c)
-      {
-        index[c] = places[i].Index[c] - this->First[c] + 1;
-      }
-      const std::int64_t row = index[2] * this->Size[1] + index[1];
-      this->Crossings[i] = { 4 * (row * this->Size[0] + index[0]) + places[i].Axis, places[i].Id };
+      this->Crossings[i] = { 4 * this->GetSample(places[i]) + places[i].GetAxis(), places[i].Id };
     }
   });
   vtkSMPTools::Sort(this->Crossings.begin(), this->Crossings.end(), [&](const Crossing& a, const Crossing& b) {
@@ -166,9 +146,9 @@ bool vtkPointSplatLattice::FindCrossings()
     };
     return a.Key != b.Key ? a.Key < b.Key : getOrder(a) < getOrder(b);
   });
-  for (const vtkIdType id : off)
+  for (const Place& place : off)
   {
-    this->AddOff(id);
+    this->AddOff(place);
   }
   this->Torn.Sort();
   return true;

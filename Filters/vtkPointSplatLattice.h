@@ -81,19 +81,27 @@ private:
     std::size_t First, Last;
   };
 
-  /// Where a point lies: on an edge along an axis, from a sample on, or AtSample.
+  /// Where a point lies: of each coordinate the plane, or the last one before it.
   struct Place
   {
     vtkIdType Id;
     std::int64_t Index[3];
-    int Axis;
+    bool IsPlane[3];
+
+    bool IsOnEdge() const { return this->IsPlane[0] + this->IsPlane[1] + this->IsPlane[2] >= 2; }
+    /// Of the edge, or AtSample.
+    int GetAxis() const
+    {
+      return !this->IsPlane[0] ? 0 : !this->IsPlane[1] ? 1 : !this->IsPlane[2] ? 2 : vtkPointSplatLatticeCases::AtSample;
+    }
   };
 
   bool FindPlanes();
-  bool GetPlace(vtkIdType id, Place& place) const;
-  bool FindPlaces(std::vector<Place>& places, std::vector<vtkIdType>& off) const;
-  bool FindBox(const std::vector<Place>& places, const std::vector<vtkIdType>& off);
-  void AddOff(vtkIdType id);
+  Place GetPlace(vtkIdType id) const;
+  bool FindPlaces(std::vector<Place>& places, std::vector<Place>& off) const;
+  bool FindBox(const std::vector<Place>& places, const std::vector<Place>& off);
+  std::int64_t GetSample(const Place& place) const;
+  void AddOff(const Place& place);
   bool FindCrossings();
   bool IsGrid() const;
   double GetBetween(std::size_t crossing, int axis) const;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <numeric>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -122,14 +123,20 @@ void vtkPointSplatLatticeSides::Settle(std::vector<Part>& parts, const std::int6
   }
   Links links(parts.size());
   // Where the surface was cut off sides may be those of what is not there: such links contradict what others agree on.
-  for (const bool against : { false, true })
+  std::vector<std::pair<std::size_t, std::size_t>> contradicting;
+  VisitShared(parts, strides, 0, parts.size(), [&](std::size_t a, std::size_t b, bool contradict) {
+    if (contradict)
+    {
+      contradicting.emplace_back(a, b);
+    }
+    else
+    {
+      links.Add(a, b, false);
+    }
+  });
+  for (const auto& [a, b] : contradicting)
   {
-    VisitShared(parts, strides, 0, parts.size(), [&](std::size_t a, std::size_t b, bool contradict) {
-      if (contradict == against)
-      {
-        links.Add(a, b, contradict);
-      }
-    });
+    links.Add(a, b, true);
   }
   std::vector<double> votes(parts.size(), 0.0); // of those that stand for others
   for (std::size_t i = 0; i < parts.size(); ++i)
