@@ -36,6 +36,9 @@ constexpr double LeastTilted = 1e-3;
 /// Voxels whose samples contradict one another though no point of a cut is in them, at most, of all points: of an isosurface
 /// that a plane through its middle crops these are up to 7 hundredths.
 constexpr double MostTorn = 0.1;
+/// Points of such voxels that stay in no triangle, at most, counted voxel by voxel: of a surface that was cut off up to 6
+/// hundredths do, but 23 of a mesh on a lattice whose triangles span several voxels where its volume was not known.
+constexpr double MostTornWithout = 0.12;
 
 constexpr int AtSample = vtkPointSplatLatticeCases::AtSample;
 }
@@ -352,6 +355,12 @@ bool vtkPointSplatLattice::HasOneSurface() const
   return against <= MostContradicting * all;
 }
 
+bool vtkPointSplatLattice::HasTornVoxels() const
+{
+  return std::any_of(
+    this->Sides.begin(), this->Sides.end(), [](const vtkPointSplatLatticeSides::Part& part) { return part.IsTorn(); });
+}
+
 void vtkPointSplatLattice::FindTriangles()
 {
   this->VisitVoxels(this->Corners, [&](Voxel& voxel, std::vector<vtkIdType>& corners) {
@@ -365,6 +374,28 @@ void vtkPointSplatLattice::FindTriangles()
     voxel.AddTriangles(corners);
     return true;
   });
+}
+
+/// Whether the polygons of voxels that contradict themselves leave no more points out than those do in which a surface was cut off.
+bool vtkPointSplatLattice::HasPolygons(const std::vector<unsigned char>& cornered) const
+{
+  if (!this->HasTornVoxels())
+  {
+    return true;
+  }
+  std::vector<vtkPointSplatLatticeTorn::Point> points;
+  this->VisitVoxels(points, [&](const Voxel& voxel, std::vector<vtkPointSplatLatticeTorn::Point>& ofRow) {
+    const vtkPointSplatLatticeSides::Range sides = vtkPointSplatLatticeSides::Find(this->Sides, voxel.Index);
+    if (sides.First != sides.Last && sides.First->IsTorn())
+    {
+      const std::vector<vtkPointSplatLatticeTorn::Point> ofVoxel = this->Torn.GetPoints(voxel);
+      ofRow.insert(ofRow.end(), ofVoxel.begin(), ofVoxel.end());
+    }
+    return true;
+  });
+  const auto without = std::count_if(
+    points.begin(), points.end(), [&](const vtkPointSplatLatticeTorn::Point& point) { return !cornered[point.Id]; });
+  return without <= MostTornWithout * points.size();
 }
 
 /// Whether all points of a voxel are another process'.
@@ -461,9 +492,7 @@ bool vtkPointSplatLattice::FindSurface()
   }
   const bool haveSides = !this->Several && this->FindSides();
   const bool isOne = haveSides && this->HasOneSurface();
-  const bool isTorn = !this->Torn.IsEmpty() ||
-    std::any_of(this->Sides.begin(), this->Sides.end(), [](const vtkPointSplatLatticeSides::Part& part) { return part.IsTorn(); });
-  if (isTorn && !isOne)
+  if ((!this->Torn.IsEmpty() || this->HasTornVoxels()) && !isOne)
   {
     return false; // a surface that was cut off is one alone
   }
@@ -508,7 +537,7 @@ bool vtkPointSplatLattice::Find()
     [&](const Crossing& crossing) {
       return !cornered[crossing.Id] && !vtkPointSplatInput::IsDuplicate(this->Points.Ghosts, crossing.Id);
     });
-  return without <= MostWithout * this->Crossings.size();
+  return without <= MostWithout * this->Crossings.size() && this->HasPolygons(cornered);
 }
 
 VTK_ABI_NAMESPACE_END

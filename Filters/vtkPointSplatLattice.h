@@ -25,7 +25,8 @@
  * All points have to be such vertices, or on a cut, of nearly all of the surface within the box that they span, or nothing is
  * found: a voxel around whose faces the sides contradict one another is one outside of the volume, or one of which points are
  * missing, beside a cut or where the surface was cropped, or the points are no isosurface's. Of such voxels there may be a tenth
- * as many as points. But where all of its points are another process' (DUPLICATEPOINT), the rest is elsewhere.
+ * as many as points, and of their points nearly all have to be in a triangle, which those are not where a mesh spans several
+ * voxels. But where all of its points are another process' (DUPLICATEPOINT), the rest is elsewhere.
  * What was cut off has to be one surface, not several ones' or labels'. Points most of which lie equally far between planes
  * are a mask's, unless all normals lie along their edges: those are of a grid on each of a box's faces, and are searched as
  * others are.
@@ -113,6 +114,7 @@ private:
   bool FindLabels();
   bool FindSides();
   bool HasOneSurface() const;
+  bool HasTornVoxels() const;
   void FindTriangles();
   template <typename Visitor>
   bool March(const Row& row, const Visitor& visit) const;
@@ -121,6 +123,7 @@ private:
   template <typename Element, typename Visitor>
   bool VisitVoxels(std::vector<Element>& all, const Visitor& visit) const;
 
+  bool HasPolygons(const std::vector<unsigned char>& cornered) const;
   bool IsElsewhere(const Voxel& voxel) const;
 
   const Cloud Points;

@@ -52,7 +52,9 @@ public:
   bool IsEmpty() const { return this->Loose.empty(); }
   bool Has(std::int64_t voxel) const;
 
-  /// Adds the triangles, 3 corners each, of a voxel's points on edges, at samples and on none.
+  /// A voxel's points on edges, at samples and on none.
+  std::vector<Point> GetPoints(const vtkPointSplatLatticeVoxel& voxel) const;
+  /// Adds the triangles, 3 corners each, of a voxel's points.
   void AddTriangles(const vtkPointSplatLatticeVoxel& voxel, std::vector<vtkIdType>& corners) const;
 
 private:
@@ -63,7 +65,6 @@ private:
   };
 
   std::vector<LoosePoint>::const_iterator FindFirst(std::int64_t voxel) const;
-  std::vector<Point> GetPoints(const vtkPointSplatLatticeVoxel& voxel) const;
   std::size_t FindNearest(const std::vector<Point>& points, std::size_t of) const;
   void AddPolygon(std::vector<vtkIdType>& sheet, std::vector<vtkIdType>& corners) const;
 

@@ -258,6 +258,29 @@ vtkSmartPointer<vtkPolyData> Thin(vtkPolyData* mesh, double share)
   return Keep(mesh, [&](const double*) { return draw(random) >= share; });
 }
 
+/// A surface's points, but a sixth of those between two planes, where a mesh's triangles would span several voxels.
+vtkSmartPointer<vtkPolyData> MakeSeam(vtkPolyData* mesh)
+{
+  auto cloud = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  int between = 0;
+  for (vtkIdType id = 0; id < mesh->GetNumberOfPoints(); ++id)
+  {
+    double x[3];
+    mesh->GetPoint(id, x);
+    if (std::abs(0.3 * x[0] - 0.5 * x[1] + 0.8 * x[2] - 12) > 1.5 || between++ % 6 == 0)
+    {
+      points->InsertNextPoint(x);
+      normals->InsertNextTuple(mesh->GetPointData()->GetNormals()->GetTuple(id));
+    }
+  }
+  cloud->SetPoints(points);
+  cloud->GetPointData()->SetNormals(normals);
+  return cloud;
+}
+
 /// Whether planes face as they do by the triangles where normals are reversed in a place, as a volume's gradients are where its
 /// surface bends within a voxel.
 void FacesAsTriangles(vtkPolyData* mesh)
@@ -443,6 +466,7 @@ int TestSplatLattice(int, char*[])
     "noise, without a tenth of the points, turned");
 
   // What is not of one isosurface is none.
+  IsSearched(MakeSeam(Contour(MakeVolume(Volume(), Gyroid), { 0.0 })), "a seam");
   IsSearched(MakeGrid(false), "samples");
   IsSearched(MakeGrid(true), "heights in steps");
   IsSearched(MakeBoxGrid(), "a box's squares");
