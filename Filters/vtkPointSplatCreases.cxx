@@ -236,10 +236,16 @@ bool vtkPointSplatCreases::DescribeSplat(const Neighborhood& around, const float
   }
   vtkPointSplatMirrored mirrored;
   mirrored.AddMeeting(around, this->Faces, plane, crease, face.Members.Spacing);
-  const Neighborhood whole = mirrored.Fill(around, this->Faces.Normals, plane, face, crease);
-  vtkPointSplatDisk disk;
-  disk.Estimate(whole, mirrored.Normals, this->Elliptical, std::numeric_limits<float>::max(),
-    std::numeric_limits<float>::max());
+  mirrored.AddFace(around, this->Faces.Normals, plane, face, crease);
+  const auto estimate = [&](vtkPointSplatDisk& disk) {
+    disk.Estimate(mirrored.Get(plane), mirrored.Normals, this->Elliptical, std::numeric_limits<float>::max(),
+      std::numeric_limits<float>::max());
+    return std::max(disk.Length1, disk.Gap);
+  };
+  vtkPointSplatDisk whole, bounded;
+  const float reach = estimate(whole);
+  const bool bounds = mirrored.AddNext(around, this->Faces, plane, face, crease) && estimate(bounded) < reach;
+  const vtkPointSplatDisk& disk = bounds ? bounded : whole;
   std::copy_n(disk.Axis1, 3, splat.Axis1);
   std::copy_n(disk.Axis2, 3, splat.Axis2);
   std::copy_n(disk.Normal, 3, splat.Normal);
@@ -255,7 +261,7 @@ bool vtkPointSplatCreases::DescribeSplat(const Neighborhood& around, const float
   for (int l = 0; l < crease.Count; ++l)
   {
     const vtkPointSplatCrease::Line& line = crease.Lines[l];
-    if (line.Distance <= SplatReach * std::max(disk.Length1, disk.Gap))
+    if (line.Distance <= SplatReach * reach)
     {
       for (int c = 0; c < 3; ++c)
       {

@@ -21,6 +21,7 @@
  *    point and its image the point itself is nearer to what is on its side. Points on the lines
  *    with averaged normals count among them, since they have a part of their splat on each face, but for
  *    those that are much denser than the face's points are far: their splats are as small as the denser face's.
+ *    Points that are a little off the face, with no line on the way, as past an edge of few degrees, bound the disk, too.
  *    Where the neighbours on a face are those of one row, along an edge whose other face is denser than the next
  *    row is near, more neighbours are looked at, and the distance of that row is the spacing on this face.
  *    The same where a point on the edge, with an average of normals, is on a sparser face than the others.

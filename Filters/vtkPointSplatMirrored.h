@@ -51,8 +51,39 @@ public:
     }
   }
 
-  /// Adds the members and all images, and returns them as the neighbours of a slot 0; Normals has theirs.
-  Neighborhood Fill(const Neighborhood& around, const float* normals, const float n[3],
+  /// Adds the points that are off the face but before all lines, as past an edge too shallow to be a line. Their disks cover the
+  /// ways to them, up to half and a little less, since they lie in other planes. Returns whether there are any.
+  bool AddNext(const Neighborhood& around, const vtkPointSplatFaces& faces, const float n[3],
+    const vtkPointSplatFace& face, const vtkPointSplatCrease& crease)
+  {
+    const auto* member = face.Members.Members;
+    const auto* last = member + face.Members.Count;
+    const int before = this->Count;
+    for (int i = 0; i < around.Count; ++i)
+    {
+      if (member != last && *member == i)
+      {
+        ++member;
+        continue;
+      }
+      const float x[3] = { around.X[i], around.Y[i], around.Z[i] };
+      const float height = vtkMath::Dot(n, x);
+      if (faces.IsSound(around.Slots[i]) && height * height < NextSlope * NextSlope * around.SquaredDistance[i] &&
+        std::all_of(crease.Lines, crease.Lines + crease.Count,
+          [&](const vtkPointSplatCrease::Line& line) {
+            return vtkMath::Dot(line.Direction, x) < line.Distance &&
+              !vtkPointSplatCrease::IsOn(line, x, face.Members.Spacing);
+          }))
+      {
+        const float farther[3] = { NextWay * x[0], NextWay * x[1], NextWay * x[2] };
+        this->Add(farther, n);
+      }
+    }
+    return this->Count > before;
+  }
+
+  /// Adds the members and all images.
+  void AddFace(const Neighborhood& around, const float* normals, const float n[3],
     const vtkPointSplatFace& face, const vtkPointSplatCrease& crease)
   {
     const float zero[3] = { 0, 0, 0 };
@@ -71,6 +102,11 @@ public:
         this->AddImage(x, m, crease, l);
       }
     }
+  }
+
+  /// All that were added, as the neighbours of a slot 0, whose normal is n; Normals has theirs.
+  Neighborhood Get(const float n[3])
+  {
     std::stable_sort(this->Points, this->Points + this->Count,
       [](const Point& a, const Point& b) { return a.Squared < b.Squared; });
     std::copy(n, n + 3, this->Normals);
@@ -92,6 +128,9 @@ private:
   static constexpr float OffFace = 0.15f;
   /// How far from the centre, in its own spacings, a point on an edge may be: splats reach as far as their spacing.
   static constexpr float LargestWay = 2.0f;
+  /// How steep the way to a point past a shallow edge is at most, and how much farther off it counts (Testing/Accuracy/fit_constants.py).
+  static constexpr float NextSlope = 0.6f;
+  static constexpr float NextWay = 1.2f;
 
   struct Point
   {

@@ -28,6 +28,7 @@ FOLDS = ("drapery", "drapery_vertices")
 PARTS = ("part_random", "part_vertices")
 PLATES = ("ribbed_plate", "ribbed_plate_2")
 MESHED = ("ribbed_block",)
+SHALLOW = ("block_beside_ball", "tetrahedra_clipped", "drapery")
 DISCS = ("rimmed_disc", "thin_disc")
 BENT = ("tubes_edges", "drapery_vertices")
 ROWS = ("grid_lines_bare", "grid_lines_20_bare", "grid_lines_noisy")
@@ -52,6 +53,8 @@ CONSTANTS = {
     "ManyMembers": ("vtkPointSplatFace.cxx", (8, 12, 16, 32), MESHED + FOLDS),
     "FewestAlike": ("vtkPointSplatCrease.cxx", (2, 3, 4), MESHED + PARTS),
     "AlikeTurned": ("vtkPointSplatCrease.cxx", (0.8, 0.9, 0.974), MESHED + FOLDS),
+    "NextSlope": ("vtkPointSplatMirrored.h", (0.0, 0.3, 0.6, 1.0), SHALLOW),
+    "NextWay": ("vtkPointSplatMirrored.h", (1.0, 1.2, 1.4), SHALLOW),
     "FlatDeviation": ("vtkPointSplatFace.h", (0.015, 0.03, 0.06), MESHED + FOLDS),
     "FewestWithoutRow": ("vtkPointSplatCreasesFaces.cxx", (3, 5, 7, 33), MESHED + PARTS),
     "StripCosine": ("vtkPointSplatCreaseMeeting.cxx", (0.3, 0.5, 0.7, 2.0), MESHED + PARTS),

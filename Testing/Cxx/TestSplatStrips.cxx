@@ -6,6 +6,7 @@
 #include "Gathered.h"
 #include "ScatteredFaces.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -124,6 +125,66 @@ void Hole(double radius, int most)
     "a hole of " + std::to_string(radius) +
       " spacings: points on its rim without lines and folds there, in a plane of no face");
 }
+
+/// A wall along x with a top, whose upper strip of two rows leans back by so few degrees, and an end across it: at the edge below
+/// the strip, which is no line, disks reach no farther than elsewhere.
+void Lean(double degrees)
+{
+  constexpr int last = 10; // of the rows along and across
+  constexpr int strip = 2;
+  const double slope = std::tan(vtkMath::RadiansFromDegrees(degrees));
+  const auto depth = [slope](int y) { return y > 0 ? -slope * y : 0; };
+  Gathered gathered;
+  // Its normal is the mean of those of all faces that it is on.
+  const auto add = [&](double x, int y, double z) {
+    double n[3] = { 0, 0, 0 };
+    if (z == depth(y))
+    {
+      const double lower[3] = { 0, 0, 1 };
+      double upper[3] = { 0, slope, 1 };
+      vtkMath::Normalize(upper);
+      for (int c = 0; c < 3; ++c)
+      {
+        // Two triangles of three at the last vertex are below the edge.
+        n[c] = (y <= 0 ? (x == last ? 2 : 1) * lower[c] : 0) + (y >= 0 ? upper[c] : 0);
+      }
+      vtkMath::Normalize(n);
+    }
+    n[0] -= x == 0 ? 1 : 0;
+    n[1] += y == strip ? 1 : 0;
+    vtkMath::Normalize(n);
+    const double place[3] = { x, y + 0.0, z };
+    gathered.Add(place, n);
+  };
+  for (int y = -last; y <= strip; ++y)
+  {
+    for (int x = 0; x <= last; ++x)
+    {
+      add(x, y, depth(y));
+    }
+    for (int back = 1; back <= last; ++back)
+    {
+      add(0, y, depth(y) - back);
+    }
+  }
+  for (int x = 1; x <= last; ++x)
+  {
+    for (int back = 1; back <= last; ++back)
+    {
+      add(x, strip, depth(strip) - back);
+    }
+  }
+  const Estimated splats(gathered.Cloud);
+  double largest = 0;
+  for (vtkIdType id = 0; id < gathered.Cloud->GetNumberOfPoints(); ++id)
+  {
+    double x[3];
+    gathered.Cloud->GetPoint(id, x);
+    // Others are at the corners of the end and the top, which end in the open.
+    largest = x[2] > -1 ? std::max(largest, splats.GetRadius(id)) : largest;
+  }
+  AtMost(largest, 0.9, "the largest disk of a wall that leans by " + std::to_string(degrees) + " degrees above");
+}
 }
 
 int TestSplatStrips(int, char*[])
@@ -140,5 +201,8 @@ int TestSplatStrips(int, char*[])
   Hole(4, 8);
   Hole(5, 0);
   Hole(8, 0);
+  // 1.8 and 1.0 where the strip's points did not bound the disks below.
+  Lean(15);
+  Lean(10);
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
