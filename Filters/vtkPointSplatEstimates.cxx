@@ -71,6 +71,10 @@ bool vtkPointSplatEstimates::Run()
   this->Disks->Finish();
   this->Write();
   this->ClipFill();
+  if (this->Fills())
+  {
+    this->AddFoldSides();
+  }
   return true;
 }
 

@@ -118,6 +118,7 @@ private:
   float GetRoom(const vtkPointSplatStars& stars, const vtkPointSplatRefinement::Point& point);
   float GetBeside(const double x[3], vtkIdType id) const;
   void TakeFill(const vtkPointSplatRefinement& fill);
+  void AddFoldSides();
   void TakeShadingNormals();
   void TurnPlanes();
   void Write();

@@ -8,6 +8,7 @@
 #include "vtkPointSet.h"
 #include "vtkPointSplatCurvature.h"
 #include "vtkPointSplatEstimation.h"
+#include "vtkPointSplatFoldSides.h"
 #include "vtkPoints.h"
 #include "vtkPointSplatThreads.h"
 
@@ -286,6 +287,34 @@ void vtkPointSplatEstimates::TakeFill(const vtkPointSplatRefinement& fill)
       point.Size = this->GetScaled(point.Cover * vtkPointSplatStars::GetRadius(point.Size));
       this->Fill.push_back(point);
     }
+  }
+}
+
+/// Adds those of points on edges that are too small on one side, which have their own lines.
+void vtkPointSplatEstimates::AddFoldSides()
+{
+  const vtkPointSplatFoldSides finder(
+    this->Neighbors, [this](Slot s) { return this->Disks->GetBounded(s); });
+  for (const vtkPointSplatFoldSides::Side& side : finder.Find(this->Creases->Splats))
+  {
+    const vtkIdType id = this->Neighbors.GetId(side.Edge->At);
+    if (!this->IsDrawn(id))
+    {
+      continue;
+    }
+    vtkPointSplatRefinement::Point point{};
+    this->Input->GetPoint(id, point.X);
+    std::copy_n(this->GetNormal(id), 3, point.Normal);
+    // Turned as that is whose curvature it takes.
+    const float turn = vtkMath::Dot(side.Plane, side.Next->Normal) < 0 ? -1.0f : 1.0f;
+    std::transform(side.Plane, side.Plane + 3, point.Plane, [turn](float v) { return turn * v; });
+    std::copy_n(side.Next->Tensor, 6, point.Curvature);
+    std::copy_n(side.Clip, 3, point.Clip);
+    point.Size = this->GetScaled(side.Radius);
+    point.Count = 1;
+    point.Ends[0] = static_cast<Slot>(id);
+    point.Weights[0] = 1;
+    this->Fill.push_back(point);
   }
 }
 

@@ -144,7 +144,8 @@
  *    have no fill points but at meshes' borders, random ones few. A mesh, and so an isosurface's vertices, is
  *    split at its sharp edges, of 45 degrees, or of 30 where they end flat faces: there a point has a disk in the plane of each face, and
  *    those on other faces than its first one are fill points in its place. All are shaded with its normal, if it has one
- *    (vtkPointSplatMesh.h). Noise (IsNoisy()) of points at random does not count as bend,
+ *    (vtkPointSplatMesh.h). A point on a crease whose splat, as small as the denser face asks for, is a third of those beside
+ *    it on the other face has one more of their size there (vtkPointSplatFoldSides.h). Noise (IsNoisy()) of points at random does not count as bend,
  *    nor do steps that normals do not follow (vtkPointSplatDisks::TrustNormals()).
  * 7. *Bound.* No disk is larger than two and a half times those of its neighbours, which keeps
  *    outliers small. A point with no neighbour of its own sheet is a body alone, and so are points

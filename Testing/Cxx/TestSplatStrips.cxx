@@ -185,6 +185,57 @@ void Lean(double degrees)
   }
   AtMost(largest, 0.9, "the largest disk of a wall that leans by " + std::to_string(degrees) + " degrees above");
 }
+
+/// An edge along y between a top, whose rows are the denser the nearer they are to it, and a wall of one density: of its points
+/// splats on the wall alone are as large as the wall's.
+void DenseTop()
+{
+  const double up[3] = { 0, 0, 1 }, out[3] = { -1, 0, 0 };
+  Gathered gathered;
+  for (int y = 0; y < Length; ++y)
+  {
+    const double x[3] = { 0, y + 0.0, 0 };
+    double n[3] = { -0.6, 0, 0.8 };
+    gathered.Add(x, n);
+  }
+  for (double row = 0.06; row < 10; row += std::min(row, 1.0))
+  {
+    const double spacing = std::max(0.25, std::min(row, 1.0));
+    for (double y = 0; y < Length; y += spacing)
+    {
+      const double x[3] = { row, y, 0 };
+      gathered.Add(x, up);
+    }
+  }
+  for (int row = 1; row < 10; ++row)
+  {
+    for (double y = 0; y < Length; y += 0.5)
+    {
+      const double x[3] = { 0, y, -1.3 * row };
+      gathered.Add(x, out);
+    }
+  }
+  const vtkIdType count = gathered.Cloud->GetNumberOfPoints();
+  vtkNew<vtkPointSplatEstimation> estimation;
+  estimation->SetInputData(gathered.Cloud);
+  estimation->FillGapsOn();
+  estimation->Update();
+  vtkPointData* splats = estimation->GetOutput()->GetPointData();
+  int found = 0;
+  for (vtkIdType id = count; id < estimation->GetOutput()->GetNumberOfPoints(); ++id)
+  {
+    double x[3], clip[6];
+    estimation->GetOutput()->GetPoint(id, x);
+    splats->GetArray(vtkPointSplatArrays::Clip)->GetTuple(id, clip);
+    const bool onWall = std::abs(splats->GetArray(vtkPointSplatArrays::PlaneNormal)->GetComponent(id, 0)) > 0.99;
+    // The line is the edge, and what is kept is below.
+    found += x[0] == 0 && x[2] == 0 && onWall && clip[2] > 100 && std::abs(clip[1]) < 0.1 * clip[2] &&
+        splats->GetArray(vtkPointSplatArrays::Radius)->GetComponent(id, 0) > 1
+      ? 1
+      : 0;
+  }
+  AtLeast(found, Length - 16, "splats on the wall alone at points on the edge to a denser top");
+}
 }
 
 int TestSplatStrips(int, char*[])
@@ -204,5 +255,6 @@ int TestSplatStrips(int, char*[])
   // 1.8 and 1.0 where the strip's points did not bound the disks below.
   Lean(15);
   Lean(10);
+  DenseTop();
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
