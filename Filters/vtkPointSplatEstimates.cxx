@@ -71,7 +71,7 @@ bool vtkPointSplatEstimates::Run()
   this->Disks->Finish();
   this->Write();
   this->ClipFill();
-  if (this->Fills())
+  if (this->Fills() && this->FillsNoise())
   {
     this->AddFoldSides();
   }

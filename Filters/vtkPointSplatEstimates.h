@@ -107,6 +107,7 @@ private:
   }
   /// Whether there may be fill points, and where the points are a mesh.
   bool Fills() const { return this->Self->GetFillGaps() && !this->Elliptical; }
+  bool FillsNoise() const { return this->Self->GetFillNoise() || !this->IsNoisy(); }
   bool FillsMesh() const { return this->MeshAlone && this->Fills() && this->Self->GetFillMeshGaps(); }
   bool FindStars();
   void FindFill();

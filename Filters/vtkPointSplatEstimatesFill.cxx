@@ -80,7 +80,7 @@ void vtkPointSplatEstimates::FindFill()
     }
     return;
   }
-  if (!this->Self->GetFillNoise() && this->IsNoisy())
+  if (!this->FillsNoise())
   {
     return;
   }

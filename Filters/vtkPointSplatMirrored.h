@@ -52,7 +52,7 @@ public:
   }
 
   /// Adds the points that are off the face but before all lines, as past an edge too shallow to be a line. Their disks cover the
-  /// ways to them, up to half and a little less, since they lie in other planes. Returns whether there are any.
+  /// ways to them, up to a third or so, since they lie in other planes. Returns whether there are any.
   bool AddNext(const Neighborhood& around, const vtkPointSplatFaces& faces, const float n[3],
     const vtkPointSplatFace& face, const vtkPointSplatCrease& crease)
   {
@@ -130,7 +130,7 @@ private:
   static constexpr float LargestWay = 2.0f;
   /// How steep the way to a point past a shallow edge is at most, and how much farther off it counts (Testing/Accuracy/fit_constants.py).
   static constexpr float NextSlope = 0.6f;
-  static constexpr float NextWay = 1.2f;
+  static constexpr float NextWay = 1.4f;
 
   struct Point
   {

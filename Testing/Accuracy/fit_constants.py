@@ -54,7 +54,7 @@ CONSTANTS = {
     "FewestAlike": ("vtkPointSplatCrease.cxx", (2, 3, 4), MESHED + PARTS),
     "AlikeTurned": ("vtkPointSplatCrease.cxx", (0.8, 0.9, 0.974), MESHED + FOLDS),
     "NextSlope": ("vtkPointSplatMirrored.h", (0.0, 0.3, 0.6, 1.0), SHALLOW),
-    "NextWay": ("vtkPointSplatMirrored.h", (1.0, 1.2, 1.4), SHALLOW),
+    "NextWay": ("vtkPointSplatMirrored.h", (1.0, 1.2, 1.4, 1.6), SHALLOW),
     "SparserSide": ("vtkPointSplatFoldSides.cxx", (1.3, 2.0, 3.0, 6.0), MESHED + PARTS),
     "FlatDeviation": ("vtkPointSplatFace.h", (0.015, 0.03, 0.06), MESHED + FOLDS),
     "FewestWithoutRow": ("vtkPointSplatCreasesFaces.cxx", (3, 5, 7, 33), MESHED + PARTS),
