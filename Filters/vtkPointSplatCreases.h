@@ -108,7 +108,8 @@ public:
   /// Whether points of a slot have normals of several faces.
   bool HasTwins(Slot s) const;
 
-  /// Whether a splat goes on behind one of its lines.
+  /// Whether a splat ends at lines, and whether it goes on behind one of these.
+  static bool HasLine(const Splat& splat);
   static bool HasFold(const Splat& splat);
 
 private:
@@ -144,7 +145,6 @@ private:
     vtkPointSplatCrease& crease, Splat& splat) const;
   bool ReachesOver(const Neighborhood& around, const float plane[3],
     const vtkPointSplatCrease::Line& line, float radius) const;
-  static bool HasLine(const Splat& splat);
 
   const vtkPointSplatNeighbors& Neighbors;
   vtkPointSplatFaces Faces;

@@ -107,8 +107,9 @@ private:
   }
   /// Whether there may be fill points, and where the points are a mesh.
   bool Fills() const { return this->Self->GetFillGaps() && !this->Elliptical; }
-  bool FillsNoise() const { return this->Self->GetFillNoise() || !this->IsNoisy(); }
   bool FillsMesh() const { return this->MeshAlone && this->Fills() && this->Self->GetFillMeshGaps(); }
+  /// And where they are no mesh, if they are noise.
+  bool FillsNoise() const { return this->Self->GetFillNoise() || !this->IsNoisy(); }
   bool FindStars();
   void FindFill();
   void BoundMesh();
@@ -120,6 +121,7 @@ private:
   float GetBeside(const double x[3], vtkIdType id) const;
   void TakeFill(const vtkPointSplatRefinement& fill);
   void AddFoldSides();
+  vtkPointSplatRefinement::Point MakeFillAt(vtkIdType id) const;
   void TakeShadingNormals();
   void TurnPlanes();
   void Write();

@@ -290,7 +290,19 @@ void vtkPointSplatEstimates::TakeFill(const vtkPointSplatRefinement& fill)
   }
 }
 
-/// Adds those of points on edges that are too small on one side, which have their own lines.
+/// A fill point in the place of another point, with its normal.
+vtkPointSplatRefinement::Point vtkPointSplatEstimates::MakeFillAt(vtkIdType id) const
+{
+  vtkPointSplatRefinement::Point point{};
+  this->Input->GetPoint(id, point.X);
+  this->Normals->GetTypedTuple(id, point.Normal);
+  point.Count = 1;
+  point.Ends[0] = static_cast<Slot>(id);
+  point.Weights[0] = 1;
+  return point;
+}
+
+/// Adds those of points on edges whose splats are too small on one side. They have their own lines.
 void vtkPointSplatEstimates::AddFoldSides()
 {
   const vtkPointSplatFoldSides finder(
@@ -302,18 +314,13 @@ void vtkPointSplatEstimates::AddFoldSides()
     {
       continue;
     }
-    vtkPointSplatRefinement::Point point{};
-    this->Input->GetPoint(id, point.X);
-    std::copy_n(this->GetNormal(id), 3, point.Normal);
+    vtkPointSplatRefinement::Point point = this->MakeFillAt(id);
     // Turned as that is whose curvature it takes.
     const float turn = vtkMath::Dot(side.Plane, side.Next->Normal) < 0 ? -1.0f : 1.0f;
     std::transform(side.Plane, side.Plane + 3, point.Plane, [turn](float v) { return turn * v; });
     std::copy_n(side.Next->Tensor, 6, point.Curvature);
     std::copy_n(side.Clip, 3, point.Clip);
-    point.Size = this->GetScaled(side.Radius);
-    point.Count = 1;
-    point.Ends[0] = static_cast<Slot>(id);
-    point.Weights[0] = 1;
+    point.Size = this->GetScaled(this->Disks->GetBounded(side.Next->At));
     this->Fill.push_back(point);
   }
 }
@@ -326,32 +333,19 @@ void vtkPointSplatEstimates::MakeFill()
   }
   const std::vector<vtkIdType>& sources = this->Split.Sources;
   const vtkIdType own = this->NumberOfPoints - static_cast<vtkIdType>(sources.size());
-  for (vtkPointSplatRefinement::Point& point : this->Fill)
-  {
-    for (int k = 0; k < point.Count; ++k)
-    {
-      vtkIdType end = point.Ends[k];
-      point.Ends[k] = static_cast<Slot>(end < own ? end : sources[end - own]);
-    }
-  }
   const auto add = [&](vtkIdType id, const float* clip) {
-    vtkPointSplatRefinement::Point point{};
-    point.Size = this->Sizes[0]->GetValue(id);
-    if (!(point.Size > 0))
+    if (!(this->Sizes[0]->GetValue(id) > 0))
     {
       return; // it is not drawn
     }
-    this->Input->GetPoint(id, point.X);
-    this->Normals->GetTypedTuple(id, point.Normal);
+    vtkPointSplatRefinement::Point point = this->MakeFillAt(id);
+    point.Size = this->Sizes[0]->GetValue(id);
     this->Planes->GetTypedTuple(id, point.Plane);
     this->Curvatures->GetTypedTuple(id, point.Curvature);
     if (clip)
     {
       std::copy_n(clip, 6, point.Clip);
     }
-    point.Count = 1;
-    point.Ends[0] = static_cast<Slot>(id < own ? id : sources[id - own]);
-    point.Weights[0] = 1;
     this->Fill.push_back(point);
   };
   for (vtkIdType id = own; id < this->NumberOfPoints; ++id)
@@ -364,6 +358,14 @@ void vtkPointSplatEstimates::MakeFill()
     if (end.IsTwo() && !this->IsAt(creased, end.Id))
     {
       add(end.Id, end.Other);
+    }
+  }
+  for (vtkPointSplatRefinement::Point& point : this->Fill)
+  {
+    for (int k = 0; k < point.Count; ++k)
+    {
+      vtkIdType end = point.Ends[k];
+      point.Ends[k] = static_cast<Slot>(end < own ? end : sources[end - own]);
     }
   }
   for (vtkFloatArray* array : { this->Normals.Get(), this->Sizes[0].Get(), this->Planes.Get(), this->Curvatures.Get(),

@@ -5,6 +5,8 @@
 #include "vtkIdList.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkPointSplatBorders.h"
+#include "vtkPointSplatInput.h"
 #include "vtkPointSplatThreads.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -23,17 +25,10 @@ namespace
 {
 /// How many times as large a splat on a side is as the edge point's for that to be too small (Testing/Accuracy/fit_constants.py).
 constexpr float SparserSide = 3.0f;
-/// How far, in radii of the splat on a side, its line and the edge point are at most: as far as a splat is drawn.
-constexpr float SideReach = 1.5f;
-/// How far, in these, the edge point is off the line and the plane.
+/// How far, in radii of the splat on a side, the edge point is off its line and its plane.
 constexpr float OffSide = 0.1f;
 /// The line is so far from the edge point at least, since lines are as long as they are near.
 constexpr float LeastOfRadius = 1e-3f;
-
-bool IsNone(const float line[3])
-{
-  return line[0] == 0 && line[1] == 0 && line[2] == 0;
-}
 }
 
 vtkPointSplatFoldSides::vtkPointSplatFoldSides(
@@ -53,14 +48,14 @@ bool vtkPointSplatFoldSides::Candidate::operator<(const Candidate& other) const
 bool vtkPointSplatFoldSides::IsEdge(const Splat& splat)
 {
   // Twins, where points of several faces share a place, have a face each.
-  return splat.Id < 0 && !IsNone(splat.Fold) && IsNone(splat.Clip + 3);
+  return splat.Id < 0 && !vtkPointSplatInput::IsZero(splat.Fold) && vtkPointSplatInput::IsZero(splat.Clip + 3);
 }
 
 /// Adds the sides of an edge point, some way off, that the splat is next to.
 void vtkPointSplatFoldSides::AddSides(
   const Splat& next, float radius, const Splat& edge, const float way[3], std::vector<Candidate>& found) const
 {
-  if (SparserSide * this->GetRadius(edge.At) > radius || std::abs(vtkMath::Dot(way, next.Normal)) > OffSide * radius)
+  if (std::abs(vtkMath::Dot(way, next.Normal)) > OffSide * radius)
   {
     return;
   }
@@ -76,7 +71,7 @@ void vtkPointSplatFoldSides::AddSides(
     {
       if (std::abs(vtkMath::Dot(plane, next.Normal)) > vtkPointSplatCreases::OwnCosine)
       {
-        Candidate candidate{ { &edge, &next, plane, { 0, 0, 0 }, radius }, vtkMath::Dot(way, way) };
+        Candidate candidate{ { &edge, &next, plane, { 0, 0, 0 } }, vtkMath::Dot(way, way) };
         for (int c = 0; c < 3; ++c)
         {
           candidate.Of.Clip[c] = line[c] / (length * std::max(past, LeastOfRadius * radius));
@@ -93,6 +88,7 @@ std::vector<vtkPointSplatFoldSides::Side> vtkPointSplatFoldSides::Find(const std
   vtkNew<vtkPoints> places;
   places->SetDataTypeToDouble();
   std::vector<const Splat*> edges;
+  std::vector<float> least; // the radii from which on splats beside these are looked at
   for (const Splat& splat : splats)
   {
     if (IsEdge(splat))
@@ -101,6 +97,7 @@ std::vector<vtkPointSplatFoldSides::Side> vtkPointSplatFoldSides::Find(const std
       this->Neighbors.GetPosition(splat.At, x);
       places->InsertNextPoint(x);
       edges.push_back(&splat);
+      least.push_back(SparserSide * this->GetRadius(splat.At));
     }
   }
   if (edges.empty())
@@ -112,6 +109,7 @@ std::vector<vtkPointSplatFoldSides::Side> vtkPointSplatFoldSides::Find(const std
   vtkNew<vtkStaticPointLocator> locator;
   locator->SetDataSet(cloud);
   locator->BuildLocator();
+  const float leastOfAll = *std::min_element(least.begin(), least.end());
   vtkSMPThreadLocal<std::vector<Candidate>> found;
   vtkSMPThreadLocalObject<vtkIdList> lists;
   vtkPointSplatThreads::For(0, static_cast<vtkIdType>(splats.size()), [&](vtkIdType begin, vtkIdType end) {
@@ -120,16 +118,21 @@ std::vector<vtkPointSplatFoldSides::Side> vtkPointSplatFoldSides::Find(const std
     for (vtkIdType k = begin; k < end; ++k)
     {
       const Splat& next = splats[k];
-      const float radius = next.Id < 0 && !vtkPointSplatCreases::HasFold(next) ? this->GetRadius(next.At) : 0.0f;
-      if (!(radius > 0))
+      const bool ends = next.Id < 0 && vtkPointSplatCreases::HasLine(next) && !vtkPointSplatCreases::HasFold(next);
+      const float radius = ends ? this->GetRadius(next.At) : 0.0f;
+      if (!(radius > 0) || radius < leastOfAll)
       {
         continue;
       }
       double x[3], y[3];
       this->Neighbors.GetPosition(next.At, x);
-      locator->FindPointsWithinRadius(SideReach * radius, x, near);
+      locator->FindPointsWithinRadius(vtkPointSplatBorders::KernelReach * radius, x, near);
       for (const vtkIdType i : *near)
       {
+        if (radius < least[i])
+        {
+          continue;
+        }
         places->GetPoint(i, y);
         const float way[3] = { static_cast<float>(y[0] - x[0]), static_cast<float>(y[1] - x[1]),
           static_cast<float>(y[2] - x[2]) };

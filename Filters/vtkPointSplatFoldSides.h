@@ -10,12 +10,12 @@
  * both: that of the face with the denser points. A mesh's colour goes over from the edge's to a face's within the face's
  * triangles, which on the other face are wider.
  * 1. Edge points are splats at creases (vtkPointSplatCreases.h) with a fold and no other line.
- * 2. Splats that end at a line without a fold are looked at that are SparserSide times as large as an edge point within
- *    SideReach of their radii. They are next to it if it lies on their line and in their plane, within OffSide of their radius, and
+ * 2. Splats that end at a line without a fold are looked at that are SparserSide times as large as the one of an edge point as
+ *    near as they are drawn. They are next to it if it lies on their line and in their plane, within OffSide of their radius, and
  *    is on their face, by one of its two planes.
  * 3. Of those of each of its sides the nearest tells how large a splat on that side alone is, how it bends, and its line.
  *
- * Memory is 64 bytes for each edge point and splat next to it, and a locator's for edge points.
+ * Memory is 48 bytes for each edge point and splat next to it, and a locator's for edge points.
  */
 #ifndef vtkPointSplatFoldSides_h
 #define vtkPointSplatFoldSides_h
@@ -40,7 +40,6 @@ public:
     const Splat* Next;  // on that side
     const float* Plane; // the edge point's there
     float Clip[3];      // as in the array of clip lines
-    float Radius;       // world units
   };
 
   /// getRadius: of a slot's splat, in world units.

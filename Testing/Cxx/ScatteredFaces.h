@@ -332,9 +332,12 @@ public:
     vtkNew<vtkPolyData> data;
     data->SetPoints(scene.Points);
     data->GetPointData()->SetNormals(scene.Normals);
-    this->Estimate(data);
+    this->Estimate(data, false);
   }
-  explicit Estimated(vtkPolyData* data) { this->Estimate(data); }
+  explicit Estimated(vtkPolyData* data, bool fills = false) { this->Estimate(data, fills); }
+
+  vtkIdType GetNumberOfPoints() const { return this->Data->GetNumberOfPoints(); }
+  void GetPoint(vtkIdType id, double x[3]) const { this->Data->GetPoint(id, x); }
 
   bool HasLines() const { return this->GetArray(vtkPointSplatArrays::Clip) != nullptr; }
   /// One of two vectors of a point, and its length; 0 without the array.
@@ -359,10 +362,11 @@ public:
   }
 
 private:
-  void Estimate(vtkPolyData* data)
+  void Estimate(vtkPolyData* data, bool fills)
   {
     vtkNew<vtkPointSplatEstimation> estimation;
     estimation->SetInputData(data);
+    estimation->SetFillGaps(fills);
     estimation->Update();
     this->Data = estimation->GetOutput();
   }

@@ -3,6 +3,7 @@
 // That vtkPointSplatEstimation knows the vertices of a volume's isosurface by their lattice: it estimates of them what it
 // does of the mesh, and takes nothing else for such.
 #include "Expect.h"
+#include "Gathered.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCleanPolyData.h"
@@ -258,13 +259,10 @@ vtkSmartPointer<vtkPolyData> Thin(vtkPolyData* mesh, double share)
   return Keep(mesh, [&](const double*) { return draw(random) >= share; });
 }
 
-/// A surface's points, but a sixth of those between two planes, where a mesh's triangles would span several voxels.
+/// A surface's points, those alone too, but a sixth of those between two planes, where a mesh's triangles would span several voxels.
 vtkSmartPointer<vtkPolyData> MakeSeam(vtkPolyData* mesh)
 {
-  auto cloud = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkFloatArray> normals;
-  normals->SetNumberOfComponents(3);
+  Gathered gathered;
   int between = 0;
   for (vtkIdType id = 0; id < mesh->GetNumberOfPoints(); ++id)
   {
@@ -272,13 +270,10 @@ vtkSmartPointer<vtkPolyData> MakeSeam(vtkPolyData* mesh)
     mesh->GetPoint(id, x);
     if (std::abs(0.3 * x[0] - 0.5 * x[1] + 0.8 * x[2] - 12) > 1.5 || between++ % 6 == 0)
     {
-      points->InsertNextPoint(x);
-      normals->InsertNextTuple(mesh->GetPointData()->GetNormals()->GetTuple(id));
+      gathered.Add(x, mesh->GetPointData()->GetNormals()->GetTuple(id));
     }
   }
-  cloud->SetPoints(points);
-  cloud->GetPointData()->SetNormals(normals);
-  return cloud;
+  return gathered.Cloud;
 }
 
 /// Whether planes face as they do by the triangles where normals are reversed in a place, as a volume's gradients are where its
@@ -321,10 +316,8 @@ void IsSearched(vtkPolyData* cloud, const std::string& what)
 /// Points of a volume itself: those of two layers, or heights over them.
 vtkSmartPointer<vtkPolyData> MakeGrid(bool heights)
 {
-  auto cloud = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkFloatArray> normals;
-  normals->SetNumberOfComponents(3);
+  Gathered gathered;
+  const double up[3] = { 0, 0, 1 };
   std::mt19937 random(3);
   std::uniform_int_distribution<int> steps(0, 30);
   for (int layer = 0; layer < (heights ? 1 : 2); ++layer)
@@ -333,24 +326,19 @@ vtkSmartPointer<vtkPolyData> MakeGrid(bool heights)
     {
       for (int i = 0; i < 60; ++i)
       {
-        points->InsertNextPoint(i, j, heights ? 0.1 * steps(random) : layer);
-        normals->InsertNextTuple3(0, 0, 1);
+        const double x[3] = { i + 0.0, j + 0.0, heights ? 0.1 * steps(random) : layer };
+        gathered.Add(x, up);
       }
     }
   }
-  cloud->SetPoints(points);
-  cloud->GetPointData()->SetNormals(normals);
-  return cloud;
+  return gathered.Cloud;
 }
 
 /// The middles of the squares on a box's faces, which lie as a mask's isosurface does.
 vtkSmartPointer<vtkPolyData> MakeBoxGrid()
 {
   constexpr int size = 20;
-  auto cloud = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkFloatArray> normals;
-  normals->SetNumberOfComponents(3);
+  Gathered gathered;
   for (int face = 0; face < 6; ++face)
   {
     const int axis = face / 2;
@@ -361,13 +349,10 @@ vtkSmartPointer<vtkPolyData> MakeBoxGrid()
       x[(axis + 1) % 3] = i % size + 0.5;
       x[(axis + 2) % 3] = i / size + 0.5;
       n[axis] = face % 2 ? 1 : -1;
-      points->InsertNextPoint(x);
-      normals->InsertNextTuple(n);
+      gathered.Add(x, n);
     }
   }
-  cloud->SetPoints(points);
-  cloud->GetPointData()->SetNormals(normals);
-  return cloud;
+  return gathered.Cloud;
 }
 }
 

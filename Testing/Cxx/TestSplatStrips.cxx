@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the PointSplatting authors
 // SPDX-License-Identifier: BSD-3-Clause
 // That vertices of meshes of parts, whose normals are averages at edges, tell these edges where a face is narrow or bends: the
-// top of a rib that has one row of vertices between its edges, or none, and the rims of small holes.
+// top of a rib that has one row of vertices between its edges, or none, and the rims of small holes; and that disks at edges end
+// past shallow ones, and are large on a face that is much sparser than the other.
 #include "Expect.h"
 #include "Gathered.h"
 #include "ScatteredFaces.h"
@@ -215,22 +216,17 @@ void DenseTop()
       gathered.Add(x, out);
     }
   }
-  const vtkIdType count = gathered.Cloud->GetNumberOfPoints();
-  vtkNew<vtkPointSplatEstimation> estimation;
-  estimation->SetInputData(gathered.Cloud);
-  estimation->FillGapsOn();
-  estimation->Update();
-  vtkPointData* splats = estimation->GetOutput()->GetPointData();
+  const Estimated splats(gathered.Cloud, true);
   int found = 0;
-  for (vtkIdType id = count; id < estimation->GetOutput()->GetNumberOfPoints(); ++id)
+  for (vtkIdType id = gathered.Cloud->GetNumberOfPoints(); id < splats.GetNumberOfPoints(); ++id)
   {
-    double x[3], clip[6];
-    estimation->GetOutput()->GetPoint(id, x);
-    splats->GetArray(vtkPointSplatArrays::Clip)->GetTuple(id, clip);
-    const bool onWall = std::abs(splats->GetArray(vtkPointSplatArrays::PlaneNormal)->GetComponent(id, 0)) > 0.99;
+    double x[3], line[3];
+    splats.GetPoint(id, x);
+    splats.GetLine(id, 0, line);
+    const bool onWall = splats.GetPlanePart(id, out) > 0.99;
     // The line is the edge, and what is kept is below.
-    found += x[0] == 0 && x[2] == 0 && onWall && clip[2] > 100 && std::abs(clip[1]) < 0.1 * clip[2] &&
-        splats->GetArray(vtkPointSplatArrays::Radius)->GetComponent(id, 0) > 1
+    found += x[0] == 0 && x[2] == 0 && onWall && line[2] > 100 && std::abs(line[1]) < 0.1 * line[2] &&
+        splats.GetRadius(id) > 1
       ? 1
       : 0;
   }
