@@ -281,12 +281,13 @@ bool vtkPointSplatCloud::BuildSplats(
   if (this->Skipped > 0)
   {
     vtkWarningWithObjectMacro(input.Owner, << this->Skipped << " of " << this->Points
-                                           << " points are not drawn: ghosts, coordinates that "
-                                              "are not finite, normals or splat sizes that are "
-                                              "zero or not finite (sizes that are estimated are "
-                                              "zero where no surface lies between points), or "
-                                              "points farther off than a million times what the "
-                                              "middle half of all spans.");
+                                           << " points are not drawn: ghosts, or coordinates, "
+                                              "normals or splat sizes that are not finite, "
+                                              "normals that are zero, sizes that are not "
+                                              "positive (estimated ones are zero where no "
+                                              "surface lies between points), or points farther "
+                                              "off than a million times what the middle half of "
+                                              "all spans.");
   }
   if (given && this->Circular)
   {
