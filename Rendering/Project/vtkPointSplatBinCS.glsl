@@ -43,7 +43,8 @@ void main()
   last = isWide ? last >> 4 : last;
   int across = isWide ? (TilesAcross + 15) >> 4 : TilesAcross;
   int stride = isWide ? 1 : KindCount;
-  int base = isWide ? KindCount * TileCount : kind == Triangle ? 3 : int(kind) - 1;
+  uint listed = kind == Triangle ? 4u : kind == Clipped ? Bent : kind;
+  int base = isWide ? KindCount * TileCount : int(listed) - 1;
   uint entry = index | (box.x >> 25 | (box.y >> 25 & 7u) << 7) << RecordBits;
   for (int y = first.y; y <= last.y; ++y)
   {

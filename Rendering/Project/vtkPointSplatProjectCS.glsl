@@ -171,10 +171,18 @@ void main()
     whole = whole && off >= reach;
   }
 #endif
-  // Of rays that are taken for parallel within a tile, and all over the splat.
+#ifdef CLIP_LINES
+  clipSplat(q, HasClipLines ? RadiusScale * texelFetch(ClipLineTexels, int(splat)) : vec4(0.0), b.z);
+  bool isClipped = endsAtLines(q);
+#else
+  const bool isClipped = false;
+#endif
+  // Of rays that are taken for parallel within a tile, and all over the splat. At clip lines two
+  // splats meet, and no filter widens what is narrow.
   float perspective = length(vec2(q.s.z, q.t.z)) + abs(q.m.z) * bend.strongest;
   bool isBent = whole &&
-    TileReach * TileReach * perspective <= StillPixels * max(thin, PrefilterRadius);
+    TileReach * TileReach * perspective <=
+      StillPixels * (isClipped ? 0.5 * thin : max(thin, PrefilterRadius));
   float shift = KernelSupport * longest * nearer;
   bool isFlat = whole && (!narrow || leans) &&
     shift + max(bend.highest, -bend.lowest) * length(q.m.xy) <= StillPixels;
@@ -184,17 +192,12 @@ void main()
 #endif
   ivec2 tiles = last - first;
   bool isWide = max(tiles.x, tiles.y) >= WideTiles;
-#ifdef CLIP_LINES
-  clipSplat(q, HasClipLines ? RadiusScale * texelFetch(ClipLineTexels, int(splat)) : vec4(0.0), b.z);
-  bool isClipped = endsAtLines(q);
-#else
-  const bool isClipped = false;
-#endif
-  uint kind = !seen          ? NotSeen
-    : isWide                 ? Wide
-    : isFlat && !isClipped   ? Flat
-    : isBent && !isClipped   ? Bent
-                             : Curved;
+  uint kind = !seen        ? NotSeen
+    : isWide               ? Wide
+    : isFlat && !isClipped ? Flat
+    : !isBent              ? Curved
+    : isClipped            ? Clipped
+                           : Bent;
   uint bucket = uint(clamp((q.depth - deep - BucketScale.x) * BucketScale.y, 0.0,
     float(DepthBuckets - 1u)));
   uint to = invocation - FirstInvocation;

@@ -43,9 +43,10 @@ const int RecordTexels = 5;
 const uint NotSeen = 0u;
 const uint Flat = 1u;   // neither bend nor perspective moves a pixel
 const uint Bent = 2u;   // perspective moves no pixel within a tile
-const uint Curved = 3u; // all is computed; splats that end at clip lines are among these
+const uint Curved = 3u; // all is computed
 const uint Wide = 4u;   // the same, listed once for many tiles
 const uint Triangle = 5u;
+const uint Clipped = 6u; // as bent, but ends at clip lines: tiles list it among bent ones
 
 // Splats are listed by the bucket of their nearest depth.
 const uint DepthBuckets = 1024u;

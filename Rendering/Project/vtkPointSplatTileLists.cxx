@@ -17,6 +17,7 @@ constexpr uint32_t Flat = 1;
 constexpr uint32_t Bent = 2;
 constexpr uint32_t Wide = 4;
 constexpr uint32_t Triangle = 5;
+constexpr uint32_t Clipped = 6;
 constexpr int BlockShift = 4; // blocks of 16 x 16 tiles
 constexpr int CellShift = 2;  // what is covered is told by cells of 4 x 4 tiles
 // More threads would each need a count for every tile.
@@ -25,6 +26,12 @@ constexpr int MostParts = 16;
 uint32_t KindOf(uint32_t last)
 {
   return last >> 28;
+}
+
+/// Among which a tile lists it.
+uint32_t ListedKindOf(uint32_t last)
+{
+  return KindOf(last) == Clipped ? Bent : KindOf(last);
 }
 
 uint32_t BucketOf(uint32_t first, uint32_t last)
@@ -95,7 +102,7 @@ void vtkPointSplatTileLists::Count(
   // By kind and bucket, each part of the splats after the ones before.
   auto keyOf = [boxes, boxWords](size_t i) {
     const uint32_t* box = boxes + boxWords * i;
-    return KindOf(box[1]) * Buckets + BucketOf(box[0], box[1]);
+    return ListedKindOf(box[1]) * Buckets + BucketOf(box[0], box[1]);
   };
   constexpr size_t Keys = (Triangle + 1) * Buckets;
   std::vector<std::array<uint32_t, Keys>> places(parts);
@@ -121,7 +128,6 @@ void vtkPointSplatTileLists::Count(
     curved = key < (Bent + 1) * Buckets ? sorted : curved;
     triangles = key < Triangle * Buckets ? sorted : triangles;
   }
-  this->Curved = triangles > curved;
   this->HasTriangles = sorted > triangles;
   this->Sorted.resize(sorted);
   this->ForParts([&](size_t part) {
@@ -137,18 +143,20 @@ void vtkPointSplatTileLists::Count(
     }
   });
 
-  // How many entries each part adds to each list.
+  // How many entries each part adds to each list, and of which kinds these are.
   const size_t tiles = static_cast<size_t>(grid.GetCount());
   const size_t lists = tiles + static_cast<size_t>(this->Blocks.x * this->Blocks.y);
   this->Places.resize(parts);
   std::vector<std::vector<uint32_t>> flats(parts);
   std::vector<std::vector<uint32_t>> bents(parts);
   std::vector<std::vector<uint32_t>> faces(parts);
+  std::vector<std::vector<uint8_t>> endAtLines(parts);
   this->ForParts([&](size_t part) {
     this->Places[part].assign(lists, 0);
     flats[part].assign(tiles, 0);
     bents[part].assign(tiles, 0);
     faces[part].assign(tiles, 0);
+    endAtLines[part].assign(tiles, 0);
     for (size_t i = sorted * part / parts; i < sorted * (part + 1) / parts; ++i)
     {
       const Listed& listed = this->Sorted[i];
@@ -163,6 +171,11 @@ void vtkPointSplatTileLists::Count(
         {
           ++bents[part][list];
         }
+        else if (kind == Clipped)
+        {
+          ++bents[part][list];
+          endAtLines[part][list] = 1;
+        }
         else if (kind == Triangle)
         {
           ++faces[part][list];
@@ -174,6 +187,8 @@ void vtkPointSplatTileLists::Count(
   this->Flats.assign(tiles, 0);
   this->Bents.assign(tiles, 0);
   this->Triangles.assign(tiles, 0);
+  this->EndAtLines.assign(tiles, 0);
+  bool anyEnds = false;
   uint32_t at = 0;
   for (size_t list = 0; list < lists; ++list)
   {
@@ -188,11 +203,14 @@ void vtkPointSplatTileLists::Count(
         this->Flats[list] += flats[part][list];
         this->Bents[list] += bents[part][list];
         this->Triangles[list] += faces[part][list];
+        this->EndAtLines[list] |= endAtLines[part][list];
+        anyEnds = anyEnds || endAtLines[part][list] != 0;
       }
     }
   }
   this->Starts[lists] = at;
   this->Entries = at;
+  this->Curved = triangles > curved || anyEnds;
 }
 
 //------------------------------------------------------------------------------
@@ -276,7 +294,8 @@ bool vtkPointSplatTileLists::IsEmpty(uint32_t tile) const
 bool vtkPointSplatTileLists::IsCurved(uint32_t tile) const
 {
   const size_t block = this->BlockOf(tile);
-  return this->Starts[tile] + this->Flats[tile] + this->Bents[tile] < this->Starts[tile + 1] ||
+  return this->EndAtLines[tile] != 0 ||
+    this->Starts[tile] + this->Flats[tile] + this->Bents[tile] < this->Starts[tile + 1] ||
     this->Starts[block] < this->Starts[block + 1];
 }
 

@@ -11,8 +11,8 @@
 //    Triangles (vtkPointSplatTrianglesCS.glsl) come after a tile's splats.
 // 3. Tiles that have some are put into an order in which tiles close to each other, whose splats are in the caches,
 //    follow one another, and among them those with lists of like lengths, since invocations go in
-//    lockstep; tiles with curved splats or triangles come after all others, so that these can be drawn by a
-//    program that knows none; work groups are dealt out to the driver's threads, which take runs of
+//    lockstep; tiles with curved or clipped splats or triangles come after all others, so that these
+//    can be drawn by a program that knows none; work groups are dealt out to the driver's threads, which take runs of
 //    them.
 #ifndef vtkPointSplatTileLists_h
 #define vtkPointSplatTileLists_h
@@ -49,7 +49,7 @@ public:
     const uint32_t* boxes, size_t boxWords, size_t splats, const vtkPointSplatTileGrid& grid);
   /// Entries of all lists, after Count().
   size_t GetNumberOfEntries() const { return this->Entries; }
-  /// Whether there are triangles, or splats that are no flat or bent ones.
+  /// Whether there are triangles, or splats that are curved or end at clip lines.
   bool HasCurved() const { return this->Curved || this->HasTriangles; }
   /// Of splats alone.
   bool HasCurvedSplats() const { return this->Curved; }
@@ -84,7 +84,7 @@ public:
    * The tiles of the grid's window in some rows of it that have splats, and where these are in the lists: first
    * of the flat, bent and curved ones, tile; end, first of the wide ones, their end, first of the
    * triangles and 1 more. Appended to a
-   * table, those without curved and wide ones first, and either padded with zeros to whole work
+   * table, those without curved, clipped and wide ones first, and either padded with zeros to whole work
    * groups of so many invocations. rows: first and last, whole blocks of 16. Returns how many rows
    * of the table those without take.
    */
@@ -113,7 +113,7 @@ private:
   std::vector<uint32_t> OrderTiles(const glm::ivec2& rows) const;
   size_t BlockOf(uint32_t tile) const; // its list
   bool IsEmpty(uint32_t tile) const;
-  bool IsCurved(uint32_t tile) const;
+  bool IsCurved(uint32_t tile) const; // or has clipped splats or triangles
   void Deal(
     const std::vector<uint32_t>& tiles, size_t groupSize, std::vector<uint32_t>& table) const;
   template <typename Function>
@@ -130,8 +130,9 @@ private:
   std::vector<uint32_t> Flats;  // of tiles
   std::vector<uint32_t> Bents;
   std::vector<uint32_t> Triangles;
+  std::vector<uint8_t> EndAtLines; // whether some of a tile's bent ones end at clip lines
   size_t Entries = 0;
-  bool Curved = false; // some splats
+  bool Curved = false; // some splats, or clipped
   bool HasTriangles = false;
 };
 

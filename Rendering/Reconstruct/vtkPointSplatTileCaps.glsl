@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The loops over a tile's splats that are caps (vtkPointSplatRecord): bent ones, whose rays are
-// parallel, and curved ones, of which each ray is met exactly, within the depth range, before
-// clipping planes and up to their clip lines.
+// parallel, and curved ones, of which each ray is met exactly, within the depth range and before
+// clipping planes; both up to their clip lines.
 
 #include "vtkPointSplatCap"
 #include "vtkPointSplatTileRays"
@@ -170,11 +170,19 @@ void seeBent(inout int begin, int end)
     Cap cap = capOf(
       texelFetch(Records, at + 1), texelFetch(Records, at + 2), texelFetch(Records, at + 3));
     Bundle rays = bundleOf(cap, imageW(cap, h.depth), h.from + middle, DiskReach);
+#ifdef CLIP_LINES
+    ClipLines lines = clipLinesOf(cap, record);
+#endif
     for (int k = 0; k < Pixels; ++k)
     {
       vec2 uv;
       float behind;
       bool met = meetBundle(rays, offsetOf(k) - middle, uv, behind) && dot(uv, uv) <= reach;
+#ifdef CLIP_LINES
+      vec2 products = clipProducts(lines, uv);
+      met = met && isKept(lines, products);
+      behind += marginDelay(products, h.tag, h.layer);
+#endif
       keepNearest(k, h, met, h.depth + behind);
     }
     ++i;
@@ -198,7 +206,7 @@ Normal normalOf(uvec4 r2, uvec4 r4)
 }
 
 // Where a pixel's ray misses the cap it meets the widened ellipse; the kernel sees the lesser
-// distance. cut: whether the point may lie beyond the depth range, a clipping plane or a clip line.
+// distance. cut: whether the point may lie beyond the depth range or a clipping plane.
 void addCap(int k, Head h, Paint p, bool met, vec2 uv, float behind, Widened w, vec2 zST, Normal n,
   bool cut)
 {
@@ -209,9 +217,8 @@ void addCap(int k, Head h, Paint p, bool met, vec2 uv, float behind, Widened w, 
   bool misses = !met || r2 > p.kernel.z * p.kernel.z;
   float share = 1.0;
 #ifdef CLIP_LINES
-  share = cut ? clippedShare(p.lines,
-                  misses ? clipProductsInImage(p.lines, d) : clipProducts(p.lines, uv))
-              : 1.0;
+  share = clippedShare(
+    p.lines, misses ? clipProductsInImage(p.lines, d) : clipProducts(p.lines, uv));
 #endif
   uv = misses ? onEllipse.x * w.lean : uv;
   behind = misses ? -dot(uv, zST) : behind;
@@ -255,6 +262,9 @@ void addBent(int i, int end, float layerEnd)
     Normal n = normalOf(r2, r4);
 #ifdef LOOKS
     prepareCapLook(p.look, widened.places);
+#endif
+#ifdef CLIP_LINES
+    p.lines = clipLinesOf(cap, record);
 #endif
     for (int k = 0; k < Pixels; ++k)
     {

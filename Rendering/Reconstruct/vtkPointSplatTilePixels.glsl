@@ -218,7 +218,7 @@ struct Paint
 {
   vec4 kernel;
 #ifdef CLIP_LINES
-  ClipLines lines; // of curved splats
+  ClipLines lines; // of caps
 #endif
 #ifdef COLOURS
   vec4 colour;

@@ -115,8 +115,8 @@ private:
   {
     const char* File;
     std::string Defines;
-    std::string Lines; // defines, where splats that are not flat or bent end at clip lines
-    bool Curved; // whether tiles may have triangles, and other splats than flat and bent ones
+    std::string Lines; // defines, where splats may end at clip lines
+    bool Curved; // whether tiles may have triangles, and curved or clipped splats
   };
   /// The opaque scene's depth; where that is not asked for, of layers, a texture of the same kind: drivers for processors
   /// compile a program for each kind.
@@ -124,7 +124,7 @@ private:
   /// One that walks over the lists.
   vtkPointSplatProgram* UseTiles(const vtkPointSplatRequest& request,
     const vtkPointSplatPart& part, vtkPointSplatUnits& units, const Shader& shader);
-  /// Tiles of some rows: those without curved splats and triangles, then those with, in the table or on the device.
+  /// Tiles of some rows: those without curved or clipped splats and triangles, then those with, in the table or on the device.
   struct Band
   {
     int Row;
@@ -175,7 +175,7 @@ private:
   vtkIdType Splats = 0; // records
   glm::vec2 BucketScale{ 0.0f };
   float DepthReach = 0.0f;
-  bool Curved = false;       // some tiles have curved splats or triangles ...
+  bool Curved = false;       // some tiles have curved or clipped splats or triangles ...
   bool CurvedSplats = false; // ... or the former
   bool HasTriangles = false;
   std::string Error;
